@@ -1,6 +1,7 @@
 // The output of the programs for any input: text of files and names reaches the terminal only with escapes, every number has limits, and
 // after closed pipes and failures no process hangs and no temporary file remains.
 #include "tests/support/run_program.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -255,8 +256,8 @@ TEST(Exits, HundredThousandCharactersAreToldShort) {
 }
 
 TEST(Exits, WhatHostileFilesHoldReachesNoTerminal) {
-    const fs::path hostile = fs::path(EDGESCAN_SHARED_DIR) / "data/hostile";
-    if (!fs::exists(hostile)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/hostile");
+    const fs::path hostile = test::sharedFolder() / "data/hostile";
     for (const char* name : {"m_esc_meta.mcap", "p_36.pcd", "g_format_1.json", "p_18.pcd"}) {
         for (const char* command : {"info ", "detect ", "detect --json - ", "replay ", "verify ", "why --line 0 --beam 0 "}) {
             const auto run = runCli(command + (hostile / name).string());

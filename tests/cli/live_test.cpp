@@ -12,6 +12,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "tests/support/served_program.h"
+#include "tests/support/shared_folder.h"
 #include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
@@ -373,9 +374,9 @@ TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldByEveryCommand) {
 }
 
 TEST_F(Live, ReplayAndDetectSayTheSameOfTheSharedRecordings) {
-    const std::filesystem::path shared = EDGESCAN_SHARED_DIR;
+    EDGESCAN_NEEDS_SHARED("protocol/vectors");
+    const std::filesystem::path shared = test::sharedFolder();
     std::vector<std::filesystem::path> recordings{shared / "protocol/vectors/sweep_demo.mcap"};
-    if (!std::filesystem::exists(recordings.front())) GTEST_SKIP() << "../shared is absent: its recordings cannot be played";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(shared / "data")) {
         if (entry.path().extension() == ".mcap") recordings.push_back(entry.path());
     }

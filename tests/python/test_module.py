@@ -1,6 +1,6 @@
 """The Python module against the command line, numpy and the documents.
 
-Run by ctest (python.module) with PYTHONPATH, EDGESCAN_CLI, EDGESCAN_SOURCE and EDGESCAN_SHARED.
+Run by ctest (python.module) with PYTHONPATH, EDGESCAN_CLI, EDGESCAN_SOURCE and EDGESCAN_SHARED_DIR (EDGESCAN_SHARED before it).
 """
 import ast
 import contextlib
@@ -27,7 +27,7 @@ import edgescan
 
 CLI = os.environ["EDGESCAN_CLI"]
 SOURCE = pathlib.Path(os.environ["EDGESCAN_SOURCE"])
-SHARED = pathlib.Path(os.environ["EDGESCAN_SHARED"])
+SHARED = pathlib.Path(os.environ.get("EDGESCAN_SHARED", os.environ["EDGESCAN_SHARED_DIR"]))
 FOLDER = tempfile.TemporaryDirectory(prefix="edgescan-python-")
 HERE = pathlib.Path(FOLDER.name)
 
@@ -105,7 +105,7 @@ class SameAsTheCommandLine(unittest.TestCase):
         real = SHARED / "data" / "lms200_corridor"
         scans = sorted(real.glob("*.3d"))
         if not scans:
-            self.skipTest(f"{real} is not there")
+            self.skipTest(f"needs {real}, which is not there")
         self.compare(scans[0])
 
     def test_files_are_the_same_bytes(self):

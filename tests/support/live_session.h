@@ -19,7 +19,16 @@ namespace edgescan::test {
 
 using namespace std::chrono_literals;
 
-/// Short waits, so that a test of failures is fast.
+/// Waits that no busy machine makes too short, for tests of a scanner that answers.
+inline scanner::ScannerTimeouts patient() {
+    scanner::ScannerTimeouts timeouts;
+    timeouts.connect = timeouts.answer = timeouts.firstScan = timeouts.silence = kPatience;
+    timeouts.detect = 3s; // a dialect that the scanner does not speak costs so long
+    timeouts.rests = {20ms, 40ms};
+    return timeouts;
+}
+
+/// Short waits, so that a test of failures is quick.
 inline scanner::ScannerTimeouts hasty() {
     scanner::ScannerTimeouts timeouts;
     timeouts.connect = 1s;
@@ -43,15 +52,15 @@ public:
 
     /// True as soon as `done` is true. `done` is called while this listener is locked.
     template <class Condition>
-    [[nodiscard]] bool waitFor(Condition done, std::chrono::milliseconds timeout = 20s) {
+    [[nodiscard]] bool waitFor(Condition done) {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, timeout, [&] { return done(*this); });
+        return changed_.wait_for(lock, kPatience, [&] { return done(*this); });
     }
-    [[nodiscard]] bool waitForPhase(scanner::SessionPhase phase, std::chrono::milliseconds timeout = 20s) {
-        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; }, timeout);
+    [[nodiscard]] bool waitForPhase(scanner::SessionPhase phase) {
+        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; });
     }
-    [[nodiscard]] bool waitForScans(std::size_t count, std::chrono::milliseconds timeout = 20s) {
-        return waitFor([count](const Listener& l) { return l.scans_ >= count; }, timeout);
+    [[nodiscard]] bool waitForScans(std::size_t count) {
+        return waitFor([count](const Listener& l) { return l.scans_ >= count; });
     }
 
     // Call these after the session is destroyed, or inside waitFor.
@@ -124,11 +133,11 @@ inline std::unique_ptr<scanner::EmulatedScanner> served(const Scan& scan, const 
     return std::move(*scanner);
 }
 
-inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner) {
+inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner, const scanner::ScannerTimeouts& timeouts = patient()) {
     scanner::SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
-    settings.timeouts = hasty();
+    settings.timeouts = timeouts;
     return settings;
 }
 

@@ -16,7 +16,7 @@ namespace edgescan::test {
 
 inline bool pythonIsThere() {
     static const bool there = std::system("python3 -c 1 >/dev/null 2>&1") == 0;
-    return there && std::filesystem::exists(protocolFolder() / "tools" / "cola.py");
+    return there;
 }
 
 /// A process that ends with the test.
@@ -49,4 +49,5 @@ private:
 } // namespace edgescan::test
 
 #define EDGESCAN_NEEDS_PYTHON()                                                                                                            \
-    if (!edgescan::test::pythonIsThere()) GTEST_SKIP() << "python3 or " << edgescan::test::protocolFolder() << "/tools is not there"
+    EDGESCAN_NEEDS_SHARED("protocol/tools");                                                                                               \
+    if (!edgescan::test::pythonIsThere()) GTEST_SKIP() << "needs python3"

@@ -29,7 +29,7 @@ class AuditWindowTest : public QObject {
         return lines;
     }
     static bool written(WindowFixture& on) {
-        return QTest::qWaitFor([&] { return on.window.audit().written(); }, 5000);
+        return eventually([&] { return on.window.audit().written(); });
     }
 
 private slots:
@@ -51,10 +51,10 @@ private slots:
             QVERIFY(on.use(settings));
             QSignalSpy saved(&on.window.engine(), &Engine::saved);
             on.window.engine().save(exports::ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
-            QVERIFY(saved.wait(10000));
+            QVERIFY(saved.wait(kPatienceMs));
             QSignalSpy reported(&on.window.report(), &ScanReport::ended);
             on.window.report().writeTo(QString::fromStdString((place / "report.html").string()));
-            QVERIFY(reported.wait(10000));
+            QVERIFY(reported.wait(kPatienceMs));
             QVERIFY(written(on));
         }
         const auto check = checkAudit(place / "audit.jsonl");
@@ -77,7 +77,7 @@ private slots:
         std::filesystem::create_symlink("/dev/full", place / "audit.jsonl");
         WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
         QVERIFY(on.showWith(scan_));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.notice().isVisible() && on.window.notice().text().contains("AUDIT LOG"); }, 5000));
+        QVERIFY(eventually([&] { return on.window.notice().isVisible() && on.window.notice().text().contains("AUDIT LOG"); }));
         QVERIFY(!on.window.audit().written());
         // Space is free again: the lines of the meantime are written too.
         std::filesystem::remove(place / "audit.jsonl");

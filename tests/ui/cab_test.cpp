@@ -183,7 +183,7 @@ private slots:
         on.window.views().pin(on.window.views().cellAt(100, 120));
         on.window.rocks().setShown(true);
         on.window.comparing().keep();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() != nullptr; }, 30000));
+        QVERIFY(eventually([&] { return on.window.rocks().picture() != nullptr; }));
         on.window.selection().select({100, 101, 102});
         on.window.markedEdges().mark(on.window.views().cellAt(100, 120), true);
         QSet<QString> dialogs;
@@ -316,7 +316,7 @@ private slots:
         // The second number belongs to the rock, once rocks are shown.
         QCOMPARE(side.sizeShown(), QString("–"));
         press(on.window, "cab-rocks");
-        QTRY_VERIFY_WITH_TIMEOUT(on.window.rocks().picture() != nullptr && !on.window.rocks().behind(), 20000);
+        QTRY_VERIFY(on.window.rocks().picture() != nullptr && !on.window.rocks().behind());
         for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) QVERIFY(dock->isHidden());
         const rocks::Rock* rock = on.window.rocks().picture()->rockAt(known.probe.line * 240 + known.probe.beam);
         const QString size = rock == nullptr

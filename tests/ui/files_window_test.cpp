@@ -60,7 +60,7 @@ private slots:
         }
         QSignalSpy failures(&window.engine(), &Engine::failed);
         window.files().open({path});
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.notice().isVisible());
         QCOMPARE(window.notice().kind(), NoticeBar::Kind::Error);
         QVERIFY2(window.notice().text().contains(name.section('.', 0, 0)), qPrintable(window.notice().text()));
@@ -93,16 +93,16 @@ private slots:
         QVERIFY(offered != nullptr && offered->isVisible());
         QTest::mouseClick(offered, Qt::LeftButton);
         QVERIFY(on.settled());
-        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(eventually(tilted));
         QVERIFY(straighten->isChecked());
         QVERIFY2(window.notice().text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.notice().text()));
         // ... and the menu undoes the correction.
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return !tilted(); }, 20000));
+        QVERIFY(eventually([&] { return !tilted(); }));
         QVERIFY(on.settled());
         QVERIFY(!straighten->isChecked());
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(eventually(tilted));
         // Another file opens as recorded.
         QVERIFY(on.open(real_));
         QVERIFY(!straighten->isChecked());
@@ -122,7 +122,7 @@ private slots:
             QSignalSpy saved(&window.engine(), &Engine::saved);
             const std::string path = (folder_ / name).string();
             window.engine().save(what, QString::fromStdString(path));
-            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.engine().working(); }, 10000));
+            QVERIFY(eventually([&] { return saved.count() == 1 && !window.engine().working(); }));
             const std::string other = (folder_ / (std::string("cli-") + name)).string();
             QCOMPARE(test::runCli("detect '" + real_ + "' " + flag + " " + other).code, 0);
             QVERIFY2(test::fileText(path) == test::fileText(other), name);
@@ -131,7 +131,7 @@ private slots:
         // A failed export names the path and leaves no file.
         QSignalSpy failures(&window.engine(), &Engine::failed);
         window.engine().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.notice().text().contains("/nonexistent-folder/e.pcd"));
     }
 
@@ -147,7 +147,7 @@ private slots:
         emit window.views().gray().clicked(1499, 1499);
         QVERIFY(!window.statusLine().probeShown().isEmpty());
         window.files().open({QString::fromStdString(small)});
-        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->detection->scan->lines() == 4; }, 20000));
+        QVERIFY(eventually([&] { return window.engine().picture()->detection->scan->lines() == 4; }));
         QVERIFY(window.statusLine().probeShown().isEmpty());
     }
 
@@ -165,9 +165,9 @@ private slots:
         QVERIFY(on.activate());
         QSignalSpy failures(&window.engine(), &Engine::failed);
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.engine().working(); }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.engine().working(); }));
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture()->detection->scan->lines() == 30; }, 10000));
+        QVERIFY(eventually([&] { return window.engine().picture()->detection->scan->lines() == 30; }));
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
     }
 
@@ -193,7 +193,7 @@ private slots:
         QSignalSpy failures(&window.engine(), &Engine::failed);
         window.engine().save(exports::ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
         window.files().open({QString::fromStdString(real_)});
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.engine().working(); }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.engine().working(); }));
     }
 
     void aDroppedFileIsOpened() {
@@ -222,12 +222,12 @@ private slots:
         QTRY_VERIFY(progress.count() > 0);
         QVERIFY(window.engine().working());
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return !window.engine().working(); }, 10000));
+        QVERIFY(eventually([&] { return !window.engine().working(); }));
         QCOMPARE(window.engine().picture(), before);
         // Two openings in a row: the second one is shown.
         window.files().openDemo();
         window.files().open({QString::fromStdString(real_)});
-        QVERIFY(QTest::qWaitFor([&] { return window.engine().picture() != before && !window.engine().working(); }, 20000));
+        QVERIFY(eventually([&] { return window.engine().picture() != before && !window.engine().working(); }));
         QCOMPARE(QString::fromStdString(window.engine().picture()->detection->scan->path), QString::fromStdString(real_));
     }
 };

@@ -100,12 +100,10 @@ bool laidOut(WindowFixture& on, const std::string& scan) {
     on.window.live().panel().show();
     edges::Settings other = on.window.engine().settings();
     other.sensitivity = 1.4;
-    return on.use(other) && QTest::qWaitFor(
-                                [&] {
-                                    return on.window.targets().settled() && on.window.rocks().picture() != nullptr &&
-                                           on.window.confidence().made() != nullptr && on.window.comparing().settled();
-                                },
-                                60000);
+    return on.use(other) && eventually([&] {
+               return on.window.targets().settled() && on.window.rocks().picture() != nullptr && on.window.confidence().made() != nullptr &&
+                      on.window.comparing().settled();
+           });
 }
 
 } // namespace
@@ -251,7 +249,7 @@ private slots:
             WindowFixture on(ini);
             QVERIFY(on.showWith(scan_));
             on.window.views().pin(on.window.views().cellAt(20, 30));
-            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+            QVERIFY(eventually([&] { return on.window.targets().settled(); }));
             const auto& kept = on.window.targets().notebook().targets.front().asPinned;
             QVERIFY(kept.size() > 3);
             QCOMPARE(kept.front().first, std::string("Distance"));
@@ -267,9 +265,9 @@ private slots:
         QVERIFY(useLanguage("es", kTexts));
         WindowFixture on(ini);
         QVERIFY(on.showWith(scan_));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled() && !on.window.targets().notebook().targets.empty(); }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled() && !on.window.targets().notebook().targets.empty(); }));
         on.window.views().pin(on.window.views().cellAt(20, 30));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled(); }));
         const QString card = on.window.targetsPanel().card().text();
         QVERIFY2(!card.contains("antes:"), qPrintable(card));
     }

@@ -142,9 +142,9 @@ private slots:
         QVERIFY(on.showWith(placed_));
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }));
         on.window.views().pin(on.window.views().cellAt(60, 80));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled(); }));
         for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080)}) {
             resizeTo(on.window, size);
             for (const QWidget* panel :

@@ -79,6 +79,7 @@ private slots:
         window.tuning().usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         compareWithCommandLine(on);
+        QTRY_VERIFY(window.views().cloud().atRest()); // the plates over the cloud have found their places
         const QImage edgesBefore = *window.views().edges().image();
         const int greenBefore = greenPixels(window.views().cloud().grabFrame(CloudView::Points::All));
         const QString countsBefore = window.statusLine().countsShown();
@@ -111,6 +112,7 @@ private slots:
         QVERIFY(on.settled());
         QCOMPARE(*window.views().edges().image(), edgesBefore);
         QCOMPARE(window.statusLine().countsShown(), countsBefore);
+        QTRY_VERIFY(window.views().cloud().atRest());
         QCOMPARE(greenPixels(window.views().cloud().grabFrame(CloudView::Points::All)), greenBefore);
     }
 
@@ -232,7 +234,7 @@ private slots:
         viewer.setProcessEnvironment(environment);
         viewer.start(QString::fromUtf8(EDGESCAN_BIN_DIR) + "/edgescan",
                      {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
-        QVERIFY(viewer.waitForFinished(30000));
+        QVERIFY(viewer.waitForFinished(kPatienceMs));
         QCOMPARE(viewer.exitCode(), 0);
         QVERIFY(Memory(config + "/edgescan/viewer.ini").settings(own) == own);
     }
@@ -265,8 +267,8 @@ private slots:
         const std::string large = (folder_ / "complete.json").string();
         QVERIFY(files::saveScan(test::boxesScan(800, 900, 1), large));
         QVERIFY(on.open(large));
-        QVERIFY(QTest::qWaitFor([&] { return window.views().cloud().drawnFraction() < 1.0; }, 15000)); // coarse first
-        QVERIFY(QTest::qWaitFor([&] { return window.views().cloud().drawnFraction() >= 1.0; }, 15000));
+        QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() < 1.0; })); // coarse first
+        QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() >= 1.0; }));
         // The parts drawn one after the other give the same picture as one frame.
         const QImage grown = window.views().cloud().grabFrame();
         const QImage whole = window.views().cloud().grabFrame(CloudView::Points::All);

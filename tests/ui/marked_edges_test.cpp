@@ -103,10 +103,10 @@ private slots:
         QVERIFY(card != nullptr && card->isVisible() && card->working());
         QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
         QTest::keyClick(card, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.markedEdges().settled(); }));
         QVERIFY(!card->isVisible() && card->list()->count() == 0);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.markedEdges().settled(); }));
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(on.window.engine().settings() == loose);
         // Adoption is one undo step.
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled() && card->isVisible(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.markedEdges().settled() && card->isVisible(); }));
         QVERIFY(choose(0));
         const edges::Settings previewed = on.window.engine().settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
@@ -145,11 +145,13 @@ private slots:
         const inspect::CellSet beyond = inspect::cellsBeyond(scan, 4.0, 6.0);
         QVERIFY(beyond.size() > 100);
         const auto edges = on.picture().detection->edges->size();
-        QTimer::singleShot(0, this, [] {
+        const Meanwhile hand([] {
             auto* dialog = QApplication::activeModalWidget();
+            if (dialog == nullptr || !dialog->isVisible()) return false;
             dialog->findChild<QDoubleSpinBox*>("gate-near")->setValue(4.0);
             dialog->findChild<QDoubleSpinBox*>("gate-far")->setValue(6.0);
             QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+            return true;
         });
         QTest::keyClick(&on.window, Qt::Key_G, Qt::ShiftModifier);
         QVERIFY(on.window.selection().hidden() == beyond);
@@ -186,8 +188,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
         click(on.window.views().gray(), line, first - 3);
         click(on.window.views().gray(), line, last + 3);
-        QVERIFY(
-            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }));
         const inspect::StoredMeasure& throat = on.window.targets().notebook().measures.front();
         QVERIFY(throat.kind == inspect::MeasureKind::Throat);
         const auto told = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
@@ -198,8 +199,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
         click(on.window.views().gray(), line, first - 60);
         click(on.window.views().gray(), line, first - 10);
-        QVERIFY(
-            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }, 20000));
+        QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }));
         QVERIFY(on.window.targets().notebook().measures.back().kind == inspect::MeasureKind::Path);
         // Two cells of the plain wall enclose no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);

@@ -67,7 +67,7 @@ class OpeningWindowTest : public QObject {
         return true;
     }
     static bool checked(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.window.opening().points().has_value(); }, 20000);
+        return on.settled() && eventually([&] { return on.window.opening().points().has_value(); });
     }
 
 private slots:
@@ -89,27 +89,27 @@ private slots:
         QVERIFY2(offer->isVisible(), qPrintable(on.window.notice().text()));
         QTest::mouseClick(offer, Qt::LeftButton);
         OpeningCard* card = on.window.opening().card();
-        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card));
+        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card, kPatienceMs));
         QVERIFY(!card->isModal());
         // Preview: the scan is ten times larger, without an undo step.
         QVERIFY(choose(*card, "centimetres"));
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
         QVERIFY(!on.window.undoStack().canUndo());
         // Closed: restored.
         card->reject();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
         QVERIFY(!on.window.files().options().unitMm);
         // Adopted: one undo step; undo restores the former reading.
         QVERIFY(checked(on));
         on.window.opening().show();
         QVERIFY(choose(*card, "centimetres"));
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && on.window.undoStack().count() == 1; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && on.window.undoStack().count() == 1; }));
         card->reject();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
         QCOMPARE(on.window.files().options().unitMm.value_or(0.0), 10.0);
         on.window.undoStack().undo();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
         QVERIFY(!on.window.files().options().unitMm);
     }
 
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(notice.text().startsWith("Nothing is selected"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
-        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card()));
+        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card(), kPatienceMs));
         on.window.opening().card()->reject();
         // A closed notice counts as read.
         QVERIFY(on.activate());
@@ -186,7 +186,7 @@ private slots:
             QVERIFY(checked(on));
             on.window.opening().show();
             OpeningCard* card = on.window.opening().card();
-            QVERIFY(QTest::qWaitForWindowExposed(card));
+            QVERIFY(QTest::qWaitForWindowExposed(card, kPatienceMs));
             QTreeWidget* list = card->list();
             const files::OpeningPoint& unit = on.window.opening().points()->front();
             const QString said = list->topLevelItem(0)->text(1);

@@ -120,11 +120,12 @@ private slots:
         QVERIFY(on.show());
         QVERIFY(on.open(placed_));
         bool asked = false;
-        QTimer::singleShot(300, &window, [&] {
-            if (auto* dialog = window.findChild<ExportDialog*>()) {
-                asked = dialog->content() == exports::ExportContent::EdgeCloud;
-                dialog->reject();
-            }
+        const Meanwhile hand([&] {
+            auto* dialog = window.findChild<ExportDialog*>();
+            if (dialog == nullptr || !dialog->isVisible()) return false;
+            asked = dialog->content() == exports::ExportContent::EdgeCloud;
+            dialog->reject();
+            return true;
         });
         QSignalSpy saved(&window.engine(), &Engine::saved);
         const auto actions = window.actions();
@@ -132,14 +133,14 @@ private slots:
             std::find_if(actions.begin(), actions.end(), [](QAction* a) { return a->shortcut() == QKeySequence("Ctrl+E"); });
         QVERIFY(command != actions.end());
         (*command)->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(asked, 5000);
+        QTRY_VERIFY(asked);
         QCOMPARE(saved.count(), 0);
         QVERIFY(!window.engine().working());
         const QString path = QString::fromStdString((folder_ / "mine.csv").string());
         exports::ExportOptions options;
         options.frame = CoordinateFrame::Mine;
         window.engine().save(exports::ExportContent::EdgeCloud, path, options);
-        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 10000);
+        QTRY_COMPARE(saved.count(), 1);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
     }
 };

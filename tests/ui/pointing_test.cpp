@@ -262,14 +262,14 @@ private slots:
             return !skew.empty() && std::abs(skew[1] - skew[0]) > 0.2;
         };
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(QTest::qWaitFor([&] { return !straight(); }, 20000));
+        QVERIFY(eventually([&] { return !straight(); }));
         QVERIFY(!straighten->isChecked());
         QCOMPARE(window_->engine().settings().creaseDeg, 41.0);
         QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
-        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(straighten->isChecked());
         // The step of a closed file is obsolete: undo takes the step before it.
         QVERIFY(on_->open(boxes_));

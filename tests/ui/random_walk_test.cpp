@@ -223,7 +223,7 @@ private slots:
         closeDialogs();
         // The window still works.
         for (QDialog* dialog : on.window.findChildren<QDialog*>()) dialog->close();
-        QVERIFY(QTest::qWaitFor([&] { return !on.window.engine().working(); }, 30000));
+        QVERIFY(eventually([&] { return !on.window.engine().working(); }));
         QVERIFY(on.open(scans_.front()));
         QVERIFY(!on.picture().detection->scan->rangeMm.cells.empty());
         std::ranges::sort(slowest);

@@ -35,7 +35,7 @@ class RocksWindowTest : public QObject {
     std::string bell_;
 
     static bool settled(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000);
+        return on.settled() && eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); });
     }
     // Opens the scan and shows rocks by their key.
     bool showRocks(WindowFixture& on) {
@@ -182,7 +182,7 @@ private slots:
         const rocks::Rock rock = *picture(on).rock(3);
         const QPoint at = pixelOn(on, views.gray(), 3);
         QTest::mouseMove(&views.gray(), at);
-        QVERIFY(QTest::qWaitFor([&] { return !views.gray().tip().isEmpty(); }, 5000));
+        QVERIFY(eventually([&] { return !views.gray().tip().isEmpty(); }));
         QCOMPARE(views.gray().tip(), rockTip(rock));
         QVERIFY(views.gray().tip().contains(QString::number(rock.longestCaliperM, 'f', 2)));
         QVERIFY(views.edges().tip().isEmpty());
@@ -208,13 +208,16 @@ private slots:
         QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
 
         // In the cloud: a visible point of a rock.
+        bool clicked = false;
         for (const rocks::Rock& each : picture(on).study.rocks) {
             const auto pixel = views.cloud().pixelOf(each.cell);
             if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
             QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::NoModifier, pixel->toPoint());
             QCOMPARE(on.window.rockTable().selected(), std::vector<std::uint32_t>{each.label});
+            clicked = true;
             break;
         }
+        QVERIFY(clicked);
         QTest::mouseClick(on.window.rocksPanel().card().close(), Qt::LeftButton);
         QVERIFY(on.window.rocksPanel().card().isHidden());
         QVERIFY(on.window.rockTable().selected().empty());
@@ -411,7 +414,7 @@ private slots:
         const std::uint32_t cells = picture(on).rockAt(cell)->cells;
         QTest::keyClick(&on.window, Qt::Key_S);
         QTest::mouseMove(&view, at);
-        QVERIFY(QTest::qWaitFor([&] { return view.tip().contains("wheel"); }, 5000));
+        QVERIFY(eventually([&] { return view.tip().contains("wheel"); }));
         const double scale = view.viewPort()->cellSize().width();
         QString tip = view.tip();
         for (int n = 0; n < 20 && !tip.contains("larger than the rock"); ++n) {
@@ -541,7 +544,7 @@ private slots:
             QSignalSpy saved(&on.window.engine(), &Engine::saved);
             const std::string path = place("window.") + ending;
             on.window.rocks().exportTo(QString::fromStdString(path));
-            QVERIFY2(saved.wait(20000), qPrintable(on.window.notice().text()));
+            QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.window.notice().text()));
             QVERIFY2(on.window.notice().text().contains(QString::fromStdString(path)), qPrintable(on.window.notice().text()));
             QCOMPARE(test::runCli("verify '" + path + "'").code, 0);
         }
@@ -569,7 +572,7 @@ private slots:
         QSignalSpy ended(&on.window.report(), &ScanReport::ended);
         on.window.report().writeTo(QString::fromStdString(page));
         QVERIFY(on.window.report().working());
-        QVERIFY(ended.wait(30000));
+        QVERIFY(ended.wait(kPatienceMs));
         QVERIFY2(on.window.notice().kind() == NoticeBar::Kind::Done, qPrintable(on.window.notice().text()));
         const QString text = QString::fromStdString(test::fileText(page));
         QVERIFY(text.contains(QString("%1 rocks, each a ").arg(picture(on).study.rocks.size()) + rockCaveat()));
@@ -577,7 +580,7 @@ private slots:
         const QRegularExpressionMatch command = QRegularExpression("<pre id=\"command\">edgescan-cli ([^<]*)</pre>").match(text);
         QVERIFY(command.hasMatch());
         std::filesystem::rename(page, folder_ / "before.html");
-        QVERIFY(QTest::qWaitFor([&] { return std::filesystem::exists(rocks::rockPresetPath(bell_)); }, 5000));
+        QVERIFY(eventually([&] { return std::filesystem::exists(rocks::rockPresetPath(bell_)); }));
         const auto run = test::runCli(command.captured(1).replace("&#39;", "'").toStdString());
         QVERIFY2(run.code == 0, (run.err + command.captured(1).toStdString()).c_str());
         const QRegularExpression made("<dt>Made</dt><dd>[^<]*</dd>");
@@ -618,9 +621,8 @@ private slots:
         QObject::connect(&on.window.rocks(), &Rocks::rocksShown, &on.window, [&] { lines.push_back(picture(on).labels.lines); });
         for (int count = 200; count <= scan_.lines(); count += 40) {
             on.window.engine().follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
-            QTest::qWait(100);
             QVERIFY(on.settled());
-            if (!on.window.rocks().picture()) continue;
+            QTRY_VERIFY(on.window.rocks().picture()); // rocks of the first lines, perhaps not yet of these
             const QString told = on.window.views().gray().title();
             if (count < scan_.lines()) QVERIFY2(told.contains("partial"), qPrintable(told));
             if (picture(on).labels.lines < count) QVERIFY(on.window.views().gray().facesFaded());

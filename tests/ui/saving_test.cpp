@@ -66,6 +66,12 @@ private:
     bool typed_ = false;
 };
 
+bool acceptExport() {
+    auto* dialog = shownDialog<ExportDialog>();
+    if (dialog != nullptr) dialog->accept();
+    return dialog != nullptr;
+}
+
 } // namespace
 
 class SavingTest : public QObject {
@@ -152,13 +158,13 @@ private slots:
                 on.window.views().pin(on.window.views().cellAt(10, 12));
                 Hand hand(path(typed), {});
                 QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-                QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && on.window.sessions().settled(); }, 20000));
+                QVERIFY(eventually([&] { return QFile::exists(file) && on.window.sessions().settled(); }));
                 QVERIFY(hand.asked.isEmpty());
             }
             WindowFixture on;
             QVERIFY(on.show());
             on.window.sessions().open({file});
-            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().notebook().targets.size() == 1; }, 20000));
+            QVERIFY(eventually([&] { return on.window.targets().notebook().targets.size() == 1; }));
             QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
@@ -173,9 +179,7 @@ private slots:
         record.write("precious");
         record.close();
         const auto ask = [&](const QStringList& answers) {
-            QTimer::singleShot(200, &on.window, [&on] {
-                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
-            });
+            const Meanwhile accepted([] { return acceptExport(); });
             Hand hand(path("e"), answers);
             on.window.exports().ask(exports::ExportContent::EdgeCloud);
             return hand.asked;
@@ -203,9 +207,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         const auto proposed = [&] {
             QString name;
-            QTimer::singleShot(200, &on.window, [&on] {
-                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
-            });
+            const Meanwhile accepted([] { return acceptExport(); });
             QTimer look;
             connect(&look, &QTimer::timeout, this, [&name] {
                 if (auto* dialog = shownDialog<QFileDialog>()) {

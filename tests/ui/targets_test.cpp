@@ -56,7 +56,7 @@ class TargetsTest : public QObject {
         QTest::mouseRelease(&view, Qt::LeftButton, modifiers, way.back());
     }
     static bool known(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
+        return on.settled() && eventually([&] { return on.window.targets().settled(); });
     }
     static bool showWith(WindowFixture& on, const std::string& path) {
         on.window.resize(1400, 900);
@@ -342,8 +342,7 @@ private slots:
                 cells.push_back(cellUnder(on, at.y(), at.x()));
                 click(gray, at.y(), at.x());
             }
-            QVERIFY(QTest::qWaitFor(
-                [&] { return known(on) && static_cast<int>(on.window.targets().notebook().measures.size()) == made + 1; }, 20000));
+            QVERIFY(eventually([&] { return known(on) && static_cast<int>(on.window.targets().notebook().measures.size()) == made + 1; }));
             const inspect::StoredMeasure& kept = on.window.targets().notebook().measures.back();
             QVERIFY(kept.kind == kind && kept.cells == cells);
             const auto told = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
@@ -486,7 +485,7 @@ private slots:
         WindowFixture on;
         QVERIFY(showWith(on, bell));
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000));
+        QVERIFY(eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }));
         const RockPicture& rocks = *on.window.rocks().picture();
         const rocks::Rock& largest = rocks.study.rocks.front();
         on.window.views().pin(largest.cell);

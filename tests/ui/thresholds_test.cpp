@@ -35,8 +35,8 @@ class ThresholdsTest : public QObject {
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_W);
-        QVERIFY(QTest::qWaitFor(
-            [&] { return window_->explanation().card() != nullptr && window_->explanation().card()->text().startsWith("line "); }, 10000));
+        QVERIFY(eventually(
+            [&] { return window_->explanation().card() != nullptr && window_->explanation().card()->text().startsWith("line "); }));
     }
     // The first edge cell that has three ranges on either side, along its line and across.
     [[nodiscard]] static std::uint32_t edgeWithNeighbours(const edges::Detection& detection) {
@@ -114,7 +114,7 @@ private slots:
             box->selectAll();
             QTest::keyClicks(box, typed.text);
             QTest::keyClick(box, Qt::Key_Return);
-            QVERIFY2(QTest::qWaitFor([&] { return window_->notice().isVisible() && window_->notice().text().contains(typed.told); }, 3000),
+            QVERIFY2(eventually([&] { return window_->notice().isVisible() && window_->notice().text().contains(typed.told); }),
                      qPrintable(QString(typed.text) + ": " + window_->notice().text()));
             QCOMPARE(box->value(), before);
             window_->notice().hide();
@@ -175,7 +175,7 @@ private slots:
         CountCurve* curve = window_->panel().curve("lower");
         QVERIFY(curve->isVisible());
         QVERIFY(!window_->panel().curve("sensitivity")->isVisible());
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const edges::EdgeCountCurve counts = *curve->curve();
         for (const std::size_t n : {counts.thresholds.size() / 4, counts.thresholds.size() / 2}) {
             edges::Settings at = window_->engine().settings();
@@ -188,7 +188,7 @@ private slots:
         other.kernel = 5;
         use(other);
         QVERIFY(!curve->curve().has_value());
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
     }
 
     void theCountUnderTheSliderIsThatOfThePicture() {
@@ -197,7 +197,7 @@ private slots:
         between.lower = 58.5;
         use(between);
         CountCurve* curve = window_->panel().curve("lower");
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const auto edges = static_cast<qulonglong>(window_->engine().picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));

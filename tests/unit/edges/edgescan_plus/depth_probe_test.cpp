@@ -8,6 +8,7 @@
 #include "core/sim/simulate.h"
 #include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -96,8 +97,8 @@ TEST(DepthProbe, StrengthsAreThoseOfTheWholeScan) {
 }
 
 TEST(DepthProbe, StrengthsAreThoseOfARealSweep) {
-    const std::filesystem::path corridor = std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/lms200_corridor/scan000.json";
-    if (!std::filesystem::exists(corridor)) GTEST_SKIP() << "no " << corridor;
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    const std::filesystem::path corridor = test::sharedFolder() / "data/lms200_corridor/scan000.json";
     const Result<Scan> scan = files::openScan(corridor);
     ASSERT_TRUE(scan);
     expectSameAsWhole(*scan, {}, 100);

@@ -33,6 +33,7 @@ std::vector<Settings> everyMethod() {
 TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
     std::mt19937 random(5);
+    int appear = 0, vanish = 0;
     for (const Settings& settings : everyMethod()) {
         const auto detection = detectEdges(scan, settings);
         for (int n = 0; n < 12; ++n) {
@@ -44,15 +45,19 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
             EXPECT_EQ(why.probe.edge, (*detection->mask)[k] != 0);
             EXPECT_TRUE(!why.probe.edge || (why.appearsAt && *why.appearsAt >= parameter.get(settings))) << why.verdict;
             if (!why.appearsAt) continue;
+            ++appear;
             Settings at = settings;
             parameter.set(at, *why.appearsAt);
             EXPECT_NE((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
             const double beyond = *why.appearsAt + std::pow(10.0, -parameter.decimals) * 1.001;
             if (beyond > parameter.maximum) continue;
+            ++vanish;
             parameter.set(at, beyond);
             EXPECT_EQ((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
         }
     }
+    EXPECT_GT(appear, 0);
+    EXPECT_GT(vanish, 0);
 }
 
 TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
@@ -88,13 +93,16 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
 
 TEST(Why, AHoleSaysThatItHasNoRange) {
     const auto scan = std::make_shared<Scan>(test::makeScan(20, 20, [](int i, int j) { return i == 10 && j == 10 ? 0.0F : 4000.0F; }));
+    int asked = 0;
     for (const Settings& settings : everyMethod()) {
         if (!settings.maskMissing && findParameter("mask-missing")->usedBy(settings)) continue;
         const Why why = whyCell(*detectEdges(scan, settings), scan->rangeMm.index(10, 10));
+        ++asked;
         EXPECT_FALSE(why.takesPart);
         EXPECT_EQ(why.verdict.find("No edge: it has no range"), 0U) << why.verdict;
         EXPECT_FALSE(why.appearsAt);
     }
+    EXPECT_GT(asked, 0);
 }
 
 TEST(Why, TheReportHoldsWhatTheCommandLineContractNames) {

@@ -15,9 +15,9 @@ namespace edgescan::edges {
 
 TEST(ContactSheet, EachEntryIsWhatTheProgramShowsAtThatValue) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(80, 100, 3, 0.02));
-    for (const char* key : {"sensitivity", "crease", "min-edge"}) {
+    for (const char* key : {"sensitivity", "crease", "min-length"}) {
         const Parameter* parameter = findParameter(key);
-        if (parameter == nullptr) continue;
+        ASSERT_NE(parameter, nullptr) << key;
         const Settings settings;
         const auto values = sheetValues(*parameter, parameter->get(settings), 7);
         ASSERT_GE(values.size(), 2u) << key;

@@ -9,7 +9,6 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -100,7 +99,6 @@ TEST(BadInput, TruncatedAnywhere) {
 TEST(BadInput, RandomlyDamaged) {
     const Folder folder;
     std::mt19937 random(11);
-    const auto start = std::chrono::steady_clock::now();
     for (const Small& file : corpus(folder)) {
         SCOPED_TRACE(file.name);
         for (int round = 0; round < 400; ++round) {
@@ -119,7 +117,6 @@ TEST(BadInput, RandomlyDamaged) {
             opensSoundly(folder / file.name);
         }
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(120));
 }
 
 TEST(BadInput, RandomBytesUnderEveryName) {

@@ -2,6 +2,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <liblzf/lzf.h>
@@ -104,9 +105,9 @@ TEST(Pcd, OrganisedCloudOfACameraKeepsItsPointsAndViewpoint) {
 }
 
 TEST(Pcd, KinectCloudsOpenAsTheirGrid) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/mosd_kinect");
     for (const char* name : {"test16.pcd", "test55.pcd"}) {
-        const auto scan = openScan(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/mosd_kinect" / name);
+        const auto scan = openScan(edgescan::test::sharedFolder() / "data/mosd_kinect" / name);
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_EQ(scan->lines(), 480);
         EXPECT_EQ(scan->beams(), 640);

@@ -5,6 +5,7 @@
 #include "core/scan/grid/placement.h"
 #include "tests/support/e57_writer.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ Result<Scan> readWithLinesAsRows(const Scan& scan, const std::string& grouping) 
     return readBytes(e57Bytes({part}), ".e57");
 }
 
-std::string sharedE57(const std::string& name) { return readText(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/e57" / name); }
+std::string sharedE57(const std::string& name) { return readText(edgescan::test::sharedFolder() / "data/e57" / name); }
 
 } // namespace
 
@@ -374,8 +375,7 @@ TEST(E57, LiesAreRefusedBeforeAllocating) {
 }
 
 TEST(E57, FilesOfOtherPrograms) {
-    if (!std::filesystem::exists(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/e57"))
-        GTEST_SKIP() << "../shared/data/e57 is not there";
+    EDGESCAN_NEEDS_SHARED("data/e57");
     const auto pointsOf = [](const std::string& name) {
         const std::string bytes = sharedE57(name);
         const ReadingOptions options;

@@ -2,6 +2,7 @@
 #include "core/files/grid_recovery/recover_grid.h"
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -289,9 +290,9 @@ TEST(RecogniseGrid, RasterOnAPlaneIsNoScannerGrid) {
 }
 
 TEST(RecogniseGrid, CorridorFilesEqualTheirRawGrids) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
     for (const std::string name : {"scan000", "scan001"}) {
-        const std::filesystem::path base = std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/lms200_corridor" / name;
+        const std::filesystem::path base = edgescan::test::sharedFolder() / "data/lms200_corridor" / name;
         const auto list = openScan(base.string() + ".3d");
         const auto raw = openScan(base.string() + ".json");
         ASSERT_TRUE(list) << list.error().sentence();
@@ -309,12 +310,12 @@ TEST(RecogniseGrid, CorridorFilesEqualTheirRawGrids) {
 }
 
 TEST(RecogniseGrid, RealCloudsWithoutGridAreRefusedWhereTheyMustNotBeProjected) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/traps");
     ReadingOptions options;
     options.projection = Projection::Never;
     for (const std::string name :
          {"traps/livox_bin_unorganized.pcd", "traps/airborne_utm_float32.pcd", "otira_rocks/Otira_1cm_grains.ply"}) {
-        const auto scan = openScan(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data" / name, options);
+        const auto scan = openScan(edgescan::test::sharedFolder() / "data" / name, options);
         ASSERT_FALSE(scan) << name;
         EXPECT_NE(scan.error().what.find("do not lie on beam x line angles"), std::string::npos) << scan.error().sentence();
     }

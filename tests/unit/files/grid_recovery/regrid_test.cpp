@@ -5,6 +5,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ bool anyHolds(const std::vector<std::string>& sentences, const std::string& part
     return std::any_of(sentences.begin(), sentences.end(), [&](const auto& s) { return s.find(part) != std::string::npos; });
 }
 
-std::filesystem::path shared(const char* name) { return std::filesystem::path(EDGESCAN_SHARED_DIR) / "data" / name; }
+std::filesystem::path shared(const char* name) { return edgescan::test::sharedFolder() / "data" / name; }
 
 } // namespace
 
@@ -208,7 +209,7 @@ TEST(Regrid, LinesStoredTwiceAndShuffledAreRecoveredAndReported) {
 }
 
 TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/otira_rocks");
     ReadingOptions options;
     options.sensorM = Eigen::Vector3d(23.5, 10, -6); // five metres above and six in front of the river bed
     auto scan = openScan(shared("otira_rocks/Otira_1cm_grains.ply"), options);
@@ -241,7 +242,7 @@ TEST(Regrid, ASensorFarAwayIsInMetresWhateverTheNumbersOfTheFileAre) {
 }
 
 TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/traps");
     const auto livox = openScan(shared("traps/livox_bin_unorganized.pcd"));
     ASSERT_TRUE(livox) << livox.error().sentence();
     EXPECT_EQ(countCells(*livox)[0] + livox->attached.size(), 227143U);

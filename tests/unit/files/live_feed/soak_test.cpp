@@ -82,11 +82,11 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     settings.faults.stallS = 0.6;
     const auto scanner = served(numberedScan(kLines), settings);
     LiveFeed feed(
-        settingsFor(*scanner), soakSweep(), [] {}, kKeptBytes);
+        settingsFor(*scanner, hasty()), soakSweep(), [] {}, kKeptBytes);
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
-    for (std::int64_t before = -1, quiet = 0; quiet < 60 && std::chrono::steady_clock::now() - start < 45s;) {
+    for (std::int64_t before = -1, quiet = 0; quiet < 60 && std::chrono::steady_clock::now() - start < kPatience;) {
         all.take(feed.takeFinished(), true);
         const std::int64_t lines = feed.status().lines;
         if (early == 0.0 && lines > kLines / 4) early = residentMb();
@@ -153,7 +153,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
-    while (feed.status().lines < kLines && std::chrono::steady_clock::now() - start < 40s) {
+    while (feed.status().lines < kLines && std::chrono::steady_clock::now() - start < kPatience) {
         all.take(feed.takeFinished(), false);
         if (early == 0.0 && feed.status().lines > kLines / 4) early = residentMb();
         std::this_thread::sleep_for(5ms);

@@ -4,6 +4,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/grid/cartesian.h"
+#include "tests/support/shared_folder.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -100,8 +101,8 @@ TEST(OpeningCheck, AnUnitThatMakesARoomOfMillimetresIsDoubted) {
 }
 
 TEST(OpeningCheck, ARealCorridorSaysHowItsScannerWasMounted) {
-    const std::filesystem::path path = std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/lms200_corridor/scan000.json";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    const std::filesystem::path path = test::sharedFolder() / "data/lms200_corridor/scan000.json";
     ReadingOptions options;
     EXPECT_TRUE(pointOf(openingCheck(*openAsAsked(path, options), options), "Mounting").against.empty());
     options.axis = Axis::Spin;

@@ -13,6 +13,7 @@
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -74,8 +75,8 @@ bool told(const std::vector<std::string>& sentences, const std::string& part) {
 } // namespace
 
 TEST(RecordedPlace, TheDemoIsWhereTheReferenceSays) {
-    const auto path = std::filesystem::path(EDGESCAN_SHARED_DIR) / "protocol/vectors/sweep_demo.mcap";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared is absent: the demo recording cannot be opened";
+    EDGESCAN_NEEDS_SHARED("protocol/vectors");
+    const auto path = edgescan::test::sharedFolder() / "protocol/vectors/sweep_demo.mcap";
     const auto scan = openScan(path);
     ASSERT_TRUE(scan) << scan.error().sentence();
     ASSERT_TRUE(scan->placement);

@@ -107,6 +107,7 @@ TEST(SlowDisk, StoppingDoesNotWaitForASyncThatHangs) {
     auto writer = RecordingWriter::start(folder / "a.mcap", {}, onto(disk));
     ASSERT_TRUE(writer);
     for (int n = 0; n < 100; ++n) (*writer)->post(lineMessage(n));
+    ASSERT_TRUE(waitUntil([&] { return (*writer)->state().messages == 100; }));
     EXPECT_TRUE((*writer)->close()) << "all is written";
     EXPECT_GT((*writer)->state().unsynced(), 0U);
     writer->reset(); // does not wait again

@@ -4,6 +4,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/poses.h"
 #include "core/scan/georef/rotations.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -35,7 +36,7 @@ Matrix3d matrixOf(const json& j) {
 /// The cases that tests/oracle/frames_cases.py computes independently of the program, then those of ../shared, if they exist.
 json cases() {
     json all = json::parse(std::ifstream(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/georef/frames_cases.json"))["cases"];
-    if (std::ifstream file(std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/frames_example.json"); file) {
+    if (std::ifstream file((edgescan::test::sharedFolder() / "protocol/vectors/frames_example.json").string()); file) {
         const json shared = json::parse(file);
         for (const json& one : shared["cases"]) all.push_back(one);
     }

@@ -111,6 +111,22 @@ TEST(ColaFrames, HoweverTheBytesAreCutTheFramesAreTheSame) {
     }
 }
 
+TEST(ColaFrames, AStreamOfTelegramsHasNothingButFrames) {
+    for (const char* name : {"plain.colaa.bin", "plain.colab.bin", "encoders.colab.bin", "blocks.colab.bin"}) {
+        ColaStream stream;
+        const Bytes bytes = fileBytes(ownTelegrams() / name);
+        std::size_t size = 0;
+        for (const ColaFrame& frame : stream.push(bytes)) {
+            EXPECT_TRUE(isScanTelegram(frame.payload())) << name;
+            EXPECT_EQ(frame.offset, size) << name;
+            size += frame.bytes.size();
+        }
+        EXPECT_EQ(size, bytes.size()) << name;
+        EXPECT_EQ(stream.counts().skipped, 0U) << name;
+        EXPECT_EQ(stream.waiting(), 0U) << name;
+    }
+}
+
 TEST(ColaFrames, RealCaptureHasNothingButFrames) {
     EDGESCAN_NEEDS_VECTORS();
     ColaStream stream;

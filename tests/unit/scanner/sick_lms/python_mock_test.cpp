@@ -13,12 +13,12 @@ namespace {
 class Mock {
 public:
     explicit Mock(std::vector<std::string> faults) : port_(freePort()), process_(words(std::move(faults))) {}
-    [[nodiscard]] SessionSettings settings() const {
+    [[nodiscard]] SessionSettings settings(const ScannerTimeouts& timeouts = patient()) const {
         SessionSettings settings;
         settings.host = "127.0.0.1";
         settings.port = port_;
-        settings.timeouts = hasty();
-        settings.timeouts.detect = 1s;
+        settings.timeouts = timeouts;
+        settings.timeouts.detect = 3s;
         return settings;
     }
 
@@ -114,7 +114,7 @@ TEST(MockScanner, StallsAndIsNoticed) {
     const Mock mock({"--stall-after", "20"});
     Listener listener;
     {
-        const ScannerSession session(mock.settings(), listener.events());
+        const ScannerSession session(mock.settings(hasty()), listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
     }
     EXPECT_NE(listener.story().find("LIVE STALE LOST CONNECTING IDENTIFYING LIVE"), std::string::npos) << listener.story();

@@ -46,6 +46,19 @@ TEST(LineCounter, RealCaptureHasNoLoss) {
     }
 }
 
+TEST(LineCounter, CountersAndClockPassTheirEnds) {
+    for (const char* name : {"plain.colaa.bin", "plain.colab.bin"}) {
+        const auto stamps = stampsOf(ownTelegrams() / name);
+        ASSERT_EQ(stamps.size(), 4U);
+        for (std::size_t i = 1; i < stamps.size(); ++i) {
+            EXPECT_EQ(stamps[i].step, LineStep::Next);
+            EXPECT_EQ(stamps[i].lost, 0);
+            EXPECT_EQ(stamps[i].telegram, 65534 + static_cast<std::int64_t>(i));
+            EXPECT_EQ(stamps[i].deviceUs, 4294950000 + static_cast<std::int64_t>(i) * 40000);
+        }
+    }
+}
+
 TEST(LineCounter, DerivedVariants) {
     EDGESCAN_NEEDS_VECTORS();
     const auto derived = vectorsFolder() / "derived";

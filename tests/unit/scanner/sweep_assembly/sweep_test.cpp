@@ -1,4 +1,5 @@
-// Sweep assembly: every telegram is in its row, every lost one is reported, and no line is invented.
+// Sweep assembly: every telegram is in its row, every lost one is told, nothing is made up.
+#include "tests/support/cola_vectors.h"
 #include "tests/support/live_lines.h"
 
 #include <gtest/gtest.h>
@@ -387,25 +388,28 @@ TEST(Sweep, SettingsSurviveTheMetadata) {
     EXPECT_EQ(odd.settings, SweepSettings{});
 }
 
-TEST(Sweep, RealInterlacedTelegrams) {
-    const std::string path = std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/derived/interlaced.colab.bin";
-    std::ifstream file(path, std::ios::binary);
-    if (!file) GTEST_SKIP() << "no reference vectors at " << path;
-    const std::vector<char> content{std::istreambuf_iterator<char>(file), {}};
-    ColaStream stream;
+/// The parts of interlaced lines side by side.
+void expectInterlaced(const std::filesystem::path& path, int beams) {
     SweepAssembler assembler;
     int telegrams = 0;
-    const Bytes bytes(content.begin(), content.end());
-    for (const ColaFrame& frame : stream.push(bytes)) {
+    for (const ColaFrame& frame : scanFramesOf(path)) {
         const auto telegram = decodeScanTelegram(frame);
         ASSERT_TRUE(telegram);
         assembler.push(*telegram, kEpochNs + telegrams++ * 20'000'000LL);
     }
     assembler.finish();
     const auto scan = assembler.snapshot();
-    EXPECT_EQ(scan->beams(), 1141);
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(scan->beams(), beams);
     EXPECT_EQ(scan->lines(), (telegrams + 1) / 2);
     EXPECT_TRUE(addsUp(*scan, assembler.progress()));
+}
+
+TEST(Sweep, InterlacedTelegrams) { expectInterlaced(ownTelegrams() / "interlaced.colab.bin", 115); }
+
+TEST(Sweep, RealInterlacedTelegrams) {
+    EDGESCAN_NEEDS_VECTORS();
+    expectInterlaced(vectorsFolder() / "derived/interlaced.colab.bin", 1141);
 }
 
 TEST(Sweep, IntensitiesComeWithTheEchoThatIsTakenAndOnlyWhereTheTelegramHasThem) {
