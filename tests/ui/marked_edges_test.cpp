@@ -190,11 +190,11 @@ private slots:
             QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }, 20000));
         const KeptMeasure& throat = on.window.targets().notebook().measures.front();
         QVERIFY(throat.kind == MeasureKind::Throat);
-        const auto told = measureCells(scan, {}, MeasureKind::Throat, throat.cells);
+        const auto measured = measureCells(scan, {}, MeasureKind::Throat, throat.cells);
         const CartesianTables tables(scan);
         const double spacing = (tables.point(line, first - 1) - tables.point(line, first - 2)).norm();
-        QVERIFY2(std::abs(told->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
-                 qPrintable(QString::number(told->lengths.front().valueM)));
+        QVERIFY2(std::abs(measured->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
+                 qPrintable(QString::number(measured->lengths.front().valueM)));
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
         click(on.window.views().gray(), line, first - 60);
         click(on.window.views().gray(), line, first - 10);
