@@ -18,7 +18,7 @@ Command compareMenu(MainWindow& w) {
     Comparing& comparing = w.comparing();
     const auto whileKept = [&comparing](QAction& action) {
         action.setEnabled(false);
-        QObject::connect(&comparing, &Comparing::keptChanged, &action, &QAction::setEnabled);
+        QObject::connect(&comparing, &Comparing::pictureAChanged, &action, &QAction::setEnabled);
     };
     const auto flipped = [&comparing, whileKept](QAction& action) {
         whileKept(action);
@@ -63,7 +63,7 @@ Command confidenceCommand(MainWindow& w) {
 void addConfidenceLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
     over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::giveWay);
+    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::hideForComparison);
     QObject::connect(&w.confidence(), &Confidence::changed, &w,
                      [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); });
 }
