@@ -90,10 +90,10 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     const auto change = runCli("change " + before.string() + " " + now.string());
     ASSERT_EQ(change.code, 0) << change.err;
     const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
-    for (const std::string& told :
+    for (const std::string& phrase :
          {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"),
           inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})
-        EXPECT_NE(text.find(told), std::string::npos) << told;
+        EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);
     EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
     // Targets of another scan, and an impossible path.

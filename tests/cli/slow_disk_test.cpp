@@ -54,7 +54,7 @@ public:
         ::waitpid(std::exchange(process_, 0), &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
-    [[nodiscard]] std::string said(const char* stream) const { return test::fileText(path_ + stream); }
+    [[nodiscard]] std::string output(const char* stream) const { return test::fileText(path_ + stream); }
     [[nodiscard]] std::shared_ptr<const files::Recording> recording() const {
         const auto opened = files::Recording::open(path_);
         EXPECT_TRUE(opened) << opened.error().sentence();

@@ -435,7 +435,7 @@ private slots:
     void regionAndEditsAreThereAgainWhenTheScanIsOpenedAgain() {
         const std::string file = (folder_ / "kept.json").string();
         QVERIFY(files::saveScan(scan_, file));
-        const std::filesystem::path beside = rocks::rockPresetPath(file);
+        const std::filesystem::path sidecar = rocks::rockPresetPath(file);
         Grid<std::uint32_t> labels;
         const auto showKept = [&](WindowFixture& on) {
             on.window.resize(1600, 950);
@@ -491,7 +491,7 @@ private slots:
         // The sidecar of another scan is reported, not changed and not overwritten.
         const std::string other =
             rocks::rockPresetText({std::nullopt, {{rocks::EditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
-        QVERIFY(writeWholeFile(beside, other));
+        QVERIFY(writeWholeFile(sidecar, other));
         {
             WindowFixture on;
             QVERIFY(showKept(on));

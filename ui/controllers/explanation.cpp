@@ -37,7 +37,7 @@ edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why
 }
 
 /// The nearest edge if the cell is not an edge: a finger rarely hits an edge that is one cell wide.
-std::optional<std::size_t> edgeBeside(const edges::Detection& detection, std::size_t cell) {
+std::optional<std::size_t> nearestEdge(const edges::Detection& detection, std::size_t cell) {
     const Grid<std::uint8_t>& mask = *detection.mask;
     if (mask[cell] != 0) return std::nullopt;
     const Scan& scan = *detection.scan;
@@ -107,7 +107,7 @@ void Explanation::showAnswer(const Answer& answer) {
     QString numbers = shownText(edges::whyNumbers(why, picture->detection->settings));
     const bool still = picture == views_.shown();
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
-    nearestEdge_ = edgeBeside(*picture->detection, why.probe.cell);
+    nearestEdge_ = nearestEdge(*picture->detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));

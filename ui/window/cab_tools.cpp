@@ -143,15 +143,15 @@ void CabMode::showSettings() {
 }
 
 TargetNumbers CabMode::numbers() const {
-    TargetNumbers told;
+    TargetNumbers numbers;
     const Targets& targets = window_.targets();
     const inspect::PinnedTarget* target = targets.active();
-    if (target == nullptr) return told;
+    if (target == nullptr) return numbers;
     const auto& all = targets.notebook().targets;
     numbers.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
     numbers.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
-    if (known == targets.known().targets.end()) return told;
+    if (known == targets.known().targets.end()) return numbers;
     const inspect::CellTarget& cell = known->second;
     const TargetSurroundings around = targets.around(target->cell);
     numbers.distance = distanceText(cell);
@@ -160,9 +160,9 @@ TargetNumbers CabMode::numbers() const {
     numbers.size = QStringLiteral("–");
     const auto metres = [](double m, int decimals) { return QString::number(m, 'f', decimals); };
     if (around.rock != nullptr) {
-        told.rock = tr("Rock %1, visible").arg(around.rock->label);
-        told.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
-        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+        numbers.rock = tr("Rock %1, visible").arg(around.rock->label);
+        numbers.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
+        numbers.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
     } else {
         numbers.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }

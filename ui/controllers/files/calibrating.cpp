@@ -220,7 +220,7 @@ Calibrating::Answer Calibrating::run(const Question& question) {
             return answer;
         }
         answer.found = inspect::calibrateFromSweeps(
-            *scans, [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); });
+            *scans, [&](const char* stage, double fraction) { return reportProgress(question.number, stage, fraction); });
         if (!*answer.found) return answer;
         std::string base;
         if (!question.base.isEmpty()) {
