@@ -11,7 +11,7 @@ namespace edgescan::cli {
 
 struct CompareTwo {
     std::vector<std::string> files; ///< two
-    std::vector<std::string> poses; ///< two of 3DTK, or none: then both scans need a place in the mine
+    std::vector<std::string> poses; ///< two poses of 3DTK; empty: both scans need a pose in the mine
     std::string json;               ///< file, "-" or empty
     bool refine = false;
     double radiusM = 0.1;
