@@ -124,7 +124,7 @@ void showTable(const Json& json) {
     printResult(lines);
 }
 
-/// What is told of each rock, for the first answer.
+/// The attributes of each rock, for the first answer.
 void showClaims(const Json& one) {
     const Json& counts = one["at_least_100_cells"]["strict"];
     std::string text = fixedText(counts["rocks"].get<double>(), 0) + " rocks of 100 cells and more; missed (strict):";

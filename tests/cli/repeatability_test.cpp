@@ -23,11 +23,11 @@ TEST(LabRepeatability, TellsWhatIsRepeatedAndHowTheScansCameTogether) {
     const std::string posed = both + " --poses " + path("a.pose") + " " + path("b.pose");
     const auto run = runLab(posed + " --refine --only edgescan+,thesis --json -");
     ASSERT_EQ(run.code, 0) << run.err;
-    const auto told = nlohmann::json::parse(run.out);
-    EXPECT_EQ(told["schema"], "edgescan-compare-two/1");
-    EXPECT_LT(told["alignment"]["residual_m"], told["alignment"]["residual_before_m"]);
-    ASSERT_EQ(told["methods"].size(), 2U);
-    for (const auto& row : told["methods"]) EXPECT_GT(row["at_equal_number"]["found"], 0) << row;
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["schema"], "edgescan-compare-two/1");
+    EXPECT_LT(report["alignment"]["residual_m"], report["alignment"]["residual_before_m"]);
+    ASSERT_EQ(report["methods"].size(), 2U);
+    for (const auto& row : report["methods"]) EXPECT_GT(row["at_equal_number"]["found"], 0) << row;
     const auto table = runLab(posed + " --only edgescan+");
     EXPECT_NE(table.out.find("EdgeScan+"), std::string::npos) << table.out;
 

@@ -55,7 +55,7 @@ public:
         ::waitpid(std::exchange(process_, 0), &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
-    [[nodiscard]] std::string said(const char* stream) const { return test::fileText(path_ + stream); }
+    [[nodiscard]] std::string output(const char* stream) const { return test::fileText(path_ + stream); }
     [[nodiscard]] std::shared_ptr<const files::Recording> recording() const {
         const auto opened = files::Recording::open(path_);
         EXPECT_TRUE(opened) << opened.error().sentence();
@@ -121,9 +121,9 @@ TEST(SlowDiskRecord, StoppingEndsWithAWordWhileEverySyncHangs) {
     const auto scanner = scannerOf(50);
     Recorder recorder(*scanner, (folder / "a.mcap").string(), "EDGESCAN_SLOW_SYNC_MS=600000",
                       "--seconds 3"); // finishes within the time of this test
-    EXPECT_EQ(recorder.wait(), 0) << recorder.said(".err");
-    EXPECT_NE(recorder.said(".err").find("the disk is"), std::string::npos) << recorder.said(".err");
-    const json summary = json::parse(recorder.said(".out"));
+    EXPECT_EQ(recorder.wait(), 0) << recorder.output(".err");
+    EXPECT_NE(recorder.output(".err").find("the disk is"), std::string::npos) << recorder.output(".err");
+    const json summary = json::parse(recorder.output(".out"));
     EXPECT_GT(summary["disk"]["unsynced_bytes"].get<int>(), 100'000);
     EXPECT_GT(summary["disk"]["worst_lag_s"].get<double>(), 2.0);
     EXPECT_NE(summary["warnings"].dump().find("has not confirmed"), std::string::npos) << summary["warnings"];
@@ -143,8 +143,8 @@ TEST(SlowDiskRecord, FiveSlowDisksLoseNoLine) {
     int lines = 0, lost = 0;
     double lag = 0;
     for (const auto& recorder : recorders) {
-        ASSERT_EQ(recorder->wait(), 0) << recorder->said(".err");
-        const json summary = json::parse(recorder->said(".out"));
+        ASSERT_EQ(recorder->wait(), 0) << recorder->output(".err");
+        const json summary = json::parse(recorder->output(".out"));
         const auto recording = recorder->recording();
         EXPECT_TRUE(recording && recording->clean());
         lines += linesOf(recording);
@@ -166,7 +166,7 @@ TEST(SlowDiskRecord, FiveFullDisksKeepWhatWasThereAndSaySo) {
         Recorder recorder(*scanner, (folder / (std::to_string(bytes) + ".mcap")).string(), "EDGESCAN_FULL_AFTER=" + std::to_string(bytes),
                           "--seconds 60");
         EXPECT_EQ(recorder.wait(), 1);
-        EXPECT_NE(recorder.said(".err").find("disk is full"), std::string::npos) << recorder.said(".err");
+        EXPECT_NE(recorder.output(".err").find("disk is full"), std::string::npos) << recorder.output(".err");
         const auto recording = recorder.recording();
         ASSERT_TRUE(recording);
         EXPECT_FALSE(recording->clean());

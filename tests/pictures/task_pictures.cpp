@@ -22,7 +22,7 @@ namespace edgescan::ui {
 namespace {
 
 struct Bell {
-    std::string before, after, turned;                           ///< the last one: 200 degrees of a scanner that sits askew
+    std::string before, after, turned;                           ///< the last one: 200 degrees of a scanner with mounting errors
     mutable std::unique_ptr<scanner::EmulatedScanner> scanner{}; // sends until the picture is made
 };
 
@@ -133,7 +133,7 @@ bool live(WindowFixture& on, const Bell& bell) {
     sweep.axis = Axis::Sweep;
     on.window.live().connectTo("127.0.0.1", bell.scanner->port(), sweep);
     return eventually(
-        [&] { return on.window.session().picture() && on.window.session().picture()->detection->scan->lines() > scan->lines() / 2; });
+        [&] { return on.window.engine().picture() && on.window.engine().picture()->detection->scan->lines() > scan->lines() / 2; });
 }
 
 bool calibrated(WindowFixture& on, const Bell& bell) {

@@ -116,11 +116,11 @@ private slots:
             for (const QLabel* each : side->findChildren<QLabel*>()) {
                 if (!each->isVisible() || each->text().isEmpty()) continue;
                 ++seen;
-                const QString told = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
-                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(told));
+                const QString where = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
+                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
                 QVERIFY2(each->wordWrap() || each->text().contains('\n') ||
                              each->fontMetrics().horizontalAdvance(each->text()) <= each->contentsRect().width() + 1,
-                         qPrintable(told));
+                         qPrintable(where));
             }
             QVERIFY(seen >= 10);
             const auto* number = side->findChild<QLabel*>("cab-size");

@@ -99,11 +99,11 @@ private slots:
             on.window.live().connectTo("127.0.0.1", scanner->port(), sweep());
             QVERIFY(waitForLines(on.window, 20));
             const HealthStrip& strip = on.window.live().panel().strip();
-            const auto told = [&] {
+            const auto isShown = [&] {
                 return QString::fromStdString(strip.shown().lines).contains(each.lines) &&
                        QString::fromStdString(strip.shown().remark) == each.remark;
             };
-            QVERIFY2(eventually(told), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
+            QVERIFY2(eventually(isShown), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
             QCOMPARE(on.window.statusLine().recordedShown(), QString()); // the picture is live
             on.window.live().scanner().disconnectScanner();
         }

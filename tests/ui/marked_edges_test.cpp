@@ -191,11 +191,11 @@ private slots:
         QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }));
         const inspect::StoredMeasure& throat = on.window.targets().notebook().measures.front();
         QVERIFY(throat.kind == inspect::MeasureKind::Throat);
-        const auto told = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
+        const auto measured = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
         const CartesianTables tables(scan);
         const double spacing = (tables.point(line, first - 1) - tables.point(line, first - 2)).norm();
-        QVERIFY2(std::abs(told->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
-                 qPrintable(QString::number(told->lengths.front().valueM)));
+        QVERIFY2(std::abs(measured->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
+                 qPrintable(QString::number(measured->lengths.front().valueM)));
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
         click(on.window.views().gray(), line, first - 60);
         click(on.window.views().gray(), line, first - 10);

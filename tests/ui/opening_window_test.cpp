@@ -189,8 +189,8 @@ private slots:
             QVERIFY(QTest::qWaitForWindowExposed(card, kPatienceMs));
             QTreeWidget* list = card->list();
             const files::OpeningPoint& unit = on.window.opening().points()->front();
-            const QString said = list->topLevelItem(0)->text(1);
-            QVERIFY2(said.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(said));
+            const QString sentence = list->topLevelItem(0)->text(1);
+            QVERIFY2(sentence.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(sentence));
             // Every sentence is translated; none stays English.
             const auto& points = *on.window.opening().points();
             int others = 0;

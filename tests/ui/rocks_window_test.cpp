@@ -274,9 +274,9 @@ private slots:
         };
         QVERIFY(std::abs(over(view->curve().p80M) - 0.2) < 0.03);
         // Half of the rocks, up to rounding and the one rock at the pointer's position.
-        const QString told = view->textAt(view->placeOf(view->curve().p50M, 0.3));
-        QVERIFY2(told.contains(" % of the rocks"), qPrintable(told));
-        QVERIFY2(std::abs(told.section(' ', 0, 0).toDouble() - 50) <= 0.5 + 100.0 / static_cast<double>(rocks.size()), qPrintable(told));
+        const QString text = view->textAt(view->placeOf(view->curve().p50M, 0.3));
+        QVERIFY2(text.contains(" % of the rocks"), qPrintable(text));
+        QVERIFY2(std::abs(text.section(' ', 0, 0).toDouble() - 50) <= 0.5 + 100.0 / static_cast<double>(rocks.size()), qPrintable(text));
         QVERIFY(view->accessibleDescription().contains("40 % and more"));
         on.window.rocksPanel().number("oversize")->setValue(0.5);
         QVERIFY(settled(on));
@@ -438,7 +438,7 @@ private slots:
     void regionAndEditsAreThereAgainWhenTheScanIsOpenedAgain() {
         const std::string file = (folder_ / "kept.json").string();
         QVERIFY(files::saveScan(scan_, file));
-        const std::filesystem::path beside = rocks::rockPresetPath(file);
+        const std::filesystem::path sidecar = rocks::rockPresetPath(file);
         Grid<std::uint32_t> labels;
         const auto showKept = [&](WindowFixture& on) {
             on.window.resize(1600, 950);
@@ -449,7 +449,7 @@ private slots:
         {
             WindowFixture on;
             QVERIFY(showKept(on));
-            QVERIFY(!std::filesystem::exists(beside));
+            QVERIFY(!std::filesystem::exists(sidecar));
             const std::size_t all = picture(on).study.rocks.size();
             ImageView& view = on.window.views().gray();
             QTest::keyClick(&on.window, Qt::Key_G);
@@ -468,14 +468,14 @@ private slots:
             QVERIFY(settled(on));
             labels = picture(on).labels;
         }
-        QVERIFY2(std::filesystem::exists(beside), "the window is closed, and nothing is lost");
+        QVERIFY2(std::filesystem::exists(sidecar), "the window is closed, and nothing is lost");
         {
             WindowFixture on;
             QVERIFY(showKept(on));
             QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
             QVERIFY(picture(on).labels == labels);
             // The command line reads the same file.
-            const auto run = test::runCli("rocks '" + file + "' --edits '" + beside.string() + "' --json -");
+            const auto run = test::runCli("rocks '" + file + "' --edits '" + sidecar.string() + "' --json -");
             QVERIFY2(run.code == 0, run.err.c_str());
             QCOMPARE(nlohmann::json::parse(run.out)["rock_count"].get<std::size_t>(), picture(on).study.rocks.size());
             // Another scan has no such edits.
@@ -490,11 +490,11 @@ private slots:
             on.window.rocks().setOperatorEdits({});
             QVERIFY(settled(on));
         }
-        QVERIFY(!std::filesystem::exists(beside));
+        QVERIFY(!std::filesystem::exists(sidecar));
         // The sidecar of another scan is reported, not changed and not overwritten.
         const std::string other =
             rocks::rockPresetText({std::nullopt, {{rocks::EditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
-        QVERIFY(writeWholeFile(beside, other));
+        QVERIFY(writeWholeFile(sidecar, other));
         {
             WindowFixture on;
             QVERIFY(showKept(on));
@@ -505,7 +505,7 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_N);
             QVERIFY(settled(on));
         }
-        QCOMPARE(test::fileText(beside), other);
+        QCOMPARE(test::fileText(sidecar), other);
     }
 
     void aRockIsCalledNoneAndOneAgain() {
@@ -623,8 +623,8 @@ private slots:
             on.window.engine().follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
             QVERIFY(on.settled());
             QTRY_VERIFY(on.window.rocks().picture()); // rocks of the first lines, perhaps not yet of these
-            const QString told = on.window.views().gray().title();
-            if (count < scan_.lines()) QVERIFY2(told.contains("partial"), qPrintable(told));
+            const QString title = on.window.views().gray().title();
+            if (count < scan_.lines()) QVERIFY2(title.contains("partial"), qPrintable(title));
             if (picture(on).labels.lines < count) QVERIFY(on.window.views().gray().facesFaded());
         }
         QVERIFY(settled(on));

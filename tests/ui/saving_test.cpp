@@ -247,19 +247,19 @@ private slots:
             ask();
             return folder;
         };
-        const QString beside = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
-        QVERIFY(beside != QDir::current().canonicalPath());
-        QCOMPARE(begins([&] { on.window.files().ask(); }), beside);
-        QCOMPARE(begins([&] { on.window.exports().askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
-        QCOMPARE(begins([&] { on.window.sessions().ask(); }), beside);
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
+        const QString folder = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
+        QVERIFY(folder != QDir::current().canonicalPath());
+        QCOMPARE(begins([&] { on.window.files().ask(); }), folder);
+        QCOMPARE(begins([&] { on.window.exports().askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), folder);
+        QCOMPARE(begins([&] { on.window.sessions().ask(); }), folder);
+        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), folder);
         // After saving elsewhere the dialog begins there, until that folder is deleted.
         const QString elsewhere = path("elsewhere");
         QVERIFY(QDir().mkpath(elsewhere));
         on.memory.keepFolder("presets", elsewhere + "/mine.json");
         QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), QDir(elsewhere).canonicalPath());
         QVERIFY(QDir().rmdir(elsewhere));
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
+        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), folder);
     }
 
     // The dialog has the same writing choices as the command line; the record names them.

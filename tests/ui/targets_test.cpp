@@ -345,11 +345,11 @@ private slots:
             QVERIFY(eventually([&] { return known(on) && static_cast<int>(on.window.targets().notebook().measures.size()) == made + 1; }));
             const inspect::StoredMeasure& kept = on.window.targets().notebook().measures.back();
             QVERIFY(kept.kind == kind && kept.cells == cells);
-            const auto told = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
-            QVERIFY(bool(told));
+            const auto measured = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
+            QVERIFY(bool(measured));
             const QString label = gray.marks().measures.back().label;
             // The noise measured by the window differs from this one: only the values are equal.
-            const double value = kind == inspect::MeasureKind::Angle ? told->angleDeg : told->lengths.front().valueM;
+            const double value = kind == inspect::MeasureKind::Angle ? measured->angleDeg : measured->lengths.front().valueM;
             const double shown = QString(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
             QVERIFY2(std::abs(shown - value) < (kind == inspect::MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
             QVERIFY2(label.contains("±"), qPrintable(label));

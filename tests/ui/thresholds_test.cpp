@@ -105,7 +105,7 @@ private slots:
         struct Typed {
             const char* key;
             const char* text;
-            const char* told;
+            const char* refusal;
         };
         const auto type = [&](const Typed& typed) {
             QDoubleSpinBox* box = window_->panel().row(typed.key)->number();
@@ -114,7 +114,7 @@ private slots:
             box->selectAll();
             QTest::keyClicks(box, typed.text);
             QTest::keyClick(box, Qt::Key_Return);
-            QVERIFY2(eventually([&] { return window_->notice().isVisible() && window_->notice().text().contains(typed.told); }),
+            QVERIFY2(eventually([&] { return window_->notice().isVisible() && window_->notice().text().contains(typed.refusal); }),
                      qPrintable(QString(typed.text) + ": " + window_->notice().text()));
             QCOMPARE(box->value(), before);
             window_->notice().hide();
@@ -248,10 +248,10 @@ private slots:
         use(edges::Settings{});
         const edges::Detection& detection = *window_->engine().picture()->detection;
         const auto& mask = detection.mask->cells;
-        std::size_t beside = 1;
-        while (beside < mask.size() && (mask[beside] != 0 || mask[beside - 1] == 0 || beside % 160 == 0)) ++beside;
-        QVERIFY(beside < mask.size());
-        askWhy(static_cast<std::uint32_t>(beside));
+        std::size_t next = 1;
+        while (next < mask.size() && (mask[next] != 0 || mask[next - 1] == 0 || next % 160 == 0)) ++next;
+        QVERIFY(next < mask.size());
+        askWhy(static_cast<std::uint32_t>(next));
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->explanation().card();
         auto* button = card.findChild<QPushButton*>("why-beside");

@@ -162,7 +162,7 @@ void Calibrating::giveUp() {
     card_->refuse(tr("given up"));
 }
 
-bool Calibrating::tell(std::uint64_t number, const char* stage, double fraction) {
+bool Calibrating::reportProgress(std::uint64_t number, const char* stage, double fraction) {
     QMetaObject::invokeMethod(
         this,
         [this, number, stage = QString::fromUtf8(stage), percent = static_cast<int>(100 * fraction)] {
@@ -180,7 +180,7 @@ Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Questio
     sources.push_back(*first);
     std::vector<std::shared_ptr<const Scan>> scans{question.shown->scan};
     ReadingOptions reading = question.reading;
-    reading.progress = [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); };
+    reading.progress = [&](const char* stage, double fraction) { return reportProgress(question.number, stage, fraction); };
     for (const QString& path : question.others) {
         const std::string file = path.toStdString();
         Result<Scan> scan = files::openAsAsked(file, reading);
@@ -220,7 +220,7 @@ Calibrating::Answer Calibrating::run(const Question& question) {
             return answer;
         }
         answer.found = inspect::calibrateFromSweeps(
-            *scans, [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); });
+            *scans, [&](const char* stage, double fraction) { return reportProgress(question.number, stage, fraction); });
         if (!*answer.found) return answer;
         std::string base;
         if (!question.base.isEmpty()) {
@@ -237,7 +237,7 @@ Calibrating::Answer Calibrating::run(const Question& question) {
             return answer;
         }
         answer.file = *file;
-        if (!tell(question.number, "pictures of the seam", 0.0)) return answer;
+        if (!reportProgress(question.number, "pictures of the seam", 0.0)) return answer;
         answer.seam = seamOf(*question.shown, (*answer.found)->errors);
         answer.inputs = inputs.claims();
     } catch (const std::bad_alloc&) {

@@ -79,7 +79,7 @@ private:
     [[nodiscard]] Answer run(const Question& question); // worker's thread
     [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question,
                                                                         std::vector<inspect::CalibrationSource>& sources);
-    bool tell(std::uint64_t number, const char* stage, double fraction);
+    bool reportProgress(std::uint64_t number, const char* stage, double fraction);
     static Seam seamOf(const edges::Detection& shown, const AssemblyErrors& errors);
     void take(const Answer& answer);
     void ask();

@@ -90,7 +90,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
         for (const files::Format& each : files::formats()) {
             if (each.write != nullptr) question.filters << filterOf(each, each.writes);
         }
-    // The record beside the file is replaced with it.
+    // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
@@ -123,7 +123,7 @@ void Exports::copyCommand() {
     if (!engine_.picture() || engine_.picture()->detection->scan->path.empty()) return;
     const edges::Detection& detection = *engine_.picture()->detection;
     const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
-    // Beside this program where it is not on the PATH.
+    // If it is not on the PATH: in the folder of this program.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
     QGuiApplication::clipboard()->setText(

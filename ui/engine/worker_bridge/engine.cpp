@@ -141,12 +141,12 @@ Engine::Opened Engine::read(const Opening& opening) {
     const Error givenUp{"cancelled", opening.path.toStdString(), ""};
     if (!wanted()) return {opening.number, opening.path, givenUp, nullptr};
     std::string lastStage;
-    std::chrono::steady_clock::time_point lastTold;
+    std::chrono::steady_clock::time_point lastReported;
     const Progress progress = [&](const char* stage, double fraction) {
         const auto now = std::chrono::steady_clock::now();
-        if (stage != lastStage || now - lastTold >= kBetweenProgress) {
+        if (stage != lastStage || now - lastReported >= kBetweenProgress) {
             lastStage = stage;
-            lastTold = now;
+            lastReported = now;
             const auto tell = [this, number = opening.number, stage = QString::fromUtf8(stage), fraction] {
                 if (number == wantedOpening_) emit workProgressed(stage, fraction);
             };
