@@ -89,30 +89,20 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
                      Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
-          this,
+          Urgency::Soon,
           [](const Reading& reading) {
-              return Read{reading, reading.scan        ? pictureOf(reading.scan, reading.from.settings)
-                                   : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
-                                                       : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings)};
+              return reading.scan        ? pictureOf(reading.scan, reading.from.settings)
+                     : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
+                                         : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings);
           },
-          [this](const Read& read) { takeRead(read); },
+          [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
           [this](const QString& what) {
-              takeRead({{}, Error{what.toStdString(), "", "choose another scan"}});
+              takeRead({}, Error{what.toStdString(), "", "choose another scan"});
           }),
       comparer_(
-          this,
-          [this](const ComparisonAsked& asked) {
-              if (!asked.before) { // nothing is kept any more: what was known of it goes
-                  last_ = nullptr;
-                  return Answer{asked, std::shared_ptr<const Comparison>()};
-              }
-              Answer answer{asked, compared(asked, last_.get())};
-              last_ = answer.made ? *answer.made : nullptr;
-              return answer;
-          },
-          [this](const Answer& answer) { take(answer); },
+          Urgency::Soon, [this](const ComparisonAsked& asked) { return compare(asked); },
+          [this](const ComparisonAsked&, const std::shared_ptr<const Compared>& made) { take(*made); },
           [this](const QString& what) {
-              working_ = false;
               comparison_ = nullptr;
               show();
               showLegend();
@@ -153,7 +143,6 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom>
     flip(false);
     kept_ = std::move(kept);
     keptFrom_ = std::move(from);
-    if (!kept_) comparer_.post({});
     comparison_ = nullptr;
     show();
     emit keptChanged(kept_ != nullptr);
@@ -175,11 +164,10 @@ void Comparing::compareWith(const QString& path) {
 void Comparing::restore(const KeptFrom& from) { read(from, false); }
 
 void Comparing::read(const KeptFrom& from, bool asStep) {
-    reading_ = true;
     const std::optional<KeptFrom> shown = engine_.picture() ? fromShown() : std::nullopt;
     const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
                       shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
-    reader_.post({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
+    reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
 }
 
 void Comparing::askScan() {
@@ -188,11 +176,10 @@ void Comparing::askScan() {
     if (!path.isEmpty()) compareWith(path);
 }
 
-void Comparing::takeRead(const Read& read) {
-    reading_ = false;
-    if (!read.picture) return notice_.tell(read.picture.error());
-    const std::shared_ptr<const Picture>& picture = *read.picture;
-    KeptFrom from = read.asked.from;
+void Comparing::takeRead(const Reading& asked, const Read& read) {
+    if (!read) return notice_.tell(read.error());
+    const std::shared_ptr<const Picture>& picture = *read;
+    KeptFrom from = asked.from;
     const Scan& scan = *picture->detection->scan;
     if (!from.sha256.empty() && from.sha256 != scan.sha256) {
         notice_.showNotice(NoticeBar::Kind::Warning,
@@ -201,7 +188,7 @@ void Comparing::takeRead(const Read& read) {
     }
     from.sha256 = scan.sha256;
     from.name = scan.name;
-    if (!read.asked.asStep) return use(picture, from);
+    if (!asked.asStep) return use(picture, from);
     notice_.hide();
     undo_.push(new KeptChange(stepName("Compare with Scan"), *this, picture, from));
 }
@@ -225,22 +212,24 @@ void Comparing::follow() {
 }
 
 void Comparing::ask() {
-    working_ = comparable();
-    if (!working_) return;
-    comparer_.post({kept_, engine_.picture(), rows_});
+    if (kept_ && !comparable()) return comparer_.giveUp();
+    comparer_.ask({kept_, engine_.picture(), rows_});
 }
 
-void Comparing::take(const Answer& answer) {
-    if (!answer.asked.before) return;
-    const bool wanted = comparable() && answer.asked.before == kept_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
-    if (!wanted) return; // a newer question is under way, or there is nothing left to ask
-    working_ = false;
-    if (!answer.made) {
-        notice_.tell(answer.made.error());
+std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
+    std::shared_ptr<const Compared> made;
+    if (asked.before) made = std::make_shared<const Compared>(compared(asked, last_.get()));
+    last_ = made && *made ? **made : nullptr; // where nothing is kept any more what was known of it goes
+    return made;
+}
+
+void Comparing::take(const Compared& made) {
+    if (!made) {
+        notice_.tell(made.error());
         comparison_ = nullptr; // A stays: the next scan may fit
     } else {
-        const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
-        comparison_ = *answer.made;
+        const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
+        comparison_ = *made;
         if (otherScans) {
             region_ = 0;
             QStringList warnings;
@@ -280,7 +269,7 @@ void Comparing::show() {
 void Comparing::showLegend() {
     legend_.setVisible(kept_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), working_);
+    if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), comparer_.behind());
 }
 
 void Comparing::flip(bool on) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scan/grid/reading_options.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/change/comparison.h"
 
 #include <QObject>
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
     /// Where A comes from; empty: there is none, or it is of no file.
     [[nodiscard]] const std::optional<KeptFrom>& keptFrom() const { return keptFrom_; }
-    /// Another scan becomes A, read as the one on the screen was, with the settings on the screen. It is read on a thread of its own.
+    /// Another scan becomes A, read as the one on the screen was, with the settings on the screen. It is read off the GUI thread.
     void compareWith(const QString& path);
     void restore(const KeptFrom& from);
     void askScan();
@@ -62,7 +62,7 @@ public:
     /// Of A and what is on the screen; null until it is known, and where there is nothing to compare.
     [[nodiscard]] const std::shared_ptr<const Comparison>& comparison() const { return comparison_; }
     /// Nothing is being read or compared.
-    [[nodiscard]] bool settled() const { return !reading_ && !working_; }
+    [[nodiscard]] bool settled() const { return !reader_.behind() && !comparer_.behind(); }
     /// All views come close to the next one, the largest first.
     void nextRegion();
 
@@ -83,18 +83,13 @@ private:
         std::shared_ptr<const Scan> scan; ///< where it is the one on the screen
         bool asStep = false;              ///< its end is a step of undo
     };
-    struct Read {
-        Reading asked;
-        Result<std::shared_ptr<const Picture>> picture;
-    };
-    struct Answer {
-        ComparisonAsked asked;
-        Result<std::shared_ptr<const Comparison>> made;
-    };
+    using Read = Result<std::shared_ptr<const Picture>>;
+    using Compared = Result<std::shared_ptr<const Comparison>>;
     void follow();
     void ask();
-    void take(const Answer& answer);
-    void takeRead(const Read& read);
+    [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
+    void take(const Compared& made);
+    void takeRead(const Reading& asked, const Read& read);
     void use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from);
     void read(const KeptFrom& from, bool asStep);
     [[nodiscard]] std::optional<KeptFrom> fromShown() const;
@@ -115,12 +110,12 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     std::shared_ptr<const EdgesInstead> drawn_; // as it was given to the views
-    bool shown_ = true, working_ = false, reading_ = false;
+    bool shown_ = true;
     std::size_t region_ = 0;
     quint32 heldCode_ = 0;                   ///< of the key that flips, while it is held
-    std::shared_ptr<const Comparison> last_; // comparing thread only
-    Newest<Reading, Read> reader_;
-    Newest<ComparisonAsked, Answer> comparer_; // last
+    std::shared_ptr<const Comparison> last_; // of compare() alone
+    Derived<Reading, Read> reader_;
+    Derived<ComparisonAsked, Compared> comparer_; // last
 };
 
 } // namespace edgescan::ui

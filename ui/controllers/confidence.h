@@ -1,13 +1,11 @@
 // How sure each edge is: worked out while nobody turns anything, shown in place of the plain edges and on the card of a target on an edge.
 #pragma once
 
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/confidence/confidence_picture.h"
 
 #include <QObject>
-#include <QTimer>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -25,7 +23,6 @@ class Confidence : public QObject {
     Q_OBJECT
 public:
     Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
-    ~Confidence() override;
 
     void setOn(bool on);
     /// Edges surer than that are shown alone, percent.
@@ -44,25 +41,17 @@ signals:
     void changed();
 
 private:
-    struct Asked {
-        std::uint64_t number = 0;
+    struct Drawing {
         std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const EdgeConfidence> known; // null: to be worked out
-        bool shown = false;                          // false: for a card alone, nothing is drawn
+        std::shared_ptr<const EdgeConfidence> known;
         int leastPercent = 0;
         EdgeColours colours;
     };
-    struct Answer {
-        std::uint64_t number = 0;
-        std::shared_ptr<const EdgeConfidence> known; // null: given up
-        std::shared_ptr<const ConfidencePicture> made;
-    };
-    [[nodiscard]] Answer workOut(const Asked& asked); // worker's thread
+    [[nodiscard]] std::shared_ptr<const EdgeConfidence> workOut(const Picture& picture, const Asker& asker); // pool's thread
     void follow();
     void followCard();
     void begin();
-    void ask();
-    void take(const Answer& answer);
+    void draw();
     void failed(const QString& what);
     void show();
     void tellCards();
@@ -76,13 +65,12 @@ private:
     Memory& memory_;
     bool on_ = false, gaveWay_ = false;
     bool forCard_ = false; // the card is that of a cell with an edge
-    bool underWay_ = false, failed_ = false;
+    bool failed_ = false;
     std::shared_ptr<const EdgeConfidence> known_; // of the picture on the screen, whoever asked for it
     std::shared_ptr<const ConfidencePicture> made_;
     std::shared_ptr<const EdgesInstead> shown_; // as it was given to the views
-    QTimer quiet_;
-    std::atomic<std::uint64_t> wanted_{0};
-    Newest<Asked, Answer> worker_; // last: its thread uses all of the above
+    Derived<std::shared_ptr<const Picture>, EdgeConfidence> confidence_;
+    Derived<Drawing, ConfidencePicture> drawn_; // last
 };
 
 } // namespace edgescan::ui

@@ -1,13 +1,12 @@
-// The contact sheet of the slider in use: worked out on a thread of its own, picture by picture; a click takes a value.
+// The contact sheet of the slider in use: worked out off the GUI thread, picture by picture; a click takes a value.
 #pragma once
 
 #include "core/edges/tuning/contact_sheet.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QImage>
 #include <QObject>
 
-#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -23,7 +22,6 @@ class ContactSheets : public QObject {
     Q_OBJECT
 public:
     ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent);
-    ~ContactSheets() override { wanted_ = 0; }
 
     /// Of the setting that was turned last, else of the one that the method is mostly turned by.
     void show();
@@ -33,29 +31,21 @@ public:
 
 private:
     struct Question {
-        std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
         Settings settings;
         const Parameter* parameter = nullptr;
         std::vector<double> values;
     };
-    struct Answer {
-        std::uint64_t number = 0;
-        std::vector<SheetEntry> entries;
-    };
-    [[nodiscard]] Answer run(const Question& question); // worker's thread
-    void add(std::uint64_t number, const SheetEntry& entry, const QImage& picture);
-    void take(const Answer& answer);
+    [[nodiscard]] std::vector<SheetEntry> run(const Question& question, const Asker& asker); // pool's thread
+    void add(const SheetEntry& entry, const QImage& picture);
+    void take(const Question& question, const std::vector<SheetEntry>& entries);
 
     Engine& engine_;
     Tuning& tuning_;
     NoticeBar& notice_;
     ContactCard* card_ = nullptr;
-    Question asked_;
     std::vector<SheetEntry> entries_;
-    std::uint64_t sheets_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the sheet that is waited for; 0: none
-    Newest<Question, Answer> worker_;      // last
+    Derived<Question, std::vector<SheetEntry>> sheet_; // last
 };
 
 } // namespace edgescan::ui

@@ -60,13 +60,11 @@ std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t ce
 
 Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
-      worker_(
-          this,
-          [](const Question& question) {
-              const Detection& detection = *question.picture->detection;
-              return Answer{question.picture, std::make_shared<const Why>(whyCell(detection, question.cell))};
+      why_(
+          Urgency::Now, [](const Question& question) { return whyCell(*question.picture->detection, question.cell); },
+          [this](const Question& question, const std::shared_ptr<const Why>& why) {
+              show(*question.picture, question.picture == views_.shown(), *why);
           },
-          [this](const Answer& answer) { tell(answer); },
           [this](const QString& what) {
               const QString sentence = tr("Why could not be worked out (%1).").arg(what);
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
@@ -91,7 +89,7 @@ void Explanation::explain(std::size_t cell) {
     }
     card_->offerBeside(0);
     card_->tell(tr("Working out why …"));
-    worker_.post({picture, cell});
+    why_.ask({picture, cell});
 }
 
 bool Explanation::closeCard() {
@@ -100,20 +98,18 @@ bool Explanation::closeCard() {
     return true;
 }
 
-void Explanation::tell(const Answer& answer) {
-    if (!card_->isVisible()) return; // closed meanwhile: nobody waits for it any more
-    const auto& [picture, given] = answer;
-    const Why& why = *given;
-    QString numbers = shownText(whyNumbers(why, picture->detection->settings));
-    const bool still = picture == views_.shown();
+/// `still`: the picture is on the screen.
+void Explanation::show(const Picture& picture, bool still, const Why& why) {
+    if (!card_->isVisible()) return; // closed meanwhile
+    QString numbers = shownText(whyNumbers(why, picture.detection->settings));
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
-    beside_ = edgeBeside(*picture->detection, why.probe.cell);
+    beside_ = edgeBeside(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));
     };
     card_->offerBeside(still && beside_ ? away(*beside_) : 0);
-    card_->tell(shownText(whyVerdict(why, picture->detection->settings, Naming::Labels)), profileOf(*picture->detection, why), numbers);
+    card_->tell(shownText(whyVerdict(why, picture.detection->settings, Naming::Labels)), profileOf(*picture.detection, why), numbers);
     if (still)
         showTrail(why);
     else

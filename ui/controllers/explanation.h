@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <memory>
 
@@ -35,18 +35,14 @@ private:
         std::shared_ptr<const Picture> picture;
         std::size_t cell = 0;
     };
-    struct Answer {
-        std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const Why> why;
-    };
-    void tell(const Answer& answer);
+    void show(const Picture& picture, bool still, const Why& why);
     void showTrail(const Why& why);
 
     LinkedViews& views_;
     NoticeBar& notice_;
     WhyCard* card_ = nullptr;           // child of the window
     std::optional<std::size_t> beside_; // the edge next to the cell on the card, where that is none
-    Newest<Question, Answer> worker_;
+    Derived<Question, Why> why_;
 };
 
 } // namespace edgescan::ui

@@ -1,11 +1,11 @@
-// Scan > Calibrate: the errors of the assembly from the scan on the screen and others of it, worked out on a thread of their own; saved
+// Scan > Calibrate: the errors of the assembly from the scan on the screen and others of it, worked out off the GUI thread; saved
 // and applied only when somebody says so.
 #pragma once
 
 #include "core/base/inputs.h"
 #include "core/inspect/calibration/calibration_file.h"
 #include "core/scan/grid/reading_options.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 
 #include <QImage>
@@ -14,7 +14,6 @@
 #include <QStringList>
 
 #include <array>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,7 +31,6 @@ class Calibrating : public QObject {
     Q_OBJECT
 public:
     Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
-    ~Calibrating() override { wanted_ = 0; }
 
     /// The card, with the scan on the screen.
     void show();
@@ -56,7 +54,6 @@ signals:
 
 private:
     struct Question {
-        std::uint64_t number = 0;
         std::shared_ptr<const Detection> shown; ///< its edges are those of the picture
         QStringList others;
         ReadingOptions reading; ///< of the others
@@ -70,17 +67,17 @@ private:
         QPoint busiest;
     };
     struct Answer {
-        std::uint64_t number = 0;
         std::optional<Result<SelfCalibration>> found;
         std::string file; ///< as it is saved
         Seam seam;
         std::shared_ptr<const InputClaims> inputs; ///< nothing is saved over them
     };
-    [[nodiscard]] Answer run(const Question& question); // worker's thread
-    [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, std::vector<CalibrationSource>& sources);
-    bool tell(std::uint64_t number, const char* stage, double fraction);
+    using Progress = std::function<bool(const char* stage, double fraction)>;
+    [[nodiscard]] static Answer run(const Question& question, const Progress& progress); // pool's thread
+    [[nodiscard]] static Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, const Progress& progress,
+                                                                               std::vector<CalibrationSource>& sources);
     static Seam seamOf(const Detection& shown, const AssemblyErrors& errors);
-    void take(const Answer& answer);
+    void take(const std::shared_ptr<const Answer>& answer);
     void ask();
     void askAdd();
     void askBase();
@@ -99,9 +96,7 @@ private:
     QString base_, saved_;
     std::shared_ptr<const Answer> found_;
     bool saving_ = false;
-    std::uint64_t questions_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
-    Newest<Question, Answer> worker_;      // last
+    Derived<Question, Answer> calibration_; // last
 };
 
 } // namespace edgescan::ui

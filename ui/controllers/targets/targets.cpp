@@ -47,11 +47,13 @@ private:
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
       store_(memory.ownFolder().isEmpty() ? QString() : memory.ownFolder() + "/targets"),
-      worker_(
-          this, [this](const Question& question) { return workOut(question); }, [this](KnownTargets known) { take(std::move(known)); },
+      worked_(
+          Urgency::Now, [this](const Question& question) { return workOut(question); },
+          [this](const Question&, const std::shared_ptr<const KnownTargets>& known) { take(*known); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
-          }) {
+          },
+          Older::Delivered) { // while a sweep grows
     connect(&engine_, &Engine::pictureReady, this, &Targets::followPicture);
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::letGoOf, this, [this](std::size_t cell) {
@@ -242,7 +244,7 @@ void Targets::keep() {
 QString Targets::keptIn() const { return engine_.picture() ? store_.pathOf(notebookScan(*engine_.picture()->detection->scan)) : QString(); }
 
 void Targets::ask() {
-    if (engine_.picture()) worker_.post({engine_.picture(), notebook_});
+    if (engine_.picture()) worked_.ask({engine_.picture(), notebook_});
 }
 
 bool Targets::settled() const {
@@ -267,9 +269,9 @@ KnownTargets Targets::workOut(const Question& question) {
     return known;
 }
 
-void Targets::take(KnownTargets known) {
+void Targets::take(const KnownTargets& known) {
     if (!engine_.picture() || known.picture->detection->scan->beams() != engine_.picture()->detection->scan->beams()) return;
-    known_ = std::move(known);
+    known_ = known;
     // What the card says first is what was pinned.
     bool more = false;
     for (PinnedTarget& target : notebook_.targets) {

@@ -8,32 +8,26 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kQuietMs = 250; // the worker has the cores to itself while a hand is on a slider
+constexpr std::chrono::milliseconds kQuiet{250}; // the processors are for the picture while a slider moves
 
 } // namespace
 
 EdgeCounter::EdgeCounter(QObject* parent)
-    : QObject(parent), worker_(
-                           this,
+    : QObject(parent), curve_(
+                           Urgency::Now,
                            [](const std::shared_ptr<const Detection>& detection) {
-                               const std::vector<double> thresholds = sliderValues(sweptParameter(detection->settings.method));
-                               return Counted{detection, edgeCountCurve(thresholdMapOf(*detection), thresholds)};
+                               return edgeCountCurve(thresholdMapOf(*detection), sliderValues(sweptParameter(detection->settings.method)));
                            },
-                           [this](const Counted& counted) {
-                               if (counted.detection != asked_) return; // the newest follows
-                               emit this->counted(QString::fromUtf8(sweptParameter(asked_->settings.method).key), counted.curve);
+                           [this](const std::shared_ptr<const Detection>& detection, const std::shared_ptr<const EdgeCountCurve>& curve) {
+                               emit counted(QString::fromUtf8(sweptParameter(detection->settings.method).key), *curve);
                            },
-                           [](const QString&) {}) {
-    quiet_.setSingleShot(true);
-    quiet_.setInterval(kQuietMs);
-    connect(&quiet_, &QTimer::timeout, this, [this] { worker_.post(asked_); });
-}
+                           [](const QString&) {}) {}
 
 void EdgeCounter::want(const std::shared_ptr<const Detection>& detection) {
-    if (asked_ && asked_->scan == detection->scan && sameUpTo(Stage::Edges, asked_->settings, detection->settings)) return;
-    asked_ = detection;
+    const auto* asked = curve_.asked();
+    if (asked != nullptr && (*asked)->scan == detection->scan && sameUpTo(Stage::Edges, (*asked)->settings, detection->settings)) return;
+    curve_.ask(detection, kQuiet);
     emit outdated();
-    quiet_.start();
 }
 
 } // namespace edgescan::ui

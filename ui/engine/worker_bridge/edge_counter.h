@@ -3,16 +3,15 @@
 
 #include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <memory>
 
 namespace edgescan::ui {
 
-/// GUI thread only; the counting runs on a thread of its own, newest detection wins.
+/// GUI thread only; the newest detection wins.
 class EdgeCounter : public QObject {
     Q_OBJECT
 public:
@@ -29,14 +28,7 @@ signals:
     void counted(const QString& parameter, const edgescan::EdgeCountCurve& curve);
 
 private:
-    struct Counted {
-        std::shared_ptr<const Detection> detection;
-        EdgeCountCurve curve;
-    };
-
-    std::shared_ptr<const Detection> asked_; // counted, being counted, or waiting for quiet
-    QTimer quiet_;
-    Newest<std::shared_ptr<const Detection>, Counted> worker_;
+    Derived<std::shared_ptr<const Detection>, EdgeCountCurve> curve_;
 };
 
 } // namespace edgescan::ui

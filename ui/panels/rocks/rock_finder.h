@@ -1,7 +1,7 @@
-// Works out the rocks of a detection on a thread of its own.
+// Works out the rocks of a detection off the GUI thread.
 #pragma once
 
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/rocks/rock_picture.h"
 
 #include <QObject>
@@ -25,32 +25,21 @@ public:
 
     void ask(const RockQuestion& question);
     /// What was asked last is not answered yet.
-    [[nodiscard]] bool behind() const { return behind_; }
+    [[nodiscard]] bool behind() const { return rocks_.behind(); }
 
 signals:
     void found(const std::shared_ptr<const edgescan::ui::RockPicture>& picture);
     void failed(const QString& what);
 
 private:
-    struct Asked {
-        std::uint64_t number = 0;
-        RockQuestion question;
-    };
-    struct Answer {
-        std::uint64_t number = 0;
-        std::shared_ptr<const RockPicture> picture;
-    };
-    [[nodiscard]] Answer run(const Asked& asked); // worker's thread
+    [[nodiscard]] std::shared_ptr<const RockPicture> run(const RockQuestion& question); // pool's thread
 
-    std::uint64_t asked_ = 0;
-    bool behind_ = false;
-
-    // Worker's thread only.
+    // Of run() alone.
     std::shared_ptr<const Detection> detection_; // that inputs_ were made of
     RockInputs inputs_;
     std::shared_ptr<const RockPicture> last_;
 
-    Newest<Asked, Answer> worker_; // last: its thread uses the rest
+    Derived<RockQuestion, RockPicture> rocks_; // last
 };
 
 } // namespace edgescan::ui
