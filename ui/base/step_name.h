@@ -1,4 +1,4 @@
-// The name of a step of undo in the words of the sources, for the audit log, and in those of the window.
+// The name of an undo step: in the language of the sources for the audit log, and in the language of the window.
 #pragma once
 
 #include <QObject>
@@ -6,7 +6,7 @@
 
 namespace edgescan::ui {
 
-/// As QUndoCommand takes it: what text() gives, and behind a new line what the menu shows. `given` fills %1, %2 ...
+/// In the form that QUndoCommand takes: text() before the line break, the menu's text after it. `given` fills %1, %2 ...
 template <class... Given>
 [[nodiscard]] QString stepName(const char* text, const Given&... given) {
     QString source = QString::fromUtf8(text), shown = QObject::tr(text);

@@ -1,4 +1,4 @@
-// Keeping, comparing, flipping.
+// Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
 #include "ui/base/notice_bar.h"
@@ -27,9 +27,9 @@ namespace {
 
 QString nameOf(const Picture& picture) { return shownName(exactText(picture.detection->scan->name)); }
 
-constexpr int kLeastAround = 10; // cells beside a region, for the eye
+constexpr int kLeastAround = 10; // cells around a region, as visible context
 
-/// The cells of the region alone: others of its kind may lie in the same box.
+/// Only the cells of the region: other regions of its kind may be in the same box.
 std::vector<std::uint32_t> cellsOf(const Grid<RangeChange>& kinds, const ChangedRegion& region) {
     std::vector<std::uint32_t> cells{region.cell};
     std::vector<bool> seen(kinds.size(), false);
@@ -54,7 +54,7 @@ bool isTyping(const QWidget* widget) {
 
 } // namespace
 
-/// A before and after. The picture itself may be gone by then: it is read again.
+/// An undo step between two kept scans. The pictures may be freed meanwhile: the scan is then read again.
 class KeptChange : public QUndoCommand {
 public:
     KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from)
@@ -78,7 +78,7 @@ private:
         else if (state.from)
             comparing_.read(*state.from, false);
         else
-            setObsolete(true); // of a sweep that no file holds
+            setObsolete(true); // of a sweep that was not recorded to a file
     }
 
     Comparing& comparing_;
@@ -157,7 +157,7 @@ void Comparing::compareWith(const QString& path) {
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
-    reading.scanIndex = 0; // of the file on the screen
+    reading.scanIndex = 0; // the index belongs to the file on the screen
     read({path, std::nullopt, reading, engine_.settings(), {}, {}}, true);
 }
 
@@ -198,7 +198,7 @@ bool Comparing::comparable() const {
     return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
 }
 
-/// A new picture is on the screen: the views ended a flip by themselves.
+/// A new picture is on the screen: the views have already ended a flip.
 void Comparing::follow() {
     emit flipped(false);
     legend_.showFlipped(false);
@@ -219,14 +219,14 @@ void Comparing::ask() {
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
     std::shared_ptr<const Compared> made;
     if (asked.before) made = std::make_shared<const Compared>(compared(asked, last_.get()));
-    last_ = made && *made ? **made : nullptr; // where nothing is kept any more what was known of it goes
+    last_ = made && *made ? **made : nullptr; // without A the cached results are dropped
     return made;
 }
 
 void Comparing::take(const Compared& made) {
     if (!made) {
         notice_.tell(made.error());
-        comparison_ = nullptr; // A stays: the next scan may fit
+        comparison_ = nullptr; // A stays: the next scan may match it
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
         comparison_ = *made;
@@ -261,7 +261,7 @@ void Comparing::show() {
     }
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
     const bool on = instead != nullptr;
-    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // what another one shows there stays
+    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // do not replace what another controller shows there
     drawn_ = std::move(instead);
     emit differenceShown(on);
 }
@@ -275,7 +275,7 @@ void Comparing::showLegend() {
 void Comparing::flip(bool on) {
     if (on == views_.flipped()) return;
     if (on && !comparison_) {
-        emit flipped(false); // the entry of the menu has checked itself
+        emit flipped(false); // the menu entry checks itself when it is triggered
         notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
                                                            : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
         return;
@@ -318,7 +318,7 @@ bool Comparing::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
     const auto* key = static_cast<QKeyEvent*>(event);
-    // Where the key needs AltGr its release may come under another name.
+    // On keyboards where the key needs AltGr, its release may be reported under another name.
     const bool isHeld = event->type() == QEvent::KeyRelease && heldCode_ != 0 && key->nativeScanCode() == heldCode_;
     if ((key->key() != Qt::Key_Backslash && !isHeld) || !watched->isWidgetType() || isTyping(QApplication::focusWidget())) return false;
     if (static_cast<QWidget*>(watched)->window() != notice_.window()) return false;

@@ -1,4 +1,4 @@
-// Asking for edge confidence and showing it.
+// Requests edge confidence and shows it.
 #include "ui/controllers/confidence.h"
 
 #include "ui/controllers/targets/targets.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kQuiet{250};      // since the last change
 constexpr std::chrono::milliseconds kQuietCard{1000}; // where a card alone asks: it has no hurry
-constexpr std::size_t kMostForCard = 4'000'000;       // cells; a larger scan keeps the processors for what is asked for
+constexpr std::size_t kMostForCard = 4'000'000;       // cells; for a larger scan it is computed only on request
 constexpr const char* kLeast = "view/confidence-least";
 
 } // namespace
@@ -82,7 +82,7 @@ bool Confidence::needed() const {
     return on_ || (forCard_ && engine_.picture() && engine_.picture()->detection->mask->size() <= kMostForCard);
 }
 
-/// What was known is of another picture: until the new one is worked out its edges are shown as ever.
+/// The known values belong to another picture: until the new values are computed, its edges are shown normally.
 void Confidence::follow() {
     confidence_.giveUp();
     drawn_.giveUp();
@@ -94,7 +94,7 @@ void Confidence::follow() {
     show();
 }
 
-/// The card is of another cell, or its cell has an edge now.
+/// The card shows another cell, or its cell is an edge now.
 void Confidence::followCard() {
     const PinnedTarget* target = targets_.active();
     const Picture* picture = engine_.picture().get();
@@ -104,7 +104,7 @@ void Confidence::followCard() {
     if (forCard_ != before) begin();
 }
 
-/// What is needed is begun a moment after the last change; what nobody needs any more is given up.
+/// Starts needed work shortly after the last change; cancels work that is no longer needed.
 void Confidence::begin() {
     if (on_ && !engine_.picture()) legend_.showNone(tr("open a scan first"));
     if (on_ && engine_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
@@ -157,7 +157,7 @@ void Confidence::show() {
             made_->cells,       bandColours(views_.edgeColours() != kUsualColours), made_->images[0], made_->images[1], nullptr, true,
             tr("by confidence")};
     }
-    // What another one shows there stays.
+    // do not replace what another controller shows there
     if (instead || views_.edgesInstead() == shown_) views_.setEdgesInstead(instead);
     shown_ = std::move(instead);
     tellCards();

@@ -1,4 +1,4 @@
-// The contact sheet of the slider in use: worked out off the GUI thread, picture by picture; a click takes a value.
+// The contact sheet of the slider in use: computed off the GUI thread, picture by picture; a click adopts a value.
 #pragma once
 
 #include "core/edges/tuning/contact_sheet.h"
@@ -17,13 +17,13 @@ class NoticeBar;
 class Engine;
 class Tuning;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class ContactSheets : public QObject {
     Q_OBJECT
 public:
     ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent);
 
-    /// Of the setting that was turned last, else of the one that the method is mostly turned by.
+    /// Shows the sheet of the setting that was changed last, else of the method's main setting.
     void show();
     /// Null before the first sheet.
     [[nodiscard]] ContactCard* card() const { return card_; }

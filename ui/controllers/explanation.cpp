@@ -1,4 +1,4 @@
-// Asks off the GUI thread why a cell is an edge, and tells it.
+// Requests the explanation of a cell off the GUI thread, and shows it.
 #include "ui/controllers/explanation.h"
 
 #include "core/edges/explain/why.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kBeside = 6; // cells
 
-/// The way that decides: that of the strongest step or fold; for the other methods the one along which the range changes more.
+/// The direction of the profile: that of the strongest step or fold; for other methods the direction in which the range changes more.
 EdgeProfile profileOf(const Detection& detection, const Why& why) {
     const Scan& scan = *detection.scan;
     const std::size_t k = why.probe.cell;
@@ -36,7 +36,7 @@ EdgeProfile profileOf(const Detection& detection, const Why& why) {
     return deep(lines) > deep(beams) ? lines : beams;
 }
 
-/// The nearest edge where the cell is none: a finger meets an edge of one cell only by chance.
+/// The nearest edge if the cell is not an edge: a finger rarely hits an edge that is one cell wide.
 std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t cell) {
     const Grid<std::uint8_t>& mask = *detection.mask;
     if (mask[cell] != 0) return std::nullopt;
@@ -73,7 +73,7 @@ Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& no
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
     });
-    // The chain belongs to the picture that it was asked of.
+    // The chain belongs to the picture for which it was computed.
     connect(&engine, &Engine::pictureReady, this, &Explanation::forgetTrail);
 }
 
@@ -100,7 +100,7 @@ bool Explanation::closeCard() {
 
 /// `still`: the picture is on the screen.
 void Explanation::show(const Picture& picture, bool still, const Why& why) {
-    if (!card_->isVisible()) return; // closed meanwhile
+    if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     QString numbers = shownText(whyNumbers(why, picture.detection->settings));
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
     beside_ = edgeBeside(*picture.detection, why.probe.cell);

@@ -1,4 +1,4 @@
-// How the scan itself looks: the points of the cloud by range, height or line, and the window of the range image.
+// The display of the scan itself: cloud colours by range, height or line, and the window of the range image.
 #pragma once
 
 #include "ui/engine/worker_bridge/derived.h"
@@ -17,25 +17,25 @@ class LinkedViews;
 class Memory;
 class ScalePlate;
 
-/// GUI thread only; colours and histogram are made off it. What it is given must outlive it.
+/// GUI thread only; colours and histogram are computed off the GUI thread. The objects passed to it must outlive it.
 class ScanLook : public QObject {
     Q_OBJECT
 public:
     ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
 
-    /// Kept in the memory.
+    /// The choice is stored in the settings memory.
     void setColourBy(ColourBy by);
     [[nodiscard]] ColourBy colourBy() const { return by_; }
-    /// What is shown is of the cloud on the screen.
+    /// True if the shown colours belong to the cloud on the screen.
     [[nodiscard]] bool settled() const { return !colours_.behind(); }
-    /// The window of the range image stays when another scan is opened.
+    /// Locked: the window of the range image stays when another scan is opened.
     [[nodiscard]] bool rangeLocked() const { return window_.locked(); }
-    /// Empty: as the method scales the ranges.
+    /// Empty: the method scales the ranges.
     void setRangeWindow(const std::optional<RangeSpan>& window, bool locked);
 
 signals:
     void colourByChanged(edgescan::ui::ColourBy by);
-    /// Another lock or another colour: what a session keeps beside what the views tell.
+    /// The lock or the colours changed: session data that the views do not report.
     void changed();
 
 private:
@@ -46,7 +46,7 @@ private:
         bool counted = false; ///< the histogram of this cloud is on the screen
     };
     struct Answer {
-        std::optional<RangeHistogram> histogram; ///< empty: it is there already
+        std::optional<RangeHistogram> histogram; ///< empty: already on the screen
         CloudColours colours;
     };
     void follow();
@@ -59,7 +59,7 @@ private:
     RangeWindow& window_;
     Memory& memory_;
     ColourBy by_ = ColourBy::Nothing;
-    std::shared_ptr<const CloudGeometry> counted_; // that the histogram is of
+    std::shared_ptr<const CloudGeometry> counted_; // of the histogram
     Derived<Asked, Answer> colours_;               // last
 };
 

@@ -1,4 +1,4 @@
-// From the panel to the session and back.
+// Connects the panel with the engine.
 #include "ui/controllers/tuning.h"
 
 #include "core/base/whole_file.h"
@@ -34,7 +34,7 @@ QString describe(const Settings& before, const Settings& after) {
     return stepName("settings");
 }
 
-// Changes with the same number of a drag become one step of undo; 0 never does.
+// Changes with the same drag number are merged into one undo step; 0 is never merged.
 class SettingsChange : public QUndoCommand {
 public:
     SettingsChange(Engine& engine, const Settings& after, int drag)
@@ -107,7 +107,7 @@ void Tuning::change(const Settings& settings, bool dragging) {
     for (const Parameter& p : parameters()) {
         if (formatValue(p, p.get(settings)) != formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
     }
-    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset turns several
+    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset changes several
     undo_.push(new SettingsChange(engine_, settings, dragging ? drag_ : 0));
 }
 
@@ -154,7 +154,7 @@ void Tuning::askOpenPreset() {
 
 void Tuning::askSavePreset() {
     SaveQuestion question{tr("Save preset"), memory_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
-    // Scans have this extension too.
+    // Scans use this extension too.
     question.keeps = [](const QString& there) {
         return findPreset(there.toStdString()) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
     };

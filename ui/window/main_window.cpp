@@ -157,7 +157,7 @@ void MainWindow::layOutViews() {
         splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
-    splitter_->setStretchFactor(0, 0); // a wider window is for the cloud
+    splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
@@ -181,7 +181,7 @@ QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget
     return dock;
 }
 
-// Over the cloud, where nothing else stands: more legends go above it.
+// Over a free part of the cloud; more legends go above it.
 void MainWindow::layOutLegend() {
     auto* over = new QVBoxLayout(cloud_);
     over->setContentsMargins(8, 8, 8, 8);
@@ -191,7 +191,7 @@ void MainWindow::layOutLegend() {
     connect(legend_, &EdgeLegend::classesWanted, this, [this](int classes) { tuning_.turn("classes", classes); });
 }
 
-// The badge stands in the corner of the menu bar, where no width drops it.
+// The badge is in the corner of the menu bar, where it is visible at every width.
 void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, tools_);
     tools_->toggleViewAction()->setVisible(false);
@@ -215,7 +215,8 @@ void MainWindow::showOrigin() {
     const QSize before = origin_->sizeHint();
     origin_->showState(origin.sign, origin.badge);
     origin_->setToolTip(origin.more);
-    if (origin_->sizeHint() != before) menuBar()->setCornerWidget(origin_, Qt::TopRightCorner); // it asks for the size only then
+    // the menu bar reads the size only in this call
+    if (origin_->sizeHint() != before) menuBar()->setCornerWidget(origin_, Qt::TopRightCorner);
     targets_.setSource(origin.badge);
     emit originShown();
 }
@@ -241,11 +242,11 @@ void MainWindow::connectSession() {
         showWarnings();
         showTitle();
         showOrigin();
-        emit pictureShown(); // the controllers were told before
+        emit pictureShown(); // the controllers received it before
     });
 }
 
-// Of the picture on the screen: a scanner's sweeps and those of a recording have names of their own.
+// The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.
 void MainWindow::showTitle() {
     setWindowTitle(shownName(exactText(engine_.picture()->detection->scan->name)) + files_.placeInSeries() + " - EdgeScan");
 }
@@ -259,12 +260,12 @@ void MainWindow::showWarnings() {
     warnings_->showWarnings(warnings);
 }
 
-/// Panels and images as wide as suits the window, the rest for the cloud. What the operator folded, opened or dragged stays.
+/// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged.
 QImage MainWindow::screenshot() {
     const QImage cloud = cloud_->grabFrame(CloudView::Points::All);
-    panes_.back()->setRemark(QString()); // what it says of the frame is not true of this picture
+    panes_.back()->setRemark(QString()); // its text describes a frame and is wrong for this picture
     QImage image = grab().toImage();
-    // What grab() makes of an OpenGL child depends on the platform: the view's own picture goes there.
+    // The result of grab() for an OpenGL child depends on the platform: the view's own picture replaces it.
     QPainter painter(&image);
     painter.drawImage(QRect(cloud_->mapTo(this, QPoint(0, 0)), cloud_->size()), cloud);
     painter.end();
@@ -307,7 +308,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: the job first, then the notice, the view that is alone, the crosshair.
+    // Esc: first cancels the job, then closes the notice, the maximised view, the crosshair.
     if (event->key() != Qt::Key_Escape) {
         QMainWindow::keyPressEvent(event);
         return;
@@ -323,7 +324,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         escape();
 }
 
-// Of what a tool has begun the last bit, then the tool; then what is pinned.
+// Undoes the last click of a tool, then leaves the tool, then clears the pinned cell.
 void MainWindow::escape() {
     if (explanation_.closeCard()) return;
     if (measures_.kind()) {

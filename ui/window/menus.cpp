@@ -1,4 +1,4 @@
-// Which commands there are, menu by menu.
+// The commands of all menus.
 #include "ui/window/menus.h"
 
 #include "core/edges/settings/presets.h"
@@ -35,7 +35,7 @@
 namespace edgescan::ui {
 namespace {
 
-// Can be used only while `signal` last said true; at first it cannot.
+// Enabled only if the last value of `signal` was true; disabled at first.
 template <class Sender, class Signal>
 std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
     return [&sender, signal](QAction& action) {
@@ -74,14 +74,14 @@ Command fileMenu(MainWindow& w) {
                                         command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
                                     });
     const std::vector<Command> sessions = sessionCommands(w);
-    menu.submenu.insert(menu.submenu.begin() + 6, sessions.begin(), sessions.end()); // behind what opens scans
+    menu.submenu.insert(menu.submenu.begin() + 6, sessions.begin(), sessions.end()); // after the commands that open scans
     return menu;
 }
 
 Command editMenu(MainWindow& w) {
     Command undo{.keys = "Ctrl+Z", .made = w.undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
     Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
-    undo.made->setObjectName("Undo"); // the texts name the step
+    undo.made->setObjectName("Undo"); // their texts name the step
     redo.made->setObjectName("Redo");
     undo.made->setProperty(kPlainName, QObject::tr("&Undo"));
     redo.made->setProperty(kPlainName, QObject::tr("&Redo"));
@@ -319,7 +319,7 @@ Command rocksMenu(MainWindow& w) {
                    });
 }
 
-/// A tool. `on`: whether it is the one in use.
+/// A tool. `on`: true while it is in use.
 Command tool(MainWindow& w, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
     const auto set = [&w, start = std::move(start)](bool wanted) { wanted ? start() : w.views().setTool(Tool::Pin); };
     return linked(toggle(text, keys, nullptr, false, set), [&w, on = std::move(on)](QAction& action) {

@@ -8,7 +8,7 @@ namespace edgescan::ui {
 class MainWindow;
 class Memory;
 
-/// One entry per menu of the menu bar. Window and memory must outlive what is made of them.
+/// One entry per menu of the menu bar. Window and memory must outlive everything made from them.
 [[nodiscard]] std::vector<Command> menusOf(MainWindow& window, Memory& memory);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Edits of rocks by hand: merge, split, rock or not, undo.
+// The operator's edits of rocks: merge, split, rock or not a rock, undo.
 #include "ui/base/notice_bar.h"
 #include "ui/base/step_name.h"
 #include "ui/controllers/rocks/rocks.h"
@@ -28,7 +28,7 @@ private:
         if (streamNow() == stream_)
             rocks_.setByHand(byHand);
         else
-            setObsolete(true); // the scan is gone, and its edits with it
+            setObsolete(true); // the scan was closed, and its edits with it
     }
 
     Rocks& rocks_;
@@ -37,7 +37,7 @@ private:
     RockByHand before_, after_;
 };
 
-constexpr int kRockTurning = 0x40000000; // of QUndoCommand::id(): none of the numbers of drags in Tuning
+constexpr int kRockTurning = 0x40000000; // of QUndoCommand::id(): differs from the drag numbers in Tuning
 constexpr qint64 kOneTurnMs = 1000;
 
 QString nameOfTurn(const RockSettings& before, const RockSettings& after) {
@@ -47,7 +47,7 @@ QString nameOfTurn(const RockSettings& before, const RockSettings& after) {
     return stepName("region of interest");
 }
 
-/// Turning on without a pause is one step.
+/// Changes without a pause between them are one step.
 class RockTurn : public QUndoCommand {
 public:
     RockTurn(Rocks& rocks, const RockSettings& after)
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    // The region is of one scan and has steps of its own.
+    // The region belongs to one scan and has its own undo steps.
     void turnTo(RockSettings settings) {
         settings.region = rocks_.settings().region;
         rocks_.useSettings(settings);
@@ -75,7 +75,7 @@ private:
 
     Rocks& rocks_;
     RockSettings before_, after_;
-    QElapsedTimer since_; // the last change
+    QElapsedTimer since_; // since the last change
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// From the controllers to one value and back.
+// Converts between the controllers and one value.
 #include "ui/controllers/sessions/desk.h"
 
 #include "core/edges/settings/presets.h"
@@ -56,14 +56,14 @@ std::optional<EarlierScan> keptOf(const Comparing& comparing) {
     return EarlierScan{scanIn(from->path, from->demo, from->reading, *comparing.kept()->detection->scan), from->settings};
 }
 
-/// Empty: it can not be opened again.
+/// Empty: it cannot be opened again.
 std::optional<SessionScan> scanOf(const Desk& desk, const Picture& picture) {
     const Scan& scan = *picture.detection->scan;
     if (picture.source.growth.sweep >= 0) {
         const QString recording = desk.live.recordingOf(picture.source.stream);
         if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
         NotebookScan identity = notebookScan(scan);
-        identity.sha256.clear(); // of a file that grows
+        identity.sha256.clear(); // of a growing file
         SessionScan of;
         of.kind = SessionScan::Kind::Recording;
         of.path = absolutePath(recording.toStdString());

@@ -1,4 +1,4 @@
-// What lies on the desk: taken up as one value, and laid out again.
+// The state of the viewer: read from the controllers as one value, and restored.
 #pragma once
 
 #include "core/inspect/session_file/session_file.h"
@@ -27,7 +27,7 @@ class Engine;
 class Targets;
 class Tuning;
 
-/// All of them outlive it.
+/// All of them must outlive it.
 struct Desk {
     QWidget& window; ///< with the switches of its menus as actions
     Engine& engine;
@@ -50,14 +50,14 @@ struct Desk {
     std::function<void(const std::map<std::string, std::string>&)> useLayout;
 };
 
-/// Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not being recorded. GUI
-/// thread.
+/// Empty if there is no state to restore: no picture, or a picture that comes from no file; for a sweep of a scanner, if it is not
+/// recorded. GUI thread.
 [[nodiscard]] std::optional<ViewerState> taken(const Desk& desk);
-/// What needs no scan: settings, switches, the layout of the window.
+/// Restores the parts that need no scan: settings, switches, the layout of the window.
 void layOut(const Desk& desk, const ViewerState& state);
-/// The rest, on the scan on the screen, which is the session's.
+/// Restores the rest on the scan on the screen, which must be the session's.
 void layOutOnScan(const Desk& desk, const ViewerState& state);
-/// That the scan on the screen is that one.
+/// True if this scan is on the screen.
 [[nodiscard]] bool isShown(const Desk& desk, const SessionScan& scan);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// The table, and reading and laying out by it.
+// The table of display settings, and reading and restoring with it.
 #include "ui/controllers/sessions/looks.h"
 
 #include "ui/base/shown_text.h"
@@ -23,7 +23,7 @@ namespace {
 
 QString numberText(double number) { return QString::number(number, 'g', 9); }
 
-/// All words as numbers; empty where one is none.
+/// All words as numbers; empty if one is not a number.
 std::optional<std::vector<double>> numbersIn(const QStringList& words) {
     std::vector<double> numbers;
     for (const QString& word : words) {
@@ -103,7 +103,7 @@ struct Look {
     const char* key;
     QString (*taken)(const Desk& desk);
     void (*use)(const Desk& desk, QStringList words);
-    bool ofScan; ///< opening a scan puts it back
+    bool ofScan; ///< restored when the scan is opened
 };
 
 const std::array kLooks{

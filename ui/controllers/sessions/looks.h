@@ -1,4 +1,4 @@
-// How the views look where that is no switch of a menu: one table of what a session keeps of it.
+// Display settings that are not switches of a menu: one table of those that a session stores.
 #pragma once
 
 #include <map>
@@ -8,11 +8,11 @@ namespace edgescan::ui {
 
 struct Desk;
 
-/// By key; numbers with a point, whatever the language. GUI thread, as the others.
+/// By key; numbers with a decimal point in every language. GUI thread, like the other functions.
 [[nodiscard]] std::map<std::string, std::string> looksOf(const Desk& desk);
-/// What is missing or cannot be understood stays as it is.
+/// Missing or invalid entries leave the display unchanged.
 void useLooks(const Desk& desk, const std::map<std::string, std::string>& looks);
-/// Those alone that opening a scan puts back.
+/// Only those that are restored when a scan is opened.
 void useLooksOfScan(const Desk& desk, const std::map<std::string, std::string>& looks);
 
 } // namespace edgescan::ui

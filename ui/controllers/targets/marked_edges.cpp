@@ -35,7 +35,7 @@ private:
 
 } // namespace
 
-/// A step on one scan; once another is on the screen there is nothing to take back.
+/// A step on one scan; it is obsolete once another scan is on the screen.
 class MarksChange : public QUndoCommand {
 public:
     MarksChange(const QString& name, MarkedEdges& marked, const EdgeMarks& after)
@@ -163,7 +163,7 @@ void MarkedEdges::makeCard() {
     });
     connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
         const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
-        putBack(); // so that undo leads back to what was set before the preview
+        putBack(); // undo then leads to the settings before the preview
         undo_.push(new AdoptedSettings(engine_, adopted));
         card_->hide();
     });
@@ -187,7 +187,7 @@ void MarkedEdges::take(const Question& question, const std::vector<EdgeProposal>
 
 void MarkedEdges::putBack() {
     const auto before = std::exchange(before_, std::nullopt);
-    if (before && engine_.settings() == previewed_) engine_.setSettings(*before); // what was turned since is the user's
+    if (before && engine_.settings() == previewed_) engine_.setSettings(*before); // later changes by the operator stay
 }
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// "This is an edge, this is not": marks on cells, and the settings that agree with them.
+// "This is an edge, this is not": marks on cells, and settings that agree with the marks.
 #pragma once
 
 #include "core/edges/tuning/marked_edges.h"
@@ -19,16 +19,16 @@ class ProposalsCard;
 class Engine;
 class Targets;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class MarkedEdges : public QObject {
     Q_OBJECT
 public:
     MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice);
 
-    /// The cell that is pinned or pointed at; the same mark again takes it away.
+    /// Marks the pinned cell or the cell under the mouse; the same mark again removes it.
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
-    /// All of them, as one step of undo.
+    /// Restores all marks as one undo step.
     void restore(const EdgeMarks& marks);
     /// Works out off the GUI thread which settings agree, and shows them.
     void propose();
@@ -62,9 +62,9 @@ private:
     QUndoStack& undo_;
     NoticeBar& notice_;
     EdgeMarks marks_;
-    std::uint64_t stream_ = 0; // that the marks belong to
+    std::uint64_t stream_ = 0; // the stream of the marks
     std::vector<EdgeProposal> proposals_;
-    std::optional<Settings> before_; // while a proposal is previewed
+    std::optional<Settings> before_; // set while a proposal is previewed
     Settings previewed_;
     ProposalsCard* card_ = nullptr;
     Derived<Question, std::vector<EdgeProposal>> found_; // last

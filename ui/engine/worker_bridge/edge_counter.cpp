@@ -1,4 +1,4 @@
-// How many edges every threshold would give.
+// Counts the edges at every threshold.
 #include "ui/engine/worker_bridge/edge_counter.h"
 
 #include "core/edges/pipeline/methods.h"

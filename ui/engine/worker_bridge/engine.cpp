@@ -193,7 +193,7 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
     try {
         const auto detection = pipeline_.run(asked.scan, source.growth.growing ? window_.fix(*asked.scan, asked.settings) : asked.settings);
         return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_);
-    } catch (...) { // what is half done is begun anew
+    } catch (...) { // an interrupted computation starts again from the beginning
         pipeline_ = Pipeline();
         throw;
     }
@@ -203,7 +203,7 @@ void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
     std::shared_ptr<const Picture> last = std::exchange(picture_, newest);
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
-    // Nothing shows it any more; the pool's thread frees it: to free so much memory line after line takes long.
+    // The picture is no longer shown. The pool's thread frees it, because freeing so much memory after every line takes time.
     if (!last || !last->source.growth.growing) return;
     const std::lock_guard lock(retiredMutex_);
     retired_.push_back(std::move(last));

@@ -21,37 +21,37 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only. What is on the screen stays until the next scan has its first picture.
+/// GUI thread only. The screen does not change until the next scan has its first picture.
 class Engine : public QObject {
     Q_OBJECT
 public:
     explicit Engine(QObject* parent = nullptr);
 
-    /// Reads the file on a thread of its own; a file that is still being read is given up (newest wins).
+    /// Reads the file off the GUI thread; cancels an opening that is still running (only the newest is kept).
     void open(const QString& path, const ReadingOptions& options = {});
-    /// The demo draw-bell: simulated once, then kept in the cache folder.
+    /// Opens the demo draw-bell: simulated once, then stored in the cache folder.
     void openDemo(bool afterBlast = false);
-    /// Gives up the opening that is under way. A saving goes on: it is short, and its result must be told.
+    /// Cancels a running opening. A running save continues: it is short, and its result must be reported.
     void cancel();
     [[nodiscard]] bool opening() const { return opener_.behind(); }
     [[nodiscard]] bool saving() const { return savings_ > 0; }
     [[nodiscard]] bool working() const { return opening() || savings_ > 0; }
 
-    /// Shows a scan that grows, from a scanner or a recording that is played: newest wins. A new stream sets the views up anew;
-    /// further scans of it keep them. Gives up an opening that is under way.
+    /// Shows a growing scan of a scanner or a played recording; only the newest state is processed. A new stream resets the views; further
+    /// scans of the same stream keep them. Cancels a running opening.
     void follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
-    /// For follow(): never the same twice.
+    /// A stream number for follow(); never the same twice.
     [[nodiscard]] static std::uint64_t newStream();
 
     void setSettings(const Settings& settings);
     [[nodiscard]] const Settings& settings() const { return asked_.settings; }
-    /// The picture shown was not computed with settings(), or not of the scan posted last.
+    /// True if the shown picture was not computed with settings(), or not from the scan that was posted last.
     [[nodiscard]] bool behind() const;
 
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
 
-    /// Of the picture shown, in the scan's usual frame unless `options` say otherwise.
+    /// Saves the shown picture's data, in the scan's usual frame unless `options` says otherwise.
     void save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
 
 signals:
@@ -76,14 +76,14 @@ private:
     };
     struct Opened {
         Result<std::shared_ptr<const Scan>> scan;
-        std::shared_ptr<const InputClaims> inputs; // files that nothing may be saved over while the scan is shown
+        std::shared_ptr<const InputClaims> inputs; // files that must not be overwritten while the scan is shown
     };
     void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
     [[nodiscard]] Opened read(const Opening& opening, const Asker& asker); // pool's thread
     void takeOpened(const QString& path, const Opened& opened);
     void endWork();
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
-    /// What a picture is made of.
+    /// The inputs of a picture.
     struct Asked {
         std::shared_ptr<const Scan> scan;
         Settings settings;
@@ -95,15 +95,15 @@ private:
     Asked asked_; // no scan: nothing was posted yet
     std::shared_ptr<const Picture> picture_;
     int savings_ = 0;
-    std::shared_ptr<const InputClaims> inputs_; // of the scan that was opened last
+    std::shared_ptr<const InputClaims> inputs_; // of the last opened scan
     std::mutex retiredMutex_;
-    std::vector<std::shared_ptr<const Picture>> retired_; // to be freed on the pool's thread
+    std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the pool's thread
 
-    // Of run() alone.
+    // Used only by run().
     Pipeline pipeline_;
     SteadyWindow window_;
     std::shared_ptr<const CloudGeometry> cloud_;
-    std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
+    std::shared_ptr<const Scan> cloudScan_; // the scan of cloud_
     PictureSource lastSource_;              // of the last run
     std::shared_ptr<const Picture> lastMade_;
 

@@ -1,4 +1,4 @@
-// Works out the rocks of a detection off the GUI thread.
+// Finds the rocks of a detection off the GUI thread.
 #include "ui/panels/rocks/rock_finder.h"
 
 namespace edgescan::ui {
@@ -19,7 +19,7 @@ std::shared_ptr<const RockPicture> RockFinder::run(const RockQuestion& question)
             detection_ = question.detection;
         }
         last_ = rockPicture(question.detection, studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr));
-    } catch (...) { // what is half done is begun anew
+    } catch (...) { // an interrupted computation starts again from the beginning
         detection_ = nullptr;
         last_ = nullptr;
         throw;

@@ -1,4 +1,4 @@
-// Works out the rocks of a detection off the GUI thread.
+// Finds the rocks of a detection off the GUI thread.
 #pragma once
 
 #include "ui/engine/worker_bridge/derived.h"
@@ -10,14 +10,14 @@
 
 namespace edgescan::ui {
 
-/// What rocks are made of.
+/// The inputs of the computation.
 struct RockQuestion {
     std::shared_ptr<const Detection> detection;
     RockSettings settings;
     std::vector<RockEdit> edits;
 };
 
-/// GUI thread only. The newest question wins.
+/// GUI thread only. Only the newest question is answered.
 class RockFinder : public QObject {
     Q_OBJECT
 public:
@@ -34,8 +34,8 @@ signals:
 private:
     [[nodiscard]] std::shared_ptr<const RockPicture> run(const RockQuestion& question); // pool's thread
 
-    // Of run() alone.
-    std::shared_ptr<const Detection> detection_; // that inputs_ were made of
+    // Used only on the pool's threads, by one at a time.
+    std::shared_ptr<const Detection> detection_; // the detection of inputs_
     RockInputs inputs_;
     std::shared_ptr<const RockPicture> last_;
 
