@@ -5,7 +5,6 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/step_name.h"
 #include "ui/controllers/files/files.h"
-#include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/memory.h"
@@ -85,9 +84,9 @@ private:
     State before_, after_;
 };
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-                     Memory& memory, QUndoStack& undo)
-    : engine_(engine), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+                     QUndoStack& undo)
+    : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
           Urgency::Soon,
           [](const Reading& reading) {
@@ -115,7 +114,6 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
         emit rowsChanged();
     });
     connect(&legend_, &ChangeLegend::nextRegionWanted, this, &Comparing::nextRegion);
-    connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -248,22 +246,15 @@ void Comparing::setDifferenceShown(bool on) {
 }
 
 void Comparing::show() {
-    std::shared_ptr<EdgesInstead> instead;
-    if (comparison_ && shown_) {
-        instead = std::make_shared<EdgesInstead>();
-        *instead = {comparison_->edges,
-                    changeColours(),
-                    comparison_->map,
-                    comparison_->overlay,
-                    rocks_.shown() ? nullptr : comparison_->points,
-                    false,
-                    tr("gained, lost and kept")};
-    }
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
-    const bool on = instead != nullptr;
-    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // do not replace what another controller shows there
-    drawn_ = std::move(instead);
-    emit differenceShown(on);
+    if (!comparison_ || !shown_) return views_.remove(OverlayName::Comparison);
+    Overlay overlay;
+    overlay.name = OverlayName::Comparison;
+    overlay.scan = comparison_->asked.now->detection->scan;
+    overlay.edges = std::make_shared<const OverlayEdges>(
+        OverlayEdges{comparison_->edges, changeColours(), comparison_->map, comparison_->overlay, false, tr("gained, lost and kept")});
+    overlay.points = OverlayPoints{comparison_->points, overlay.scan->beams(), 0, true};
+    views_.put(std::move(overlay));
 }
 
 void Comparing::showLegend() {
@@ -281,7 +272,6 @@ void Comparing::flip(bool on) {
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
-    rocks_.redraw();
     legend_.showFlipped(on);
     emit flipped(on);
 }

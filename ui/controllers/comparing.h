@@ -19,9 +19,7 @@ class Files;
 class LinkedViews;
 class Memory;
 class NoticeBar;
-class Rocks;
 class Engine;
-struct EdgesInstead;
 
 /// The data needed to make A again.
 struct KeptFrom {
@@ -37,7 +35,7 @@ struct KeptFrom {
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
               QUndoStack& undo);
 
     /// The picture on the screen becomes A, until another one is kept or A is removed. Each of these actions is one undo step. A step
@@ -74,8 +72,6 @@ signals:
     void keptChanged(bool some);
     void rowsChanged();
     void flipped(bool on);
-    /// The views show a difference, or stopped showing it.
-    void differenceShown(bool on);
 
 private:
     friend class KeptChange;
@@ -101,7 +97,6 @@ private:
     Engine& engine_;
     LinkedViews& views_;
     ChangeLegend& legend_;
-    Rocks& rocks_;
     const Files& files_;
     NoticeBar& notice_;
     Memory& memory_;
@@ -110,7 +105,6 @@ private:
     std::optional<KeptFrom> keptFrom_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
-    std::shared_ptr<const EdgesInstead> drawn_; // as passed to the views
     bool shown_ = true;
     std::size_t region_ = 0;
     quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed

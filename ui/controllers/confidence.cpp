@@ -46,6 +46,7 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
     });
     connect(&engine_, &Engine::pictureReady, this, &Confidence::follow);
     connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
+    connect(&views_, &LinkedViews::picturesChanged, this, [this] { legend_.setVisible(views_.scene().legend == OverlayName::Confidence); });
     connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
         legend_.setColours(bandColours(views_.edgeColours() != kUsualColours));
         draw();
@@ -64,11 +65,6 @@ void Confidence::setOn(bool on) {
 void Confidence::setLeast(int percent) { legend_.setLeast(percent); }
 
 int Confidence::least() const { return legend_.least(); }
-
-void Confidence::giveWay(bool toAnother) {
-    gaveWay_ = toAnother;
-    show();
-}
 
 std::optional<int> Confidence::at(std::size_t cell) const {
     if (!made_ || cell >= made_->confidence->percent.size()) return std::nullopt;
@@ -149,17 +145,20 @@ void Confidence::tellCards() {
 }
 
 void Confidence::show() {
-    legend_.setVisible(on_ && !gaveWay_);
-    std::shared_ptr<EdgesInstead> instead;
-    if (made_ && on_ && !gaveWay_) {
-        instead = std::make_shared<EdgesInstead>();
-        *instead = {
-            made_->cells,       bandColours(views_.edgeColours() != kUsualColours), made_->images[0], made_->images[1], nullptr, true,
-            tr("by confidence")};
+    if (on_) {
+        Overlay overlay;
+        overlay.name = OverlayName::Confidence;
+        overlay.legend = true;
+        if (made_) {
+            overlay.scan = made_->of->detection->scan;
+            overlay.edges =
+                std::make_shared<const OverlayEdges>(OverlayEdges{made_->cells, bandColours(views_.edgeColours() != kUsualColours),
+                                                                  made_->images[0], made_->images[1], true, tr("by confidence")});
+        }
+        views_.put(std::move(overlay));
+    } else {
+        views_.remove(OverlayName::Confidence);
     }
-    // do not replace what another controller shows there
-    if (instead || views_.edgesInstead() == shown_) views_.setEdgesInstead(instead);
-    shown_ = std::move(instead);
     tellCards();
     emit changed();
 }

@@ -16,7 +16,6 @@ class LinkedViews;
 class Memory;
 class Engine;
 class Targets;
-struct EdgesInstead;
 
 /// GUI thread only. The objects passed to it must outlive it. Hidden while a comparison is shown.
 class Confidence : public QObject {
@@ -31,8 +30,6 @@ public:
     [[nodiscard]] bool on() const { return on_; }
     /// For the picture on the screen; null until it is computed, and while it is off.
     [[nodiscard]] const std::shared_ptr<const ConfidencePicture>& made() const { return made_; }
-    /// true: a comparison uses the views; false: it has released them.
-    void giveWay(bool toAnother);
     /// Confidence of the edge at this cell, percent; empty if the cell is not an edge or the value is unknown.
     [[nodiscard]] std::optional<int> at(std::size_t cell) const;
 
@@ -63,12 +60,11 @@ private:
     Targets& targets_;
     ConfidenceLegend& legend_;
     Memory& memory_;
-    bool on_ = false, gaveWay_ = false;
+    bool on_ = false;
     bool forCard_ = false; // the card shows a cell with an edge
     bool failed_ = false;
     std::shared_ptr<const EdgeConfidence> known_; // of the picture on the screen, for views and cards
     std::shared_ptr<const ConfidencePicture> made_;
-    std::shared_ptr<const EdgesInstead> shown_; // as passed to the views
     Derived<std::shared_ptr<const Picture>, EdgeConfidence> confidence_;
     Derived<Drawing, ConfidencePicture> drawn_; // last
 };
