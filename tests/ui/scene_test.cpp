@@ -18,7 +18,7 @@ const EdgeColours kBands{Qt::cyan, Qt::magenta, Qt::yellow, Qt::gray, Qt::black}
 const EdgeColours kChanges{Qt::red, Qt::green, Qt::blue, Qt::white, Qt::black};
 
 std::shared_ptr<const Picture> pictureOf(const std::shared_ptr<const Scan>& scan) {
-    return makePicture(detectEdges(scan, Settings{}), {}, Settings{}, makeCloudGeometry(*scan), nullptr);
+    return makePicture(edges::detectEdges(scan, edges::Settings{}), {}, edges::Settings{}, makeCloudGeometry(*scan), nullptr);
 }
 
 std::shared_ptr<const QImage> imageLike(const QImage& image) {

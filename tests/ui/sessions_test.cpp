@@ -76,24 +76,24 @@ class SessionsTest : public QObject {
         QTest::keyClick(&w, Qt::Key_A, Qt::ShiftModifier); // keep as A
         QTest::keyClick(&w, Qt::Key_K);                    // rocks
         QTest::keyClick(&w, Qt::Key_O);                    // edges over the range image
-        Settings other = w.engine().settings();
-        other.classes = kClassConvex;
+        edges::Settings other = w.engine().settings();
+        other.classes = edges::kClassConvex;
         w.tuning().useSettings(other);
         QVERIFY(atRest(on));
         w.views().pin(w.views().cellAt(20, 30));
         w.views().pin(w.views().cellAt(60, 80));
         w.targets().rename(2, "keystone");
         w.targets().lock(1, true);
-        w.targets().keepMeasure({MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
+        w.targets().keepMeasure({inspect::MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
         w.selection().select({100, 101, 102, 5000});
         w.selection().hideSelected();
         w.selection().select({200, 201});
         w.markedEdges().mark(w.views().cellAt(30, 40), true);
         w.markedEdges().mark(w.views().cellAt(31, 90), false);
-        RockSettings rocks = w.rocks().settings();
+        rocks::RockSettings rocks = w.rocks().settings();
         rocks.level = 1.5;
-        w.rocks().turn(rocks);
-        w.rocks().setByHand({{{RockEditKind::NotRock, {3000}}}, {}});
+        w.rocks().change(rocks);
+        w.rocks().setOperatorEdits({{{rocks::EditKind::NotRock, {3000}}}, {}});
         setLooks(on);
         w.views().cloud().viewTop();
         w.views().gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
@@ -101,17 +101,17 @@ class SessionsTest : public QObject {
     }
     /// The session text of the window, without its time.
     static std::string state(WindowFixture& on) {
-        auto read = sessionFromText(on.window.sessions().textFor("/"), "/", "test");
-        return read ? sessionText(read->state, "/", "") : std::string();
+        auto read = inspect::sessionFromText(on.window.sessions().textFor("/"), "/", "test");
+        return read ? inspect::sessionText(read->state, "/", "") : std::string();
     }
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
         boxes_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
         other_ = (folder_ / "other.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 9, 0.02), other_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 9, 0.02), other_)));
     }
 
     void init() { QFile::remove(QString::fromStdString(boxes_ + ".rocks.json")); }
@@ -131,9 +131,9 @@ private slots:
             before = state(on);
             // It is saved as it changes.
             QTRY_VERIFY(QFile::exists(file));
-            const auto saved = readSession(file.toStdString());
+            const auto saved = inspect::readSession(file.toStdString());
             QVERIFY(bool(saved));
-            QCOMPARE(QString::fromStdString(sessionText(saved->state, "/", "")), QString::fromStdString(before));
+            QCOMPARE(QString::fromStdString(inspect::sessionText(saved->state, "/", "")), QString::fromStdString(before));
             QCOMPARE(int(saved->state.notebook.targets.size()), 2);
             QVERIFY(saved->state.kept && saved->state.rocks && saved->state.camera && saved->state.images);
         }
@@ -143,8 +143,8 @@ private slots:
         drop(on.window, file);
         QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.window.comparing().kept() != nullptr);
-        QVERIFY(on.window.comparing().kept()->detection->scan == on.picture().detection->scan); // the scan was read only once
+        QTRY_VERIFY(on.window.comparing().pictureA() != nullptr);
+        QVERIFY(on.window.comparing().pictureA()->detection->scan == on.picture().detection->scan); // the scan was read only once
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.window.rocks().shown() && on.window.rocks().picture() != nullptr);
         QVERIFY(on.window.look().colourBy() == ColourBy::Range && on.window.findChild<QAction*>("colour-range")->isChecked());
@@ -155,7 +155,7 @@ private slots:
         QVERIFY(on.open(other_));
         QVERIFY(atRest(on));
         QVERIFY(on.window.sessions().path().isEmpty());
-        const auto left = readSession(file.toStdString());
+        const auto left = inspect::readSession(file.toStdString());
         QCOMPARE(QString::fromStdString(left->state.scan.path.string()), QString::fromStdString(boxes_));
     }
 
@@ -198,7 +198,7 @@ private slots:
 
     void aScanThatMovedOrChangedIsSaid() {
         const std::string scan = (folder_ / "moves.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), scan)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), scan)));
         const QString file = inFolder("moves.edgescan-session.json");
         {
             WindowFixture on;
@@ -254,7 +254,7 @@ private slots:
         drop(on.window, picture);
         QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.window.comparing().kept() != nullptr && on.window.sessions().settled());
+        QTRY_VERIFY(on.window.comparing().pictureA() != nullptr && on.window.sessions().settled());
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.window.sessions().path().isEmpty());
         // A picture of ranges is still a scan.
@@ -273,16 +273,16 @@ private slots:
         const QString sessions = home + "/config/edgescan/sessions";
         const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
         const auto saved = [&](const QProcess& process) {
-            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + kSessionEnding;
-            const auto read = QFile::exists(path) ? readSession(path.toStdString()) : Result<ReadSession>(Error{});
+            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + inspect::kSessionEnding;
+            const auto read = QFile::exists(path) ? inspect::readSession(path.toStdString()) : Result<inspect::ReadSession>(Error{});
             return read ? std::optional(*read) : std::nullopt;
         };
-        const auto isWhole = [](const std::optional<ReadSession>& read) {
+        const auto isWhole = [](const std::optional<inspect::ReadSession>& read) {
             return read && read->state.notebook.targets.size() == 2 && read->state.kept &&
                    !read->state.notebook.targets[1].asPinned.empty();
         };
         std::string before;
-        const auto textOfAll = [](const ReadSession& read) { return sessionText(read.state, "/", ""); };
+        const auto textOfAll = [](const inspect::ReadSession& read) { return inspect::sessionText(read.state, "/", ""); };
         {
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
@@ -311,13 +311,13 @@ private slots:
         // The window reports it, and its button continues the session.
         WindowFixture on(home + "/config/edgescan/viewer.ini");
         QVERIFY(on.show());
-        on.window.sessions().offerToGoOn();
+        on.window.sessions().offerToContinue();
         auto* button = on.window.findChild<QToolButton*>("notice-action");
         QTRY_VERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QVERIFY(on.window.sessions().autosaves().leftBehind().size() <= 1); // the first one; the second was continued
+        QVERIFY(on.window.sessions().autosaves().afterCrash().size() <= 1); // the first one; the second was continued
     }
 
     void theStartPageIsUsedByKeys() {
@@ -380,15 +380,16 @@ private slots:
         QVERIFY(atRest(on));
         MainWindow& w = on.window;
         QVERIFY(w.targets().notebook().empty() && w.selection().cells().empty() && w.selection().hidden().empty());
-        QVERIFY(w.markedEdges().marks().empty() && w.comparing().kept() == nullptr);
+        QVERIFY(w.markedEdges().marks().empty() && w.comparing().pictureA() == nullptr);
         QCOMPARE(w.rocks().settings().level, 0.0);
         while (on.window.undoStack().canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
-        QTRY_VERIFY(w.comparing().kept() != nullptr);
+        QTRY_VERIFY(w.comparing().pictureA() != nullptr);
         QVERIFY(atRest(on));
         // The cell under the mouse is not part of the state.
-        auto again = sessionFromText(state(on), "/", "test"), first = sessionFromText(after, "/", "test");
+        auto again = inspect::sessionFromText(state(on), "/", "test"), first = inspect::sessionFromText(after, "/", "test");
         again->state.active = first->state.active;
-        QCOMPARE(QString::fromStdString(sessionText(again->state, "/", "")), QString::fromStdString(sessionText(first->state, "/", "")));
+        QCOMPARE(QString::fromStdString(inspect::sessionText(again->state, "/", "")),
+                 QString::fromStdString(inspect::sessionText(first->state, "/", "")));
         // The log uses the language of the sources, whatever the language of the window.
         QCOMPARE(w.undoStack().text(0), QString("Keep as A"));
     }

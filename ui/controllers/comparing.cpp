@@ -29,7 +29,7 @@ QString nameOf(const Picture& picture) { return shownName(exactText(picture.dete
 constexpr int kLeastAround = 10; // cells around a region, as visible context
 
 /// Only the cells of the region: other regions of its kind may be in the same box.
-std::vector<std::uint32_t> cellsOf(const Grid<RangeChange>& kinds, const ChangedRegion& region) {
+std::vector<std::uint32_t> cellsOf(const Grid<inspect::RangeChange>& kinds, const inspect::ChangedRegion& region) {
     std::vector<std::uint32_t> cells{region.cell};
     std::vector<bool> seen(kinds.size(), false);
     seen[region.cell] = true;
@@ -56,10 +56,12 @@ bool isTyping(const QWidget* widget) {
 /// An undo step between two kept scans. The pictures may be freed meanwhile: the scan is then read again.
 class KeptChange : public QUndoCommand {
 public:
-    KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from)
+    KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<SourceOfA>& from)
         : QUndoCommand(name),
-          comparing_(comparing), before_{comparing.kept_, comparing.kept_ == nullptr, comparing.keptFrom_}, after_{after, after == nullptr,
-                                                                                                                   from} {}
+          comparing_(comparing), before_{comparing.pictureA_, comparing.pictureA_ == nullptr, comparing.sourceOfA_}, after_{after,
+                                                                                                                            after ==
+                                                                                                                                nullptr,
+                                                                                                                            from} {}
 
     void undo() override { apply(before_); }
     void redo() override { apply(after_); }
@@ -68,7 +70,7 @@ private:
     struct State {
         std::weak_ptr<const Picture> picture;
         bool none;
-        std::optional<KeptFrom> from;
+        std::optional<SourceOfA> from;
     };
     void apply(const State& state) {
         const auto picture = state.picture.lock();
@@ -108,12 +110,12 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
               notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
     connect(&engine_, &Engine::pictureReady, this, &Comparing::follow);
-    connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
+    connect(&legend_, &ChangeLegend::rowsRequested, this, [this](const ChangeRows& rows) {
         rows_ = rows;
         ask();
         emit rowsChanged();
     });
-    connect(&legend_, &ChangeLegend::nextRegionWanted, this, &Comparing::nextRegion);
+    connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -128,22 +130,22 @@ void Comparing::keep() {
 }
 
 void Comparing::forget() {
-    if (kept_) undo_.push(new KeptChange(stepName("Forget A"), *this, nullptr, std::nullopt));
+    if (pictureA_) undo_.push(new KeptChange(stepName("Forget A"), *this, nullptr, std::nullopt));
 }
 
-std::optional<KeptFrom> Comparing::fromShown() const {
+std::optional<SourceOfA> Comparing::fromShown() const {
     if (files_.path().isEmpty() && !files_.demo()) return std::nullopt;
-    const Detection& detection = *engine_.picture()->detection;
-    return KeptFrom{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
+    const edges::Detection& detection = *engine_.picture()->detection;
+    return SourceOfA{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
 }
 
-void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from) {
+void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<SourceOfA> from) {
     flip(false);
-    kept_ = std::move(kept);
-    keptFrom_ = std::move(from);
+    pictureA_ = std::move(kept);
+    sourceOfA_ = std::move(from);
     comparison_ = nullptr;
     show();
-    emit keptChanged(kept_ != nullptr);
+    emit pictureAChanged(pictureA_ != nullptr);
     ask();
     showLegend();
 }
@@ -159,10 +161,10 @@ void Comparing::compareWith(const QString& path) {
     read({path, std::nullopt, reading, engine_.settings(), {}, {}}, true);
 }
 
-void Comparing::restore(const KeptFrom& from) { read(from, false); }
+void Comparing::restore(const SourceOfA& from) { read(from, false); }
 
-void Comparing::read(const KeptFrom& from, bool asStep) {
-    const std::optional<KeptFrom> shown = engine_.picture() ? fromShown() : std::nullopt;
+void Comparing::read(const SourceOfA& from, bool asStep) {
+    const std::optional<SourceOfA> shown = engine_.picture() ? fromShown() : std::nullopt;
     const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
                       shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
     reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
@@ -175,9 +177,9 @@ void Comparing::askScan() {
 }
 
 void Comparing::takeRead(const Reading& asked, const Read& read) {
-    if (!read) return notice_.tell(read.error());
+    if (!read) return notice_.showError(read.error());
     const std::shared_ptr<const Picture>& picture = *read;
-    KeptFrom from = asked.from;
+    SourceOfA from = asked.from;
     const Scan& scan = *picture->detection->scan;
     if (!from.sha256.empty() && from.sha256 != scan.sha256) {
         notice_.showNotice(NoticeBar::Kind::Warning,
@@ -193,14 +195,14 @@ void Comparing::takeRead(const Reading& asked, const Read& read) {
 
 bool Comparing::comparable() const {
     const std::shared_ptr<const Picture>& now = engine_.picture();
-    return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
+    return pictureA_ && now && pictureA_->detection != now->detection && !now->source.growth.growing;
 }
 
 /// A new picture is on the screen: the views have already ended a flip.
 void Comparing::follow() {
     emit flipped(false);
     legend_.showFlipped(false);
-    if (!kept_) return;
+    if (!pictureA_) return;
     const auto& now = engine_.picture();
     if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
     if (!comparable()) comparison_ = nullptr;
@@ -210,8 +212,8 @@ void Comparing::follow() {
 }
 
 void Comparing::ask() {
-    if (kept_ && !comparable()) return comparer_.giveUp();
-    comparer_.ask({kept_, engine_.picture(), rows_});
+    if (pictureA_ && !comparable()) return comparer_.giveUp();
+    comparer_.ask({pictureA_, engine_.picture(), rows_});
 }
 
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
@@ -223,7 +225,7 @@ std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAs
 
 void Comparing::take(const Compared& made) {
     if (!made) {
-        notice_.tell(made.error());
+        notice_.showError(made.error());
         comparison_ = nullptr; // A stays: the next scan may match it
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
@@ -258,17 +260,18 @@ void Comparing::show() {
 }
 
 void Comparing::showLegend() {
-    legend_.setVisible(kept_ != nullptr);
+    legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), comparer_.behind());
+    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), comparer_.behind());
 }
 
 void Comparing::flip(bool on) {
     if (on == views_.flipped()) return;
     if (on && !comparison_) {
         emit flipped(false); // the menu entry checks itself when it is triggered
-        notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
-                                                           : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
+        notice_.showNotice(NoticeBar::Kind::Warning, pictureA_
+                                                         ? tr("A and what is on the screen are the same, or are still being compared.")
+                                                         : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
@@ -284,7 +287,7 @@ void Comparing::nextRegion() {
     const auto& regions = comparison_->change.regions;
     const std::size_t n = region_ % regions.size();
     region_ = n + 1;
-    const ChangedRegion& region = regions[n];
+    const inspect::ChangedRegion& region = regions[n];
     const auto& kinds = comparison_->change.ranges.cells;
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);

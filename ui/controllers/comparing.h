@@ -22,11 +22,11 @@ class NoticeBar;
 class Engine;
 
 /// The data needed to make A again.
-struct KeptFrom {
+struct SourceOfA {
     QString path;             ///< empty: a demo
     std::optional<bool> demo; ///< true: after the blast, false: before
     ReadingOptions reading;
-    Settings settings;
+    edges::Settings settings;
     std::string sha256; ///< of the scan; empty: unknown so far
     std::string name;
 };
@@ -42,13 +42,13 @@ public:
     /// stores no picture: it makes the picture again.
     void keep();
     void forget();
-    [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
+    [[nodiscard]] const std::shared_ptr<const Picture>& pictureA() const { return pictureA_; }
     /// The source of A; empty: no A, or A comes from no file.
-    [[nodiscard]] const std::optional<KeptFrom>& keptFrom() const { return keptFrom_; }
+    [[nodiscard]] const std::optional<SourceOfA>& sourceOfA() const { return sourceOfA_; }
     /// Another scan becomes A. It is read off the GUI thread, with the reading options of the scan on the screen, and its edges are found
     /// with the current settings.
     void compareWith(const QString& path);
-    void restore(const KeptFrom& from);
+    void restore(const SourceOfA& from);
     void askScan();
 
     /// Off: edges have their normal colours; the key still shows A.
@@ -69,14 +69,14 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    void keptChanged(bool some);
+    void pictureAChanged(bool some);
     void rowsChanged();
     void flipped(bool on);
 
 private:
     friend class KeptChange;
     struct Reading {
-        KeptFrom from;
+        SourceOfA from;
         std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
         bool asStep = false;              ///< the result becomes an undo step
     };
@@ -87,9 +87,9 @@ private:
     [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
     void take(const Compared& made);
     void takeRead(const Reading& asked, const Read& read);
-    void use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from);
-    void read(const KeptFrom& from, bool asStep);
-    [[nodiscard]] std::optional<KeptFrom> fromShown() const;
+    void use(std::shared_ptr<const Picture> kept, std::optional<SourceOfA> from);
+    void read(const SourceOfA& from, bool asStep);
+    [[nodiscard]] std::optional<SourceOfA> fromShown() const;
     void show();
     void showLegend();
     [[nodiscard]] bool comparable() const;
@@ -101,8 +101,8 @@ private:
     NoticeBar& notice_;
     Memory& memory_;
     QUndoStack& undo_;
-    std::shared_ptr<const Picture> kept_;
-    std::optional<KeptFrom> keptFrom_;
+    std::shared_ptr<const Picture> pictureA_;
+    std::optional<SourceOfA> sourceOfA_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;

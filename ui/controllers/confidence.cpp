@@ -23,7 +23,7 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
     : engine_(engine), views_(views), targets_(targets), legend_(legend), memory_(memory),
       confidence_(
           Urgency::Later, [this](const std::shared_ptr<const Picture>& picture, const Asker& asker) { return workOut(*picture, asker); },
-          [this](const std::shared_ptr<const Picture>&, const std::shared_ptr<const EdgeConfidence>& known) {
+          [this](const std::shared_ptr<const Picture>&, const std::shared_ptr<const edges::EdgeConfidence>& known) {
               known_ = known;
               draw();
               show();
@@ -39,7 +39,7 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
           },
           [this](const QString& what) { failed(what); }) {
     legend_.setLeast(memory_.text(kLeast).toInt());
-    connect(&legend_, &ConfidenceLegend::leastWanted, this, [this](int percent) {
+    connect(&legend_, &ConfidenceLegend::leastRequested, this, [this](int percent) {
         memory_.keep(kLeast, QString::number(percent));
         draw();
         emit changed();
@@ -92,7 +92,7 @@ void Confidence::follow() {
 
 /// The card shows another cell, or its cell is an edge now.
 void Confidence::followCard() {
-    const PinnedTarget* target = targets_.active();
+    const inspect::PinnedTarget* target = targets_.active();
     const Picture* picture = engine_.picture().get();
     const bool before =
         std::exchange(forCard_, target != nullptr && picture != nullptr && target->cell < picture->detection->mask->size() &&
@@ -113,30 +113,30 @@ void Confidence::begin() {
         failed_ = false;
         if (on_ || !confidence_.waiting()) confidence_.ask(engine_.picture(), on_ ? kQuiet : kQuietCard);
     }
-    tellCards();
+    updateCards();
 }
 
 void Confidence::draw() {
     if (on_ && known_) drawn_.ask({engine_.picture(), known_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
 }
 
-std::shared_ptr<const EdgeConfidence> Confidence::workOut(const Picture& picture, const Asker& asker) {
-    auto found = edgeConfidence(*picture.detection, [&](double done) {
+std::shared_ptr<const edges::EdgeConfidence> Confidence::workOut(const Picture& picture, const Asker& asker) {
+    auto found = edges::edgeConfidence(*picture.detection, [&](double done) {
         return asker.show([this, done] {
             if (on_) legend_.showWorking(static_cast<int>(100 * done));
         });
     });
-    return found ? std::make_shared<const EdgeConfidence>(std::move(*found)) : nullptr;
+    return found ? std::make_shared<const edges::EdgeConfidence>(std::move(*found)) : nullptr;
 }
 
 void Confidence::failed(const QString& what) {
     failed_ = true;
     legend_.showNone(tr("could not be worked out:\n%1").arg(what));
-    tellCards();
+    updateCards();
 }
 
-void Confidence::tellCards() {
-    using State = ToldConfidence::State;
+void Confidence::updateCards() {
+    using State = ShownConfidence::State;
     KnownConfidence told;
     told.of = engine_.picture();
     told.made = known_;
@@ -159,7 +159,7 @@ void Confidence::show() {
     } else {
         views_.remove(OverlayName::Confidence);
     }
-    tellCards();
+    updateCards();
     emit changed();
 }
 

@@ -40,18 +40,18 @@ signals:
 private:
     struct Drawing {
         std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const EdgeConfidence> known;
+        std::shared_ptr<const edges::EdgeConfidence> known;
         int leastPercent = 0;
         EdgeColours colours;
     };
-    [[nodiscard]] std::shared_ptr<const EdgeConfidence> workOut(const Picture& picture, const Asker& asker); // pool's thread
+    [[nodiscard]] std::shared_ptr<const edges::EdgeConfidence> workOut(const Picture& picture, const Asker& asker); // pool's thread
     void follow();
     void followCard();
     void begin();
     void draw();
     void failed(const QString& what);
     void show();
-    void tellCards();
+    void updateCards();
     [[nodiscard]] bool possible() const;
     [[nodiscard]] bool needed() const;
 
@@ -63,9 +63,9 @@ private:
     bool on_ = false;
     bool forCard_ = false; // the card shows a cell with an edge
     bool failed_ = false;
-    std::shared_ptr<const EdgeConfidence> known_; // of the picture on the screen, for views and cards
+    std::shared_ptr<const edges::EdgeConfidence> known_; // of the picture on the screen, for views and cards
     std::shared_ptr<const ConfidencePicture> made_;
-    Derived<std::shared_ptr<const Picture>, EdgeConfidence> confidence_;
+    Derived<std::shared_ptr<const Picture>, edges::EdgeConfidence> confidence_;
     Derived<Drawing, ConfidencePicture> drawn_; // last
 };
 

@@ -20,7 +20,7 @@ constexpr std::size_t kPictures = 12;
 constexpr int kPicturePx = 200;
 
 // Edge lines are one cell wide and must stay visible: a pixel is white if one of its cells is an edge.
-QImage smallMap(const Detection& detection) {
+QImage smallMap(const edges::Detection& detection) {
     const Scan& scan = *detection.scan;
     const int every = std::max(1, (std::max(scan.lines(), scan.beams()) + kPicturePx - 1) / kPicturePx);
     QImage image((scan.beams() + every - 1) / every, (scan.lines() + every - 1) / every, QImage::Format_RGB32);
@@ -39,7 +39,9 @@ ContactSheets::ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, 
     : QObject(parent), engine_(engine), tuning_(tuning), notice_(notice),
       sheet_(
           Urgency::Soon, [this](const Question& question, const Asker& asker) { return run(question, asker); },
-          [this](const Question& question, const std::shared_ptr<const std::vector<SheetEntry>>& entries) { take(question, *entries); },
+          [this](const Question& question, const std::shared_ptr<const std::vector<edges::SheetEntry>>& entries) {
+              take(question, *entries);
+          },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, what); }) {}
 
 void ContactSheets::show() {
@@ -49,43 +51,44 @@ void ContactSheets::show() {
         card_ = new ContactCard(notice_.window());
         connect(card_, &ContactCard::givenUp, this, [this] { sheet_.giveUp(); });
         connect(card_, &ContactCard::chosen, this, [this](int place) {
-            tuning_.turn(sheet_.asked()->parameter->key, sheet_.asked()->values[static_cast<std::size_t>(place)]);
+            tuning_.setParameter(sheet_.asked()->parameter->key, sheet_.asked()->values[static_cast<std::size_t>(place)]);
         });
     }
-    const Parameter& parameter = tuning_.lastTurned();
-    const Settings& settings = engine_.settings();
+    const edges::Parameter& parameter = tuning_.lastChanged();
+    const edges::Settings& settings = engine_.settings();
     double now = parameter.get(settings);
     if (std::isnan(now) && parameter.automatic != nullptr)
-        now = snapped(parameter, parameter.automatic(settings, measuredOf(*picture->detection)));
-    const std::vector<double> values = sheetValues(parameter, now, kPictures);
+        now = edges::snapped(parameter, parameter.automatic(settings, edges::measuredOf(*picture->detection)));
+    const std::vector<double> values = edges::sheetValues(parameter, now, kPictures);
     entries_.clear();
     card_->begin(QObject::tr(parameter.label), static_cast<int>(values.size()));
     sheet_.ask({picture->detection->scan, settings, &parameter, values});
 }
 
-std::vector<SheetEntry> ContactSheets::run(const Question& question, const Asker& asker) {
-    return contactSheet(question.scan, question.settings, *question.parameter, question.values,
-                        [&](const SheetEntry& entry, const Detection& detection) {
-                            return asker.waits() && asker.show([this, entry, picture = smallMap(detection)] { add(entry, picture); });
-                        });
+std::vector<edges::SheetEntry> ContactSheets::run(const Question& question, const Asker& asker) {
+    return edges::contactSheet(question.scan, question.settings, *question.parameter, question.values,
+                               [&](const edges::SheetEntry& entry, const edges::Detection& detection) {
+                                   return asker.waits() &&
+                                          asker.show([this, entry, picture = smallMap(detection)] { add(entry, picture); });
+                               });
 }
 
-void ContactSheets::add(const SheetEntry& entry, const QImage& picture) {
+void ContactSheets::add(const edges::SheetEntry& entry, const QImage& picture) {
     entries_.push_back(entry);
-    const Parameter& p = *sheet_.asked()->parameter;
-    Settings with = sheet_.asked()->settings;
+    const edges::Parameter& p = *sheet_.asked()->parameter;
+    edges::Settings with = sheet_.asked()->settings;
     p.set(with, entry.value);
     const QString value = p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit)
-                                            : QObject::tr(choiceLabel(p, with).c_str());
+                                            : QObject::tr(edges::choiceLabel(p, with).c_str());
     const QString count = QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(entry.edges));
     card_->add(picture, tr("%1 edge cells · %2").arg(count, value.trimmed()));
 }
 
-void ContactSheets::take(const Question& question, const std::vector<SheetEntry>& entries) {
+void ContactSheets::take(const Question& question, const std::vector<edges::SheetEntry>& entries) {
     if (entries.size() != question.values.size()) return;
     entries_ = entries;
     std::vector<bool> steady;
-    for (const SheetEntry& entry : entries_) steady.push_back(entry.steady);
+    for (const edges::SheetEntry& entry : entries_) steady.push_back(entry.steady);
     const double now = question.parameter->get(question.settings);
     const auto inUse = std::ranges::find(question.values, now);
     card_->end(steady, inUse == question.values.end() ? -1 : static_cast<int>(inUse - question.values.begin()));

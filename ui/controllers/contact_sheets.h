@@ -27,25 +27,25 @@ public:
     void show();
     /// Null before the first sheet.
     [[nodiscard]] ContactCard* card() const { return card_; }
-    [[nodiscard]] const std::vector<SheetEntry>& entries() const { return entries_; }
+    [[nodiscard]] const std::vector<edges::SheetEntry>& entries() const { return entries_; }
 
 private:
     struct Question {
         std::shared_ptr<const Scan> scan;
-        Settings settings;
-        const Parameter* parameter = nullptr;
+        edges::Settings settings;
+        const edges::Parameter* parameter = nullptr;
         std::vector<double> values;
     };
-    [[nodiscard]] std::vector<SheetEntry> run(const Question& question, const Asker& asker); // pool's thread
-    void add(const SheetEntry& entry, const QImage& picture);
-    void take(const Question& question, const std::vector<SheetEntry>& entries);
+    [[nodiscard]] std::vector<edges::SheetEntry> run(const Question& question, const Asker& asker); // pool's thread
+    void add(const edges::SheetEntry& entry, const QImage& picture);
+    void take(const Question& question, const std::vector<edges::SheetEntry>& entries);
 
     Engine& engine_;
     Tuning& tuning_;
     NoticeBar& notice_;
     ContactCard* card_ = nullptr;
-    std::vector<SheetEntry> entries_;
-    Derived<Question, std::vector<SheetEntry>> sheet_; // last
+    std::vector<edges::SheetEntry> entries_;
+    Derived<Question, std::vector<edges::SheetEntry>> sheet_; // last
 };
 
 } // namespace edgescan::ui

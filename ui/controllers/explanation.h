@@ -6,9 +6,9 @@
 
 #include <memory>
 
-namespace edgescan {
+namespace edgescan::edges {
 struct Why;
-}
+} // namespace edgescan::edges
 
 namespace edgescan::ui {
 
@@ -35,14 +35,14 @@ private:
         std::shared_ptr<const Picture> picture;
         std::size_t cell = 0;
     };
-    void show(const Picture& picture, bool still, const Why& why);
-    void showTrail(const Why& why);
+    void show(const Picture& picture, bool still, const edges::Why& why);
+    void showTrail(const edges::Why& why);
 
     LinkedViews& views_;
     NoticeBar& notice_;
-    WhyCard* card_ = nullptr;           // child of the window
-    std::optional<std::size_t> beside_; // the edge nearest to the cell on the card, if that cell is not an edge
-    Derived<Question, Why> why_;
+    WhyCard* card_ = nullptr;                // child of the window
+    std::optional<std::size_t> nearestEdge_; // the edge nearest to the cell on the card, if that cell is not an edge
+    Derived<Question, edges::Why> why_;
 };
 
 } // namespace edgescan::ui

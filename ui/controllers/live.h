@@ -22,7 +22,7 @@ public:
     Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
 
     /// Connects to a live scanner; EdgeScan sends only read requests and a subscription.
-    void connectTo(const QString& host, int port, const SweepSettings& sweep);
+    void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep);
     void record(bool on);
     void keepLastMinute();
     /// Sets the folder of new recordings.
@@ -45,7 +45,7 @@ private:
     void showHealth();
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
-    void tellSweepEnded();
+    void reportSweepEnd();
     [[nodiscard]] QString newRecordingPath(const char* kind) const;
 
     Engine& engine_;

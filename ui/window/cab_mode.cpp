@@ -66,7 +66,7 @@ void CabMode::connectHead() {
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.warnings(), &QToolButton::click);
     connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.engine().cancel(); });
-    connect(head.locked(), &HoldButton::held, this, &CabMode::leaveWanted);
+    connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.locked(), &HoldButton::releasedEarly, this,
             [this] { window_.notice().showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
@@ -84,7 +84,7 @@ void CabMode::connectSide() {
     connect(&side, &NumbersSide::stepped, &window_.panel(),
             [this](const QString& key, int steps) { window_.panel().step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.panel(), &EdgesPanel::editEnded);
-    connect(&side, &NumbersSide::nextWanted, this, [this](int by) { window_.targets().goTo(by); });
+    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) { window_.targets().goTo(by); });
 }
 
 /// Updates all numbers and pictures of this mode.

@@ -18,7 +18,7 @@ Command compareMenu(MainWindow& w) {
     Comparing& comparing = w.comparing();
     const auto whileKept = [&comparing](QAction& action) {
         action.setEnabled(false);
-        QObject::connect(&comparing, &Comparing::keptChanged, &action, &QAction::setEnabled);
+        QObject::connect(&comparing, &Comparing::pictureAChanged, &action, &QAction::setEnabled);
     };
     const auto flipped = [&comparing, whileKept](QAction& action) {
         whileKept(action);

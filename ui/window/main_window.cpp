@@ -85,13 +85,13 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     layOutLegend();
     addChangeLegend(*this);
     addConfidenceLegend(*this);
-    keepLegendsAside(*cloud_, views_);
+    keepLegendsOffPins(*cloud_, views_);
     look_ = new ScanLook(engine_, views_, *new ScalePlate(cloud_), *rangeWindow_, memory_);
     look_->setParent(this);
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
     addDock(tr("Edges"), "dock-edges", panel_);
-    connect(rail_, &DockRail::changedByHand, this, [this](QDockWidget* dock, bool open) {
+    connect(rail_, &DockRail::changedByOperator, this, [this](QDockWidget* dock, bool open) {
         dock->setProperty(kByHand, open ? "open" : "folded");
         memory_.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
         arrange();
@@ -99,7 +99,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     addRockDocks(*this, rocks_, *rocksPanel_, *rockTable_);
     addTargetDock(*this, targets_, *targetsPanel_);
     setStatusBar(status_);
-    status_->addKept(warnings_);
+    status_->addPinned(warnings_);
     connect(warnings_, &QToolButton::clicked, this,
             [this] { notice_->showNotice(NoticeBar::Kind::Warning, warnings_->warnings().join('\n')); });
     connect(&report_, &ScanReport::saved, &audit_, [this](const QString& path) { audit_.noteExport("report", path); });
@@ -135,7 +135,7 @@ void MainWindow::layOutViews() {
     panes_ = {grayPane, edgePane, cloudPane};
     keepPaneNotes(*this, *grayPane, *edgePane, *cloudPane);
     for (Pane* pane : panes_)
-        connect(pane, &Pane::maximiseWanted, this, [this, pane] {
+        connect(pane, &Pane::maximiseRequested, this, [this, pane] {
             if (!cab_->on()) maximise(pane);
         });
 
@@ -187,7 +187,7 @@ void MainWindow::layOutLegend() {
     over->addStretch(1);
     over->addWidget(legend_, 0, Qt::AlignLeft | Qt::AlignBottom);
     connect(cloud_, &CloudView::edgesCovered, legend_, &EdgeLegend::showCovered);
-    connect(legend_, &EdgeLegend::classesWanted, this, [this](int classes) { tuning_.turn("classes", classes); });
+    connect(legend_, &EdgeLegend::classesRequested, this, [this](int classes) { tuning_.setParameter("classes", classes); });
 }
 
 // The badge is in the corner of the menu bar, where it is visible at every width.
@@ -198,10 +198,10 @@ void MainWindow::layOutTools() {
     menuBar()->setCornerWidget(origin_, Qt::TopRightCorner);
     connect(&measures_, &Measures::asked, tools_, &ToolBar::showAsked);
     connect(&selection_, &Selection::changed, this, [this] { tools_->showSelected(selection_.words()); });
-    connect(&selection_, &Selection::exportWanted, this, [this] { exports_.askSelected(); });
+    connect(&selection_, &Selection::exportRequested, this, [this] { exports_.askSelected(); });
     connect(&selection_, &Selection::changed, this, [this] { exports_.setSelection(selection_.cells()); });
-    connect(&targets_, &Targets::whyWanted, &explanation_, &Explanation::explain);
-    connect(&targets_, &Targets::measureWanted, &measures_, &Measures::startAt);
+    connect(&targets_, &Targets::explanationRequested, &explanation_, &Explanation::explain);
+    connect(&targets_, &Targets::measureRequested, &measures_, &Measures::startAt);
     const ScannerLink& scanner = live_.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
         connect(&scanner, told, this, &MainWindow::showOrigin);
@@ -224,14 +224,14 @@ void MainWindow::connectSession() {
     connect(&engine_, &Engine::workStarted, status_, &StatusLine::startWork);
     connect(&engine_, &Engine::workProgressed, status_, &StatusLine::showProgress);
     connect(&engine_, &Engine::workEnded, status_, &StatusLine::endWork);
-    connect(status_, &StatusLine::cancelWanted, &engine_, &Engine::cancel);
+    connect(status_, &StatusLine::cancelRequested, &engine_, &Engine::cancel);
     connect(&engine_, &Engine::settingsChanged, this, [this] { status_->showSettings(engine_.settings()); });
     status_->showSettings(engine_.settings());
     connect(&engine_, &Engine::failed, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
     connect(&views_, &LinkedViews::probed, status_, &StatusLine::showProbe);
     connect(&views_, &LinkedViews::boxed, status_, &StatusLine::showBox);
     connect(&engine_, &Engine::pictureReady, this, [this] {
-        const Detection& detection = *engine_.picture()->detection;
+        const edges::Detection& detection = *engine_.picture()->detection;
         status_->showCounts(detection);
         status_->showPlace(*detection.scan);
         const ScannerLink& scanner = live_.scanner();
@@ -288,7 +288,7 @@ bool MainWindow::mayClose() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!mayClose()) return event->ignore();
-    live_.scanner().hangUp();
+    live_.scanner().disconnectScanner();
     remember();
     QMainWindow::closeEvent(event);
 }
@@ -327,11 +327,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 void MainWindow::escape() {
     if (explanation_.closeCard()) return;
     if (measures_.kind()) {
-        if (!measures_.takeBack()) measures_.stop();
+        if (!measures_.removeLastPick()) measures_.stop();
     } else if (views_.tool() != Tool::Pin) {
         selection_.cells().empty() ? views_.setTool(Tool::Pin) : selection_.select({});
     } else {
-        views_.letGo();
+        views_.clearPin();
         explanation_.forgetTrail();
     }
 }

@@ -45,7 +45,7 @@ std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
 }
 
 Command fileMenu(MainWindow& w) {
-    const auto exported = [&w](const char* text, const char* keys, ExportContent content) {
+    const auto exported = [&w](const char* text, const char* keys, exports::ExportContent content) {
         return command(text, keys, [&w, content] { w.exports().ask(content); });
     };
     Command recent = submenu("Open &Recent", {});
@@ -60,11 +60,11 @@ Command fileMenu(MainWindow& w) {
                                         kLine,
                                         submenu("&Export",
                                                 {
-                                                    exported("&Edge Cloud…", "Ctrl+E", ExportContent::EdgeCloud),
-                                                    exported("&Full Cloud…", "", ExportContent::FullCloud),
-                                                    exported("Edge &Image…", "", ExportContent::EdgeImage),
-                                                    exported("&Gray Image…", "", ExportContent::GrayImage),
-                                                    exported("&Range Image…", "", ExportContent::RangeImage),
+                                                    exported("&Edge Cloud…", "Ctrl+E", exports::ExportContent::EdgeCloud),
+                                                    exported("&Full Cloud…", "", exports::ExportContent::FullCloud),
+                                                    exported("Edge &Image…", "", exports::ExportContent::EdgeImage),
+                                                    exported("&Gray Image…", "", exports::ExportContent::GrayImage),
+                                                    exported("&Range Image…", "", exports::ExportContent::RangeImage),
                                                     command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }),
                                                 }),
                                         command("Re&port…", "", [&w] { w.report().ask(); }),
@@ -157,11 +157,11 @@ std::vector<Command> lookCommands(MainWindow& w) {
         linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
                [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
         toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
-        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesWanted)),
+        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesRequested)),
         toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
         toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
         toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setEdgesOverImage(on); }),
-        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassWanted)),
+        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassRequested)),
         toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
     };
@@ -252,7 +252,7 @@ Command edgesMenu(MainWindow& w) {
     EdgesPanel& panel = w.panel();
     auto* sheets = new ContactSheets(w.engine(), tuning, w.notice(), &w);
     Command presets = submenu("&Presets", {});
-    for (const Preset& preset : builtInPresets())
+    for (const edges::Preset& preset : edges::builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
                                          [preset](QAction& action) { action.setToolTip(QObject::tr(preset.help.c_str())); }));
     presets.submenu.push_back(kLine);
@@ -276,7 +276,7 @@ Command edgesMenu(MainWindow& w) {
             command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
             confidenceCommand(w),
             command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
-            command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(builtInPresets().front()); }),
+            command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(edges::builtInPresets().front()); }),
         });
 }
 
@@ -284,10 +284,10 @@ Command rocksMenu(MainWindow& w) {
     Rocks& rocks = w.rocks();
     CloudView& cloud = w.views().cloud();
     const auto step = [&rocks](double by) {
-        RockSettings settings = rocks.settings();
-        const RockParameter& level = rockParameters().front();
+        rocks::RockSettings settings = rocks.settings();
+        const rocks::RockParameter& level = rocks::rockParameters().front();
         level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
-        rocks.turn(settings);
+        rocks.change(settings);
     };
     const auto tool = [&rocks](const char* text, const char* keys, RockTool which) {
         return linked(toggle(text, keys, nullptr, false, [&rocks, which](bool on) { rocks.useTool(on ? which : RockTool::None); }),
@@ -309,7 +309,7 @@ Command rocksMenu(MainWindow& w) {
                        tool("S&plit at Next Click", "S", RockTool::Split),
                        tool("&Join along a Line", "J", RockTool::Join),
                        tool("C&ut along a Line", "X", RockTool::Cut),
-                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.turnSelected(); }),
+                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.toggleSelected(); }),
                        kLine,
                        tool("Draw Region of &Interest", "G", RockTool::Region),
                        command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
@@ -338,26 +338,26 @@ Command measureMenu(MainWindow& w) {
         return tool(
             w, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
     };
-    const auto measure = [&](const char* text, const char* keys, MeasureKind kind) {
+    const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
         return tool(
             w, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
     };
     const auto letGo = [&w] {
-        if (const PinnedTarget* target = w.targets().active()) w.targets().letGo(target->number);
+        if (const inspect::PinnedTarget* target = w.targets().active()) w.targets().remove(target->number);
     };
     return submenu("&Measure", {
                                    usual("&Pin", "P", Tool::Pin),
-                                   measure("&Distance", "U", MeasureKind::Distance),
-                                   measure("&Vertical", "V", MeasureKind::Vertical),
-                                   measure("&Angle", "A", MeasureKind::Angle),
-                                   measure("&Spans a × b", "Y", MeasureKind::Spans),
-                                   measure("Along S&urface", "Shift+U", MeasureKind::Path),
-                                   measure("Thr&oat Width", "Shift+Y", MeasureKind::Throat),
+                                   measure("&Distance", "U", inspect::MeasureKind::Distance),
+                                   measure("&Vertical", "V", inspect::MeasureKind::Vertical),
+                                   measure("&Angle", "A", inspect::MeasureKind::Angle),
+                                   measure("&Spans a × b", "Y", inspect::MeasureKind::Spans),
+                                   measure("Along S&urface", "Shift+U", inspect::MeasureKind::Path),
+                                   measure("Thr&oat Width", "Shift+Y", inspect::MeasureKind::Throat),
                                    usual("&Box", "B", Tool::Box),
                                    usual("&Lasso", "L", Tool::Lasso),
                                    kLine,
                                    command("Let &Go of This Target", "Del", letGo),
-                                   command("Let Go of All &Targets", "", [&w] { w.targets().letGoOfAll(); }),
+                                   command("Let Go of All &Targets", "", [&w] { w.targets().removeAll(); }),
                                    command("&Copy This Target", "", [&w] { w.targets().copyCard(); }),
                                    kLine,
                                    command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),

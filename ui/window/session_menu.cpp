@@ -29,7 +29,7 @@ std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
 std::vector<Command> sessionCommands(MainWindow& w) {
     return {command("Open Sess&ion…", "", [&w] { w.sessions().ask(); }),
             command("&Save Session As…", "Ctrl+Shift+S", [&w] { w.sessions().askSaveAs(); }),
-            command("Go on with the &Last Session", "", [&w] { w.sessions().goOn(); })};
+            command("Go on with the &Last Session", "", [&w] { w.sessions().continueLast(); })};
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {

@@ -38,7 +38,7 @@ Command cabCommand(MainWindow& window, Memory& memory) {
         cab.set(on);
         memory.keep(kKey, on);
     };
-    QObject::connect(&cab, &CabMode::leaveWanted, &window, [use] { use(false); });
+    QObject::connect(&cab, &CabMode::leaveRequested, &window, [use] { use(false); });
     return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {
         action.setObjectName("cab-mode");
         const auto follow = [&action](bool on) {

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The first lines of a sweep that is being recorded: they stay as they are while the file grows, or is cut off by a crash.
 struct ScanHead {
@@ -49,7 +49,7 @@ struct SessionScan {
 /// A of A/B.
 struct EarlierScan {
     SessionScan scan;
-    Settings settings;
+    edges::Settings settings;
 };
 
 /// Local metres of the cloud, as ui/views/cloud has it.
@@ -69,13 +69,13 @@ struct SessionImages {
 
 struct ViewerState {
     SessionScan scan;
-    Settings settings;
+    edges::Settings settings;
     std::string preset; ///< name or path; empty: none
     Notebook notebook;
     std::optional<std::uint32_t> active;   ///< the cell whose card is shown
     std::vector<CellRun> selected, hidden; ///< in order, none empty
-    std::optional<RockPreset> rocks;       ///< empty: rocks were not shown
-    EdgeMarks marks;
+    std::optional<rocks::Preset> rocks;    ///< empty: rocks were not shown
+    edges::EdgeMarks marks;
     std::optional<EarlierScan> kept;
     std::optional<SessionCamera> camera;
     std::optional<SessionImages> images;       ///< empty: the whole image
@@ -106,4 +106,4 @@ Result<ReadSession> sessionFromText(std::string_view text, const std::filesystem
 /// The same from a file.
 Result<ReadSession> readSession(const std::filesystem::path& path);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -46,7 +46,7 @@ public:
     /// Null before the first show().
     [[nodiscard]] CalibrationCard* card() const { return card_; }
     /// Null while there is no result.
-    [[nodiscard]] const SelfCalibration* found() const { return found_ && *found_->found ? &**found_->found : nullptr; }
+    [[nodiscard]] const inspect::SelfCalibration* found() const { return found_ && *found_->found ? &**found_->found : nullptr; }
     [[nodiscard]] bool saving() const { return saving_; }
 
 signals:
@@ -54,7 +54,7 @@ signals:
 
 private:
     struct Question {
-        std::shared_ptr<const Detection> shown; ///< with the edges of the shown picture
+        std::shared_ptr<const edges::Detection> shown; ///< with the edges of the shown picture
         QStringList others;
         ReadingOptions reading; ///< for the other scans
         QString base;
@@ -67,7 +67,7 @@ private:
         QPoint busiest;
     };
     struct Answer {
-        std::optional<Result<SelfCalibration>> found;
+        std::optional<Result<inspect::SelfCalibration>> found;
         std::string file; ///< the text to be saved
         Seam seam;
         std::shared_ptr<const InputClaims> inputs; ///< files that must not be overwritten
@@ -75,8 +75,8 @@ private:
     using Progress = std::function<bool(const char* stage, double fraction)>;
     [[nodiscard]] static Answer run(const Question& question, const Progress& progress); // pool's thread
     [[nodiscard]] static Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, const Progress& progress,
-                                                                               std::vector<CalibrationSource>& sources);
-    static Seam seamOf(const Detection& shown, const AssemblyErrors& errors);
+                                                                               std::vector<inspect::CalibrationSource>& sources);
+    static Seam seamOf(const edges::Detection& shown, const AssemblyErrors& errors);
     void take(const std::shared_ptr<const Answer>& answer);
     void ask();
     void askAdd();

@@ -60,7 +60,7 @@ private:
     bool readAs(const QString& path, const ReadingOptions& options);
     void setOptions(const ReadingOptions& options);
     void noteOpened(const QString& path);
-    void tellWarnings();
+    void showWarnings();
 
     Engine& engine_;
     NoticeBar& notice_;

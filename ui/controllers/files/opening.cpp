@@ -19,8 +19,8 @@ namespace edgescan::ui {
 Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
     : engine_(engine), files_(files), notice_(notice),
       check_(
-          Urgency::Later, [](const Question& question) { return openingCheck(*question.scan, question.options); },
-          [this](const Question& question, const std::shared_ptr<const std::vector<OpeningPoint>>& points) {
+          Urgency::Later, [](const Question& question) { return files::openingCheck(*question.scan, question.options); },
+          [this](const Question& question, const std::shared_ptr<const std::vector<files::OpeningPoint>>& points) {
               take(question.scan, *points);
           },
           [](const QString&) {}) { // not known: nothing is said
@@ -39,20 +39,20 @@ void Opening::follow() {
     check_.ask({picture->detection->scan, files_.options()});
 }
 
-void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<OpeningPoint>& points) {
+void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points) {
     if (engine_.picture()->detection->scan != scan || before_) return;
     points_ = points;
     if (cardWanted_ || (card_ != nullptr && card_->isVisible())) fillCard();
-    const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const OpeningPoint& point) {
-                               return std::string_view(point.what) == kDisplacedPoint;
+    const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const files::OpeningPoint& point) {
+                               return std::string_view(point.what) == files::kDisplacedPoint;
                            });
     QStringList against;
-    for (const OpeningPoint& point : *points_) {
+    for (const files::OpeningPoint& point : *points_) {
         // The scan's warnings already report beams and lines out of place.
-        if (!point.against.empty() && std::string_view(point.what) != kDisplacedPoint) against << shownSentence(point.against);
+        if (!point.against.empty() && std::string_view(point.what) != files::kDisplacedPoint) against << shownSentence(point.against);
     }
     const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
-    if (against.isEmpty() && (displaced || !told || !looksGuessed(*points_))) return;
+    if (against.isEmpty() && (displaced || !told || !files::looksGuessed(*points_))) return;
     if (!against.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
     notice_.offer(tr("Does this look right?"), [this] { show(); });
@@ -70,23 +70,23 @@ void Opening::fillCard() {
     cardWanted_ = false;
     if (card_ == nullptr) {
         card_ = new OpeningCard(notice_.window());
-        connect(card_, &OpeningCard::previewWanted, this, &Opening::preview);
-        connect(card_, &OpeningCard::adoptWanted, this, &Opening::adopt);
+        connect(card_, &OpeningCard::previewRequested, this, &Opening::preview);
+        connect(card_, &OpeningCard::adoptRequested, this, &Opening::adopt);
         connect(card_, &QDialog::finished, this, &Opening::closed);
     }
-    card_->tell(shownName(QFileInfo(path_).fileName()), *points_);
+    card_->showPoints(shownName(QFileInfo(path_).fileName()), *points_);
     card_->show();
     card_->raise();
 }
 
-const OtherReading* Opening::otherAt(int point, int other) const {
+const files::OtherReading* Opening::otherAt(int point, int other) const {
     if (!points_ || point < 0 || point >= static_cast<int>(points_->size())) return nullptr;
     const auto& others = (*points_)[static_cast<std::size_t>(point)].others;
     return other >= 0 && other < static_cast<int>(others.size()) ? &others[static_cast<std::size_t>(other)] : nullptr;
 }
 
 void Opening::preview(int point, int other) {
-    const OtherReading* wanted = otherAt(point, other);
+    const files::OtherReading* wanted = otherAt(point, other);
     if (wanted == nullptr) return;
     if (!before_) before_ = files_.options();
     files_.look(wanted->options);
@@ -94,7 +94,7 @@ void Opening::preview(int point, int other) {
 }
 
 void Opening::adopt(int point, int other) {
-    const OtherReading* wanted = otherAt(point, other);
+    const files::OtherReading* wanted = otherAt(point, other);
     if (wanted == nullptr) return;
     const ReadingOptions before = before_.value_or(files_.options());
     const ReadingOptions after = wanted->options;

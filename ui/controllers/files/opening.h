@@ -29,7 +29,7 @@ public:
     /// Null before it was first shown.
     [[nodiscard]] OpeningCard* card() const { return card_; }
     /// For the file on the screen; empty until known.
-    [[nodiscard]] const std::optional<std::vector<OpeningPoint>>& points() const { return points_; }
+    [[nodiscard]] const std::optional<std::vector<files::OpeningPoint>>& points() const { return points_; }
 
 private:
     struct Question {
@@ -37,22 +37,22 @@ private:
         ReadingOptions options;
     };
     void follow();
-    void take(const std::shared_ptr<const Scan>& scan, const std::vector<OpeningPoint>& points);
+    void take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points);
     void fillCard();
     void preview(int point, int other);
     void adopt(int point, int other);
     void closed();
-    [[nodiscard]] const OtherReading* otherAt(int point, int other) const;
+    [[nodiscard]] const files::OtherReading* otherAt(int point, int other) const;
 
     Engine& engine_;
     Files& files_;
     NoticeBar& notice_;
     OpeningCard* card_ = nullptr;
-    std::optional<std::vector<OpeningPoint>> points_;
-    QString path_;                                       // the file of points_
-    std::optional<ReadingOptions> before_;               // set while a preview is on the screen
-    bool cardWanted_ = false;                            // show the card as soon as the points are known
-    Derived<Question, std::vector<OpeningPoint>> check_; // last
+    std::optional<std::vector<files::OpeningPoint>> points_;
+    QString path_;                                              // the file of points_
+    std::optional<ReadingOptions> before_;                      // set while a preview is on the screen
+    bool cardWanted_ = false;                                   // show the card as soon as the points are known
+    Derived<Question, std::vector<files::OpeningPoint>> check_; // last
 };
 
 } // namespace edgescan::ui

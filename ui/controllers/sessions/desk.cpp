@@ -36,39 +36,39 @@ ReadingOptions kept(ReadingOptions reading) {
     return reading;
 }
 
-SessionScan::Kind kindOf(std::optional<bool> demo) {
-    if (!demo) return SessionScan::Kind::File;
-    return *demo ? SessionScan::Kind::DemoAfterBlast : SessionScan::Kind::Demo;
+inspect::SessionScan::Kind kindOf(std::optional<bool> demo) {
+    if (!demo) return inspect::SessionScan::Kind::File;
+    return *demo ? inspect::SessionScan::Kind::DemoAfterBlast : inspect::SessionScan::Kind::Demo;
 }
 
-SessionScan scanIn(const QString& path, std::optional<bool> demo, const ReadingOptions& reading, const Scan& scan) {
-    SessionScan of;
+inspect::SessionScan scanIn(const QString& path, std::optional<bool> demo, const ReadingOptions& reading, const Scan& scan) {
+    inspect::SessionScan of;
     of.kind = kindOf(demo);
     of.path = absolutePath(path.toStdString());
-    of.identity = notebookScan(scan);
+    of.identity = inspect::notebookScan(scan);
     of.reading = kept(reading);
     return of;
 }
 
-std::optional<EarlierScan> keptOf(const Comparing& comparing) {
-    const std::optional<KeptFrom>& from = comparing.keptFrom();
-    if (!from || !comparing.kept()) return std::nullopt;
-    return EarlierScan{scanIn(from->path, from->demo, from->reading, *comparing.kept()->detection->scan), from->settings};
+std::optional<inspect::EarlierScan> keptOf(const Comparing& comparing) {
+    const std::optional<SourceOfA>& from = comparing.sourceOfA();
+    if (!from || !comparing.pictureA()) return std::nullopt;
+    return inspect::EarlierScan{scanIn(from->path, from->demo, from->reading, *comparing.pictureA()->detection->scan), from->settings};
 }
 
 /// Empty: it cannot be opened again.
-std::optional<SessionScan> scanOf(const Desk& desk, const Picture& picture) {
+std::optional<inspect::SessionScan> scanOf(const Desk& desk, const Picture& picture) {
     const Scan& scan = *picture.detection->scan;
     if (picture.source.growth.sweep >= 0) {
         const QString recording = desk.live.recordingOf(picture.source.stream);
         if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
-        NotebookScan identity = notebookScan(scan);
+        inspect::NotebookScan identity = inspect::notebookScan(scan);
         identity.sha256.clear(); // of a growing file
-        SessionScan of;
-        of.kind = SessionScan::Kind::Recording;
+        inspect::SessionScan of;
+        of.kind = inspect::SessionScan::Kind::Recording;
         of.path = absolutePath(recording.toStdString());
         of.identity = std::move(identity);
-        of.head = scanHead(scan);
+        of.head = inspect::scanHead(scan);
         return of;
     }
     if (scan.sha256.empty() || (desk.files.path().isEmpty() && !desk.files.demo())) return std::nullopt;
@@ -85,35 +85,35 @@ void forSwitches(const QWidget& window, const Act& act) {
 
 } // namespace
 
-std::optional<ViewerState> taken(const Desk& desk) {
+std::optional<inspect::ViewerState> taken(const Desk& desk) {
     const std::shared_ptr<const Picture>& picture = desk.engine.picture();
     if (!picture) return std::nullopt;
     auto of = scanOf(desk, *picture);
     if (!of) return std::nullopt;
-    ViewerState state;
+    inspect::ViewerState state;
     state.scan = std::move(*of);
     state.settings = desk.engine.settings();
-    const Preset& preset = desk.panel.preset();
+    const edges::Preset& preset = desk.panel.preset();
     state.preset = preset.path.empty() ? preset.name : preset.path;
     state.notebook = desk.targets.notebook();
-    if (const PinnedTarget* active = desk.targets.active()) state.active = active->cell;
-    state.selected = runsOf(desk.selection.cells());
-    state.hidden = runsOf(desk.selection.hidden());
-    if (desk.rocks.shown()) state.rocks = RockPreset{desk.rocks.settings(), desk.rocks.edits(), state.scan.identity.sha256};
+    if (const inspect::PinnedTarget* active = desk.targets.active()) state.active = active->cell;
+    state.selected = inspect::runsOf(desk.selection.cells());
+    state.hidden = inspect::runsOf(desk.selection.hidden());
+    if (desk.rocks.shown()) state.rocks = rocks::Preset{desk.rocks.settings(), desk.rocks.edits(), state.scan.identity.sha256};
     state.marks = desk.marked.marks();
     state.kept = keptOf(desk.comparing);
     const CameraPose pose = desk.views.cloud().camera();
-    state.camera = SessionCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
+    state.camera = inspect::SessionCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
     if (const ViewPort& port = *desk.views.gray().viewPort(); !port.fitted())
-        state.images = SessionImages{port.centre().x(), port.centre().y(), port.zoom()};
+        state.images = inspect::SessionImages{port.centre().x(), port.centre().y(), port.zoom()};
     forSwitches(desk.window, [&](const QAction& action, const std::string& key) { state.switches[key] = action.isChecked(); });
     state.looks = looksOf(desk);
     state.layout = desk.layout();
     return state;
 }
 
-void layOut(const Desk& desk, const ViewerState& state) {
-    if (const auto preset = findPreset(state.preset); preset && !state.preset.empty()) desk.panel.setPreset(*preset);
+void layOut(const Desk& desk, const inspect::ViewerState& state) {
+    if (const auto preset = edges::findPreset(state.preset); preset && !state.preset.empty()) desk.panel.setPreset(*preset);
     desk.tuning.useSettings(state.settings);
     forSwitches(desk.window, [&](QAction& action, const std::string& key) {
         if (const auto found = state.switches.find(key); found != state.switches.end() && found->second != action.isChecked())
@@ -123,20 +123,20 @@ void layOut(const Desk& desk, const ViewerState& state) {
     desk.useLayout(state.layout);
 }
 
-bool isShown(const Desk& desk, const SessionScan& scan) {
+bool isShown(const Desk& desk, const inspect::SessionScan& scan) {
     if (!desk.engine.picture()) return false;
     const Scan& shown = *desk.engine.picture()->detection->scan;
-    if (scan.kind == SessionScan::Kind::Recording)
-        return shown.beams() == scan.identity.beams && scanHead(shown, scan.head.lines) == scan.head &&
+    if (scan.kind == inspect::SessionScan::Kind::Recording)
+        return shown.beams() == scan.identity.beams && inspect::scanHead(shown, scan.head.lines) == scan.head &&
                (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
     return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
 }
 
-void layOutOnScan(const Desk& desk, const ViewerState& whole) {
+void layOutOnScan(const Desk& desk, const inspect::ViewerState& whole) {
     const std::size_t cells = desk.engine.picture()->detection->scan->cells();
-    const ViewerState state = cutTo(whole, cells);
+    const inspect::ViewerState state = inspect::cutTo(whole, cells);
     desk.targets.restore(state.notebook);
-    desk.selection.restore(cellsOf(state.selected, cells), cellsOf(state.hidden, cells));
+    desk.selection.restore(inspect::cellsOf(state.selected, cells), inspect::cellsOf(state.hidden, cells));
     desk.marked.restore(state.marks);
     if (state.rocks) desk.rocks.restore(*state.rocks);
     if (state.active) desk.views.pin(*state.active);
@@ -149,17 +149,17 @@ void layOutOnScan(const Desk& desk, const ViewerState& whole) {
         port.fit();
     }
     if (state.camera) {
-        const SessionCamera& camera = *state.camera;
+        const inspect::SessionCamera& camera = *state.camera;
         desk.views.cloud().setCamera({camera.position, camera.focus, camera.up, camera.viewAngleDeg, camera.parallel});
     }
     useLooksOfScan(desk, state.looks);
     if (state.kept) {
-        const SessionScan& scan = state.kept->scan;
+        const inspect::SessionScan& scan = state.kept->scan;
         std::optional<bool> demo;
-        if (scan.kind != SessionScan::Kind::File) demo = scan.kind == SessionScan::Kind::DemoAfterBlast;
+        if (scan.kind != inspect::SessionScan::Kind::File) demo = scan.kind == inspect::SessionScan::Kind::DemoAfterBlast;
         desk.comparing.restore(
             {exactText(scan.path.string()), demo, scan.reading, state.kept->settings, scan.identity.sha256, scan.identity.name});
-    } else if (desk.comparing.kept()) {
+    } else if (desk.comparing.pictureA()) {
         desk.comparing.forget();
     }
 }

@@ -52,12 +52,12 @@ struct Desk {
 
 /// Empty if there is no state to restore: no picture, or a picture that comes from no file; for a sweep of a scanner, if it is not
 /// recorded. GUI thread.
-[[nodiscard]] std::optional<ViewerState> taken(const Desk& desk);
+[[nodiscard]] std::optional<inspect::ViewerState> taken(const Desk& desk);
 /// Restores the parts that need no scan: settings, switches, the layout of the window.
-void layOut(const Desk& desk, const ViewerState& state);
+void layOut(const Desk& desk, const inspect::ViewerState& state);
 /// Restores the rest on the scan on the screen, which must be the session's.
-void layOutOnScan(const Desk& desk, const ViewerState& state);
+void layOutOnScan(const Desk& desk, const inspect::ViewerState& state);
 /// True if this scan is on the screen.
-[[nodiscard]] bool isShown(const Desk& desk, const SessionScan& scan);
+[[nodiscard]] bool isShown(const Desk& desk, const inspect::SessionScan& scan);
 
 } // namespace edgescan::ui

@@ -39,18 +39,18 @@ namespace {
 
 constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
-QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(kSessionEnding); }
+QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(inspect::kSessionEnding); }
 
 std::filesystem::path folderOf(const QString& path) { return QFileInfo(path).absolutePath().toStdString(); }
 
-bool isSame(const NotebookScan& a, const NotebookScan& b) {
+bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
     return a.sha256 == b.sha256 && a.name == b.name && a.lines == b.lines && a.beams == b.beams;
 }
 
 } // namespace
 
 Sessions::Sessions(const Desk& desk)
-    : desk_(desk), autosaves_(desk.memory.ownFolder().isEmpty() ? QString() : desk.memory.ownFolder() + "/sessions"),
+    : desk_(desk), autosaves_(desk.memory.dataFolder().isEmpty() ? QString() : desk.memory.dataFolder() + "/sessions"),
       written_(
           Urgency::Now, [this](const Job& job) { return write(job); },
           [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
@@ -68,7 +68,8 @@ Sessions::~Sessions() {
     if (soon_.isActive() || written_.behind()) {
         if (const auto last = job()) {
             for (const QString& path : {last->own, last->file}) {
-                if (!path.isEmpty()) (void)writeWholeFile(path.toStdString(), sessionText(last->state, folderOf(path), utcText(utcNow())));
+                if (!path.isEmpty())
+                    (void)writeWholeFile(path.toStdString(), inspect::sessionText(last->state, folderOf(path), utcText(utcNow())));
             }
         }
     }
@@ -86,7 +87,7 @@ void Sessions::connectDesk() {
     follow(&desk_.rocks, &Rocks::shownChanged);
     follow(&desk_.rocks, &Rocks::rocksShown);
     follow(&desk_.marked, &MarkedEdges::changed);
-    follow(&desk_.comparing, &Comparing::keptChanged);
+    follow(&desk_.comparing, &Comparing::pictureAChanged);
     follow(&desk_.comparing, &Comparing::rowsChanged);
     follow(&desk_.confidence, &Confidence::changed);
     follow(&desk_.look, &ScanLook::changed);
@@ -114,7 +115,7 @@ std::optional<Sessions::Job> Sessions::job() {
     if (!state) return std::nullopt;
     state->keptIn = file_.toStdString();
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
-    const bool closed = state->scan.kind == SessionScan::Kind::Recording && desk_.live.scanner().recordingClosed();
+    const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && desk_.live.scanner().recordingClosed();
     return Job{std::move(*state), autosaves_.own(), file_, closed};
 }
 
@@ -134,12 +135,12 @@ QString Sessions::write(const Job& job) {
     }
     for (const QString& path : {job.own, job.file}) {
         if (path.isEmpty()) continue;
-        ViewerState state = job.state;
+        inspect::ViewerState state = job.state;
         if (job.closed) state.scan.identity.sha256 = hash;
         if (path == job.file) state.keptIn.clear();
-        std::string text = sessionText(state, folderOf(path), {});
+        std::string text = inspect::sessionText(state, folderOf(path), {});
         if (const auto last = lastTexts_.find(path); last != lastTexts_.end() && last->second == text) continue;
-        const auto done = writeWholeFile(path.toStdString(), sessionText(state, folderOf(path), utcText(utcNow())));
+        const auto done = writeWholeFile(path.toStdString(), inspect::sessionText(state, folderOf(path), utcText(utcNow())));
         if (done)
             lastTexts_[path] = std::move(text);
         else
@@ -153,7 +154,7 @@ void Sessions::take(const QString& trouble) {
         desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
     failing_ = !trouble.isEmpty();
     if (written_.behind() || !std::exchange(toTell_, false)) return;
-    if (!failing_ && !file_.isEmpty()) desk_.notice.tellSaved(file_, tr("from now on saved as it changes"));
+    if (!failing_ && !file_.isEmpty()) desk_.notice.showSaved(file_, tr("from now on saved as it changes"));
 }
 
 void Sessions::saveAs(const QString& path) {
@@ -173,9 +174,11 @@ void Sessions::saveAs(const QString& path) {
 void Sessions::askSaveAs() {
     if (!taken(desk_)) return saveAs({});
     const QString scan = QFileInfo(desk_.files.path().isEmpty() ? "demo" : desk_.files.path()).completeBaseName();
-    SaveQuestion question{tr("Save session"), QDir(desk_.memory.folder("sessions")).filePath(scan + kSessionEnding), {filterOfSessions()}};
+    SaveQuestion question{
+        tr("Save session"), QDir(desk_.memory.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
     question.keeps = [](const QString& there) {
-        return readSession(there.toStdString()) ? QString() : tr("%1 is no session and stays as it is: choose another name.").arg(there);
+        return inspect::readSession(there.toStdString()) ? QString()
+                                                         : tr("%1 is no session and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(desk_.notice.window(), question);
     if (path.isEmpty()) return;
@@ -212,7 +215,7 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 if (!read)
                     desk_.files.open(paths, options);
                 else if (!*read)
-                    desk_.notice.tell(read->error());
+                    desk_.notice.showError(read->error());
                 else
                     restore(**read, isSessionName(first) ? first : QString());
             };
@@ -223,12 +226,12 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
         });
 }
 
-void Sessions::restore(ReadSession read, const QString& file) {
+void Sessions::restore(inspect::ReadSession read, const QString& file) {
     wanted_ = std::move(read);
     // An autosaved session continues in the file that the operator had given it.
     const bool byItself = QFileInfo(file).absolutePath() == QFileInfo(autosaves_.own()).absolutePath() && !file.isEmpty();
     wantedFile_ = byItself ? exactText(wanted_->state.keptIn.string()) : file;
-    autosaves_.takenUp(file);
+    autosaves_.markContinued(file);
     place_ = 0;
     file_.clear();
     desk_.undo.clear();
@@ -237,8 +240,8 @@ void Sessions::restore(ReadSession read, const QString& file) {
 }
 
 void Sessions::openNextPlace() {
-    const SessionScan& scan = wanted_->state.scan;
-    if (!hasPath(scan.kind)) return desk_.files.openDemo(scan.kind == SessionScan::Kind::DemoAfterBlast);
+    const inspect::SessionScan& scan = wanted_->state.scan;
+    if (!inspect::hasPath(scan.kind)) return desk_.files.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
     if (place_ < wanted_->places.size()) return desk_.files.open({exactText(wanted_->places[place_].string())}, scan.reading);
     askForPlace(tr("%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest "
                    "comes with the scan.")
@@ -264,7 +267,7 @@ void Sessions::locate(const QString& path) {
 /// Another scan is on the screen: the one that the session waits for, or an unrelated one.
 void Sessions::followStream() {
     if (!wanted_) {
-        if (!file_.isEmpty() && !isSame(filed_, notebookScan(*desk_.engine.picture()->detection->scan))) {
+        if (!file_.isEmpty() && !isSame(filed_, inspect::notebookScan(*desk_.engine.picture()->detection->scan))) {
             if (desk_.notice.isHidden())
                 desk_.notice.showNotice(
                     NoticeBar::Kind::Done,
@@ -274,7 +277,7 @@ void Sessions::followStream() {
         }
         return;
     }
-    const bool isFile = hasPath(wanted_->state.scan.kind);
+    const bool isFile = inspect::hasPath(wanted_->state.scan.kind);
     if (isFile && (place_ >= wanted_->places.size() || desk_.files.path().toStdString() != wanted_->places[place_].string())) {
         wanted_.reset(); // the operator opened another scan meanwhile
         return;
@@ -286,27 +289,27 @@ void Sessions::followStream() {
                         .arg(shownName(exactText(desk_.engine.picture()->detection->scan->name))));
         return;
     }
-    const ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
+    const inspect::ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
     layOutOnScan(desk_, read.state);
     file_ = wantedFile_;
-    filed_ = notebookScan(*desk_.engine.picture()->detection->scan);
+    filed_ = inspect::notebookScan(*desk_.engine.picture()->detection->scan);
     emit nameChanged();
     changed();
 }
 
 QString Sessions::toGoOn() const {
-    const QStringList left = autosaves_.leftBehind();
+    const QStringList left = autosaves_.afterCrash();
     return left.isEmpty() ? autosaves_.last() : left.front();
 }
 
-void Sessions::goOn() {
+void Sessions::continueLast() {
     const QString path = toGoOn();
     if (!path.isEmpty()) return openSession(path);
     desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("There is no session to go on with yet: open a scan first."));
 }
 
-void Sessions::offerToGoOn() {
-    const QStringList left = autosaves_.leftBehind();
+void Sessions::offerToContinue() {
+    const QStringList left = autosaves_.afterCrash();
     if (left.isEmpty()) return;
     desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is kept."));
     desk_.notice.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
@@ -314,7 +317,7 @@ void Sessions::offerToGoOn() {
 
 std::string Sessions::textFor(const QString& folder) const {
     const auto state = taken(desk_);
-    return state ? sessionText(*state, QDir(folder).absolutePath().toStdString(), utcText(utcNow())) : std::string();
+    return state ? inspect::sessionText(*state, QDir(folder).absolutePath().toStdString(), utcText(utcNow())) : std::string();
 }
 
 } // namespace edgescan::ui

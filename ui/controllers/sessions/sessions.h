@@ -29,10 +29,10 @@ public:
     void askSaveAs();
     void saveAs(const QString& path);
     /// Continues the session that a crash left, else the last closed one.
-    void goOn();
+    void continueLast();
     [[nodiscard]] QString toGoOn() const;
     /// Offers this in the bar above the views if a crash left a session.
-    void offerToGoOn();
+    void offerToContinue();
     /// Another path of the scan that the session waits for.
     void locate(const QString& path);
 
@@ -49,7 +49,7 @@ signals:
 
 private:
     struct Job {
-        ViewerState state;
+        inspect::ViewerState state;
         QString own, file;   ///< target paths; either may be empty
         bool closed = false; ///< the recording of the sweep is closed: its hash is known
     };
@@ -59,7 +59,7 @@ private:
     [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
     void take(const QString& trouble);
     void save();
-    void restore(ReadSession read, const QString& file);
+    void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();
     void followStream();
     void askForPlace(const QString& sentence);
@@ -67,8 +67,8 @@ private:
     Desk desk_;
     Autosaves autosaves_;
     QString file_; // chosen by the operator; of the scan below
-    NotebookScan filed_;
-    std::optional<ReadSession> wanted_; // waits for its scan
+    inspect::NotebookScan filed_;
+    std::optional<inspect::ReadSession> wanted_; // waits for its scan
     QString wantedFile_;
     std::size_t place_ = 0;
     bool reading_ = false;

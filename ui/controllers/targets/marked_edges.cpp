@@ -22,7 +22,7 @@ namespace {
 
 class AdoptedSettings : public QUndoCommand {
 public:
-    AdoptedSettings(Engine& engine, const Settings& after)
+    AdoptedSettings(Engine& engine, const edges::Settings& after)
         : QUndoCommand(stepName("Settings for These Marks")), engine_(engine), before_(engine.settings()), after_(after) {}
 
     void undo() override { engine_.setSettings(before_); }
@@ -30,7 +30,7 @@ public:
 
 private:
     Engine& engine_;
-    Settings before_, after_;
+    edges::Settings before_, after_;
 };
 
 } // namespace
@@ -38,14 +38,14 @@ private:
 /// A step on one scan; it is obsolete once another scan is on the screen.
 class MarksChange : public QUndoCommand {
 public:
-    MarksChange(const QString& name, MarkedEdges& marked, const EdgeMarks& after)
+    MarksChange(const QString& name, MarkedEdges& marked, const edges::EdgeMarks& after)
         : QUndoCommand(name), marked_(marked), stream_(marked.stream_), before_(marked.marks_), after_(after) {}
 
     void undo() override { apply(before_); }
     void redo() override { apply(after_); }
 
 private:
-    void apply(const EdgeMarks& marks) {
+    void apply(const edges::EdgeMarks& marks) {
         if (marked_.stream_ == stream_)
             marked_.use(marks);
         else
@@ -54,14 +54,14 @@ private:
 
     MarkedEdges& marked_;
     std::uint64_t stream_;
-    EdgeMarks before_, after_;
+    edges::EdgeMarks before_, after_;
 };
 
 MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : engine_(engine), views_(views), targets_(targets), undo_(undo), notice_(notice),
       found_(
           Urgency::Later, [this](const Question& question, const Asker& asker) { return run(question, asker); },
-          [this](const Question& question, const std::shared_ptr<const std::vector<EdgeProposal>>& proposals) {
+          [this](const Question& question, const std::shared_ptr<const std::vector<edges::EdgeProposal>>& proposals) {
               take(question, *proposals);
           },
           [this](const QString& what) {
@@ -83,13 +83,14 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
         return;
     }
     const auto k = static_cast<std::uint32_t>(*cell);
-    EdgeMarks after = marks_;
+    edges::EdgeMarks after = marks_;
     std::vector<std::uint32_t>& these = isEdge ? after.wanted : after.unwanted;
     std::vector<std::uint32_t>& others = isEdge ? after.unwanted : after.wanted;
     std::erase(others, k);
     if (std::erase(these, k) == 0) these.push_back(k);
-    if (after.wanted.size() > kMostMarks || after.unwanted.size() > kMostMarks) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell was not marked: there are %1 marks, clear some first.").arg(kMostMarks));
+    if (after.wanted.size() > edges::kMostMarks || after.unwanted.size() > edges::kMostMarks) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("This cell was not marked: there are %1 marks, clear some first.").arg(edges::kMostMarks));
         return;
     }
     change(isEdge ? stepName("Mark of an Edge") : stepName("Mark of No Edge"), after);
@@ -97,13 +98,13 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
 
 void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
 
-void MarkedEdges::restore(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
+void MarkedEdges::restore(const edges::EdgeMarks& marks) { change(stepName("Open Session"), marks); }
 
-void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
+void MarkedEdges::change(const QString& what, const edges::EdgeMarks& after) {
     if (after != marks_) undo_.push(new MarksChange(what, *this, after));
 }
 
-void MarkedEdges::use(const EdgeMarks& marks) {
+void MarkedEdges::use(const edges::EdgeMarks& marks) {
     marks_ = marks;
     if (marks_.empty()) {
         found_.giveUp();
@@ -119,7 +120,7 @@ void MarkedEdges::show() {
     std::vector<TargetMark> tags;
     for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false});
     for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ no edge"), tr("✕"), false});
-    targets_.showBeside(std::move(tags));
+    targets_.showExtraMarks(std::move(tags));
 }
 
 void MarkedEdges::propose() {
@@ -133,7 +134,7 @@ void MarkedEdges::propose() {
         return;
     }
     if (card_ == nullptr) makeCard();
-    const Settings before = before_.value_or(engine_.settings());
+    const edges::Settings before = before_.value_or(engine_.settings());
     putBack();
     card_->begin();
     showStage(0);
@@ -141,28 +142,28 @@ void MarkedEdges::propose() {
 }
 
 // One question per method: what it asks says how far the work is.
-std::vector<EdgeProposal> MarkedEdges::run(const Question& question, const Asker& asker) {
+std::vector<edges::EdgeProposal> MarkedEdges::run(const Question& question, const Asker& asker) {
     int method = 0;
-    return edgeProposals(question.scan, question.settings, question.marks,
-                         [&] { return asker.show([this, method = method++] { showStage(method); }); });
+    return edges::edgeProposals(question.scan, question.settings, question.marks,
+                                [&] { return asker.show([this, method = method++] { showStage(method); }); });
 }
 
 void MarkedEdges::showStage(int method) {
     if (!card_->working()) return;
-    const auto methods = static_cast<int>(methodTraits().size());
+    const auto methods = static_cast<int>(edges::methodTraits().size());
     card_->showStage(tr("Working out settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
                      methods);
 }
 
 void MarkedEdges::makeCard() {
     card_ = new ProposalsCard(notice_.window());
-    connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
+    connect(card_, &ProposalsCard::previewRequested, this, [this](int row) {
         if (!before_ || engine_.settings() != previewed_) before_ = engine_.settings();
         previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
         engine_.setSettings(previewed_);
     });
-    connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
-        const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
+    connect(card_, &ProposalsCard::adoptRequested, this, [this](int row) {
+        const edges::Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
         putBack(); // undo then leads to the settings before the preview
         undo_.push(new AdoptedSettings(engine_, adopted));
         card_->hide();
@@ -173,16 +174,16 @@ void MarkedEdges::makeCard() {
     });
 }
 
-void MarkedEdges::take(const Question& question, const std::vector<EdgeProposal>& proposals) {
+void MarkedEdges::take(const Question& question, const std::vector<edges::EdgeProposal>& proposals) {
     if (marks_.empty() || engine_.picture()->detection->scan != question.scan) return card_->hide();
     putBack();
     proposals_ = proposals;
     QStringList rows;
-    for (const EdgeProposal& proposal : proposals_) rows << shownText(proposalText(proposal, question.marks));
-    const auto fit = std::ranges::count_if(proposals_, &EdgeProposal::separates);
-    card_->tell(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
-                        : tr("No setting separates these marks. Those that get most of them right come first."),
-                rows);
+    for (const edges::EdgeProposal& proposal : proposals_) rows << shownText(edges::proposalText(proposal, question.marks));
+    const auto fit = std::ranges::count_if(proposals_, &edges::EdgeProposal::meetsAllMarks);
+    card_->showProposals(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
+                                 : tr("No setting separates these marks. Those that get most of them right come first."),
+                         rows);
 }
 
 void MarkedEdges::putBack() {

@@ -29,10 +29,10 @@ public:
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
     /// Restores all marks as one undo step.
-    void restore(const EdgeMarks& marks);
+    void restore(const edges::EdgeMarks& marks);
     /// Works out off the GUI thread which settings agree, and shows them.
     void propose();
-    [[nodiscard]] const EdgeMarks& marks() const { return marks_; }
+    [[nodiscard]] const edges::EdgeMarks& marks() const { return marks_; }
     [[nodiscard]] bool settled() const { return !found_.behind(); }
     /// Null before the first proposals.
     [[nodiscard]] ProposalsCard* card() const { return card_; }
@@ -44,15 +44,15 @@ private:
     friend class MarksChange;
     struct Question {
         std::shared_ptr<const Scan> scan;
-        Settings settings;
-        EdgeMarks marks;
+        edges::Settings settings;
+        edges::EdgeMarks marks;
     };
-    void change(const QString& what, const EdgeMarks& after);
-    void use(const EdgeMarks& marks);
-    [[nodiscard]] std::vector<EdgeProposal> run(const Question& question, const Asker& asker); // pool's thread
+    void change(const QString& what, const edges::EdgeMarks& after);
+    void use(const edges::EdgeMarks& marks);
+    [[nodiscard]] std::vector<edges::EdgeProposal> run(const Question& question, const Asker& asker); // pool's thread
     void makeCard();
     void showStage(int method);
-    void take(const Question& question, const std::vector<EdgeProposal>& proposals);
+    void take(const Question& question, const std::vector<edges::EdgeProposal>& proposals);
     void show();
     void putBack();
 
@@ -61,13 +61,13 @@ private:
     Targets& targets_;
     QUndoStack& undo_;
     NoticeBar& notice_;
-    EdgeMarks marks_;
+    edges::EdgeMarks marks_;
     std::uint64_t stream_ = 0; // the stream of the marks
-    std::vector<EdgeProposal> proposals_;
-    std::optional<Settings> before_; // set while a proposal is previewed
-    Settings previewed_;
+    std::vector<edges::EdgeProposal> proposals_;
+    std::optional<edges::Settings> before_; // set while a proposal is previewed
+    edges::Settings previewed_;
     ProposalsCard* card_ = nullptr;
-    Derived<Question, std::vector<EdgeProposal>> found_; // last
+    Derived<Question, std::vector<edges::EdgeProposal>> found_; // last
 };
 
 } // namespace edgescan::ui

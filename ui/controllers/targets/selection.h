@@ -27,17 +27,17 @@ class Selection : public QObject {
 public:
     Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo);
 
-    [[nodiscard]] const CellSet& cells() const { return state_.selected; }
-    [[nodiscard]] const CellSet& hidden() const { return state_.hidden; }
+    [[nodiscard]] const inspect::CellSet& cells() const { return state_.selected; }
+    [[nodiscard]] const inspect::CellSet& hidden() const { return state_.hidden; }
     /// Each of these functions is one undo step.
-    void select(CellSet cells);
+    void select(inspect::CellSet cells);
     void selectChainAt(std::size_t cell);
     void selectRockAt(std::size_t cell);
     void hideSelected();
     /// Hides everything except the selection.
     void isolateSelected();
     void showAll();
-    void restore(CellSet selected, CellSet hidden);
+    void restore(inspect::CellSet selected, inspect::CellSet hidden);
     /// Also hides nearer and farther cells, metres.
     void hideBeyond(double nearM, double farM);
     /// The same with the range of a cell as one of the limits.
@@ -55,12 +55,12 @@ public:
 
 signals:
     void changed();
-    void exportWanted();
+    void exportRequested();
 
 private:
     friend class SelectionChange;
     struct State {
-        CellSet selected, hidden;
+        inspect::CellSet selected, hidden;
         bool operator==(const State&) const = default;
     };
     struct Question { // about the cloud
@@ -70,14 +70,14 @@ private:
         Qt::KeyboardModifiers modifiers;
     };
     void followPicture();
-    void combine(CellSet cells, Qt::KeyboardModifiers modifiers);
+    void combine(inspect::CellSet cells, Qt::KeyboardModifiers modifiers);
     void change(const QString& what, State after);
     void use(const State& state);
     void show();
     void addToMenu(QMenu& menu, std::size_t cell);
     [[nodiscard]] bool needSelection();
-    void tellOfGrowth();
-    void hideToo(const QString& what, const CellSet& cells);
+    void reportGrowth();
+    void hideToo(const QString& what, const inspect::CellSet& cells);
     [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
 
     Engine& engine_;
@@ -88,7 +88,7 @@ private:
     std::uint64_t stream_ = 0;
     std::shared_ptr<const Scan> shownOn_; // the views drop the selection with every new scan
     State state_;
-    Derived<Question, CellSet> inside_; // last
+    Derived<Question, inspect::CellSet> inside_; // last
 };
 
 } // namespace edgescan::ui

@@ -13,19 +13,23 @@ constexpr std::chrono::milliseconds kQuiet{250}; // the processors are for the p
 } // namespace
 
 EdgeCounter::EdgeCounter(QObject* parent)
-    : QObject(parent), curve_(
-                           Urgency::Now,
-                           [](const std::shared_ptr<const Detection>& detection) {
-                               return edgeCountCurve(thresholdMapOf(*detection), sliderValues(sweptParameter(detection->settings.method)));
-                           },
-                           [this](const std::shared_ptr<const Detection>& detection, const std::shared_ptr<const EdgeCountCurve>& curve) {
-                               emit counted(QString::fromUtf8(sweptParameter(detection->settings.method).key), *curve);
-                           },
-                           [](const QString&) {}) {}
+    : QObject(parent),
+      curve_(
+          Urgency::Now,
+          [](const std::shared_ptr<const edges::Detection>& detection) {
+              return edges::edgeCountCurve(edges::thresholdMapOf(*detection),
+                                           edges::sliderValues(edges::sweptParameter(detection->settings.method)));
+          },
+          [this](const std::shared_ptr<const edges::Detection>& detection, const std::shared_ptr<const edges::EdgeCountCurve>& curve) {
+              emit counted(QString::fromUtf8(edges::sweptParameter(detection->settings.method).key), *curve);
+          },
+          [](const QString&) {}) {}
 
-void EdgeCounter::want(const std::shared_ptr<const Detection>& detection) {
+void EdgeCounter::want(const std::shared_ptr<const edges::Detection>& detection) {
     const auto* asked = curve_.asked();
-    if (asked != nullptr && (*asked)->scan == detection->scan && sameUpTo(Stage::Edges, (*asked)->settings, detection->settings)) return;
+    if (asked != nullptr && (*asked)->scan == detection->scan &&
+        edges::sameUpTo(edges::Stage::Edges, (*asked)->settings, detection->settings))
+        return;
     curve_.ask(detection, kQuiet);
     emit outdated();
 }

@@ -19,16 +19,16 @@ public:
 
     /// A new detection is on the screen. It is counted when no other detection follows shortly. It is not counted again if only the swept
     /// threshold changed.
-    void want(const std::shared_ptr<const Detection>& detection);
+    void want(const std::shared_ptr<const edges::Detection>& detection);
 
 signals:
     /// The last count does not belong to the current detection.
     void outdated();
     /// `parameter`: key of the threshold.
-    void counted(const QString& parameter, const edgescan::EdgeCountCurve& curve);
+    void counted(const QString& parameter, const edgescan::edges::EdgeCountCurve& curve);
 
 private:
-    Derived<std::shared_ptr<const Detection>, EdgeCountCurve> curve_;
+    Derived<std::shared_ptr<const edges::Detection>, edges::EdgeCountCurve> curve_;
 };
 
 } // namespace edgescan::ui

@@ -12,9 +12,9 @@ namespace edgescan::ui {
 
 /// The inputs of the computation.
 struct RockQuestion {
-    std::shared_ptr<const Detection> detection;
-    RockSettings settings;
-    std::vector<RockEdit> edits;
+    std::shared_ptr<const edges::Detection> detection;
+    rocks::RockSettings settings;
+    std::vector<rocks::Edit> edits;
 };
 
 /// GUI thread only. Only the newest question is answered.
@@ -35,8 +35,8 @@ private:
     [[nodiscard]] std::shared_ptr<const RockPicture> run(const RockQuestion& question); // pool's thread
 
     // Used only on the pool's threads, by one at a time.
-    std::shared_ptr<const Detection> detection_; // the detection of inputs_
-    RockInputs inputs_;
+    std::shared_ptr<const edges::Detection> detection_; // the detection of inputs_
+    rocks::Inputs inputs_;
     std::shared_ptr<const RockPicture> last_;
 
     Derived<RockQuestion, RockPicture> rocks_; // last

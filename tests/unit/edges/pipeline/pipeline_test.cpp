@@ -18,7 +18,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 Settings randomlyTurned(Settings s, std::mt19937& random) {
@@ -221,4 +221,4 @@ TEST(Pipeline, OnALaneManySettingsEndWithTheLast) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

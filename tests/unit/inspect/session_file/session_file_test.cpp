@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(SessionFile, DamagedOnesGiveASentence) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect
