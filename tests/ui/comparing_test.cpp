@@ -79,7 +79,7 @@ private slots:
         const Grid<std::uint8_t> maskA = *a.mask;
         QVERIFY(keepByKey(on));
         QVERIFY(on.window.changeLegend().isVisible());
-        QVERIFY(!on.window.views().edgesInstead());
+        QVERIFY(!on.window.views().scene().instead);
         edges::Settings other = on.window.engine().settings();
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
@@ -104,7 +104,7 @@ private slots:
         // The colours of the legend appear in the edge map, over the range image and in the cloud.
         QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Unchanged)), kept);
-        QVERIFY(on.window.views().gray().overlay() == on.window.views().edgesInstead()->overlay);
+        QVERIFY(on.window.views().gray().overlay() == on.window.views().scene().instead->overImage);
         QVERIFY(on.window.views().cloud().edgeColours() == changeColours());
         QVERIFY(on.window.views().cloud().edgesByClass());
         QVERIFY2(!on.window.legend().isVisible(), "the legend of the edges tells of other colours");
@@ -115,12 +115,12 @@ private slots:
         QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         // With the settings of A the difference is empty; without A the picture is normal.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(!on.window.views().edgesInstead());
+        QVERIFY(!on.window.views().scene().instead);
         QVERIFY(on.window.legend().isVisible());
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(on.window.views().edgesInstead() != nullptr);
+        QVERIFY(on.window.views().scene().instead != nullptr);
         action(on, "Forget A")->trigger();
-        QVERIFY(!on.window.views().edgesInstead() && !on.window.changeLegend().isVisible() && on.window.legend().isVisible());
+        QVERIFY(!on.window.views().scene().instead && !on.window.changeLegend().isVisible() && on.window.legend().isVisible());
         QVERIFY(on.window.views().edges().image() == on.picture().edges);
         QVERIFY(!on.window.views().cloud().edgesByClass());
     }
@@ -152,8 +152,8 @@ private slots:
         QVERIFY(!views.flipped());
         QVERIFY(views.gray().image() == b->gray);
         QVERIFY(cloud.scan() == b->detection->scan);
-        QVERIFY(views.edges().image() == views.edgesInstead()->map);
-        QVERIFY(cloud.faces() == views.edgesInstead()->points);
+        QVERIFY(views.edges().image() == views.scene().instead->map);
+        QVERIFY(cloud.faces() == on.window.comparing().comparison()->points);
         QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
         QVERIFY((cloud.camera().position - camera.position).norm() < 1e-9);
         // In a text field the key types a character.
@@ -240,7 +240,7 @@ private slots:
         on.window.comparing().compareWith(QString::fromStdString(placed_));
         QVERIFY(eventually([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }));
         QVERIFY2(on.window.notice().text().contains("has none"), qPrintable(on.window.notice().text()));
-        QVERIFY(!on.window.views().edgesInstead());
+        QVERIFY(!on.window.views().scene().instead);
         // A scan of another place, and a missing file.
         on.window.comparing().compareWith(QString::fromStdString(other_));
         QVERIFY(eventually([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }));

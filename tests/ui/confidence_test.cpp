@@ -88,12 +88,12 @@ private slots:
         std::size_t kept = 0;
         for (const std::uint32_t k : *detection.edges) kept += truth->percent[k] >= 70 ? 1 : 0;
         QCOMPARE(on.window.confidence().made()->shown(), kept);
-        QCOMPARE(on.window.views().edgesInstead()->cells.all->size(), kept);
+        QCOMPARE(on.window.views().scene().instead->cells.all->size(), kept);
         // The detection, and so every export, does not change.
         QCOMPARE(on.picture().detection->edges->size(), sum);
         // Off: the normal picture.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(!on.window.views().edgesInstead() && on.window.legend().isVisible() && !legend.isVisible());
+        QVERIFY(!on.window.views().scene().instead && on.window.legend().isVisible() && !legend.isVisible());
         QVERIFY(on.window.views().edges().image() == on.picture().edges);
     }
 
@@ -112,13 +112,13 @@ private slots:
         QVERIFY(known(on));
         QVERIFY(on.window.confidence().made()->of == on.window.engine().picture());
         QVERIFY(on.window.changeLegend().isVisible() && !on.window.confidenceLegend().isVisible());
-        QCOMPARE(on.window.views().edgesInstead()->map, on.window.comparing().comparison()->map);
+        QCOMPARE(on.window.views().scene().instead->map, on.window.comparing().comparison()->map);
         // The difference is switched off: confidence appears again; and back.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(on.window.confidenceLegend().isVisible());
-        QCOMPARE(on.window.views().edgesInstead()->map, on.window.confidence().made()->images[0]);
+        QCOMPARE(on.window.views().scene().instead->map, on.window.confidence().made()->images[0]);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QCOMPARE(on.window.views().edgesInstead()->map, on.window.comparing().comparison()->map);
+        QCOMPARE(on.window.views().scene().instead->map, on.window.comparing().comparison()->map);
     }
 
     void theCardOfAnEdgeTellsItWithoutBeingAsked() {
@@ -149,7 +149,7 @@ private slots:
             };
             QTRY_VERIFY2(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()));
             // The views show the plain edges: the confidence picture is off.
-            QVERIFY(!on.window.views().edgesInstead() && !on.window.confidence().made());
+            QVERIFY(!on.window.views().scene().instead && !on.window.confidence().made());
             // The key shows the same value, without a second computation.
             QVERIFY(showByKey(on));
             QCOMPARE(int(*on.window.confidence().at(cell)), int(truth->percent[cell]));

@@ -5,7 +5,6 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/step_name.h"
 #include "ui/controllers/files/files.h"
-#include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/memory.h"
@@ -87,34 +86,24 @@ private:
     State before_, after_;
 };
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-                     Memory& memory, QUndoStack& undo)
-    : engine_(engine), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+                     QUndoStack& undo)
+    : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
-          this,
+          Urgency::Soon,
           [](const Reading& reading) {
-              return Read{reading, reading.scan        ? pictureOf(reading.scan, reading.from.settings)
-                                   : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
-                                                       : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings)};
+              return reading.scan        ? pictureOf(reading.scan, reading.from.settings)
+                     : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
+                                         : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings);
           },
-          [this](const Read& read) { takeRead(read); },
+          [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
           [this](const QString& what) {
-              takeRead({{}, Error{what.toStdString(), "", "choose another scan"}});
+              takeRead({}, Error{what.toStdString(), "", "choose another scan"});
           }),
       comparer_(
-          this,
-          [this](const ComparisonAsked& asked) {
-              if (!asked.before) { // no scan is kept: drop its cached results
-                  last_ = nullptr;
-                  return Answer{asked, std::shared_ptr<const Comparison>()};
-              }
-              Answer answer{asked, compared(asked, last_.get())};
-              last_ = answer.made ? *answer.made : nullptr;
-              return answer;
-          },
-          [this](const Answer& answer) { take(answer); },
+          Urgency::Soon, [this](const ComparisonAsked& asked) { return compare(asked); },
+          [this](const ComparisonAsked&, const std::shared_ptr<const Compared>& made) { take(*made); },
           [this](const QString& what) {
-              working_ = false;
               comparison_ = nullptr;
               show();
               showLegend();
@@ -127,7 +116,6 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
         emit rowsChanged();
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
-    connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -155,7 +143,6 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<SourceOfA
     flip(false);
     pictureA_ = std::move(kept);
     sourceOfA_ = std::move(from);
-    if (!pictureA_) comparer_.post({});
     comparison_ = nullptr;
     show();
     emit pictureAChanged(pictureA_ != nullptr);
@@ -177,11 +164,10 @@ void Comparing::compareWith(const QString& path) {
 void Comparing::restore(const SourceOfA& from) { read(from, false); }
 
 void Comparing::read(const SourceOfA& from, bool asStep) {
-    reading_ = true;
     const std::optional<SourceOfA> shown = engine_.picture() ? fromShown() : std::nullopt;
     const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
                       shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
-    reader_.post({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
+    reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
 }
 
 void Comparing::askScan() {
@@ -190,11 +176,10 @@ void Comparing::askScan() {
     if (!path.isEmpty()) compareWith(path);
 }
 
-void Comparing::takeRead(const Read& read) {
-    reading_ = false;
-    if (!read.picture) return notice_.showError(read.picture.error());
-    const std::shared_ptr<const Picture>& picture = *read.picture;
-    SourceOfA from = read.asked.from;
+void Comparing::takeRead(const Reading& asked, const Read& read) {
+    if (!read) return notice_.showError(read.error());
+    const std::shared_ptr<const Picture>& picture = *read;
+    SourceOfA from = asked.from;
     const Scan& scan = *picture->detection->scan;
     if (!from.sha256.empty() && from.sha256 != scan.sha256) {
         notice_.showNotice(NoticeBar::Kind::Warning,
@@ -203,7 +188,7 @@ void Comparing::takeRead(const Read& read) {
     }
     from.sha256 = scan.sha256;
     from.name = scan.name;
-    if (!read.asked.asStep) return use(picture, from);
+    if (!asked.asStep) return use(picture, from);
     notice_.hide();
     undo_.push(new KeptChange(stepName("Compare with Scan"), *this, picture, from));
 }
@@ -227,23 +212,24 @@ void Comparing::follow() {
 }
 
 void Comparing::ask() {
-    working_ = comparable();
-    if (!working_) return;
-    comparer_.post({pictureA_, engine_.picture(), rows_});
+    if (pictureA_ && !comparable()) return comparer_.giveUp();
+    comparer_.ask({pictureA_, engine_.picture(), rows_});
 }
 
-void Comparing::take(const Answer& answer) {
-    if (!answer.asked.before) return;
-    const bool wanted =
-        comparable() && answer.asked.before == pictureA_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
-    if (!wanted) return; // a newer question is running, or there is no longer a question
-    working_ = false;
-    if (!answer.made) {
-        notice_.showError(answer.made.error());
+std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
+    std::shared_ptr<const Compared> made;
+    if (asked.before) made = std::make_shared<const Compared>(compared(asked, last_.get()));
+    last_ = made && *made ? **made : nullptr; // without A the cached results are dropped
+    return made;
+}
+
+void Comparing::take(const Compared& made) {
+    if (!made) {
+        notice_.showError(made.error());
         comparison_ = nullptr; // A stays: the next scan may match it
     } else {
-        const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
-        comparison_ = *answer.made;
+        const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
+        comparison_ = *made;
         if (otherScans) {
             region_ = 0;
             QStringList warnings;
@@ -262,28 +248,21 @@ void Comparing::setDifferenceShown(bool on) {
 }
 
 void Comparing::show() {
-    std::shared_ptr<EdgesInstead> instead;
-    if (comparison_ && shown_) {
-        instead = std::make_shared<EdgesInstead>();
-        *instead = {comparison_->edges,
-                    changeColours(),
-                    comparison_->map,
-                    comparison_->overlay,
-                    rocks_.shown() ? nullptr : comparison_->points,
-                    false,
-                    tr("gained, lost and kept")};
-    }
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
-    const bool on = instead != nullptr;
-    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // do not replace what another controller shows there
-    drawn_ = std::move(instead);
-    emit differenceShown(on);
+    if (!comparison_ || !shown_) return views_.remove(OverlayName::Comparison);
+    Overlay overlay;
+    overlay.name = OverlayName::Comparison;
+    overlay.scan = comparison_->asked.now->detection->scan;
+    overlay.edges = std::make_shared<const OverlayEdges>(
+        OverlayEdges{comparison_->edges, changeColours(), comparison_->map, comparison_->overlay, false, tr("gained, lost and kept")});
+    overlay.points = OverlayPoints{comparison_->points, overlay.scan->beams(), 0, true};
+    views_.put(std::move(overlay));
 }
 
 void Comparing::showLegend() {
     legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), working_);
+    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), comparer_.behind());
 }
 
 void Comparing::flip(bool on) {
@@ -296,7 +275,6 @@ void Comparing::flip(bool on) {
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
-    rocks_.redraw();
     legend_.showFlipped(on);
     emit flipped(on);
 }

@@ -47,9 +47,8 @@ void addChangeLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
     over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
     QObject::connect(&w.views().cloud(), &CloudView::edgesCovered, &w.changeLegend(), &ChangeLegend::showCovered);
-    const auto follow = [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); };
-    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
-    QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
+    const auto follow = [&w] { w.legend().setVisible(w.views().scene().picture != nullptr && w.views().scene().instead == nullptr); };
+    QObject::connect(&w.views(), &LinkedViews::picturesChanged, &w, follow);
 }
 
 Command confidenceCommand(MainWindow& w) {
@@ -63,9 +62,6 @@ Command confidenceCommand(MainWindow& w) {
 void addConfidenceLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
     over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::hideForComparison);
-    QObject::connect(&w.confidence(), &Confidence::changed, &w,
-                     [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); });
 }
 
 } // namespace edgescan::ui

@@ -75,8 +75,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
       tuning_(engine_, *panel_, *notice_, memory, undo_), live_(engine_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
       explanation_(engine_, views_, *notice_), rocks_(engine_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
       targets_(engine_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
-      selection_(engine_, views_, rocks_, *notice_, undo_),
-      comparing_(engine_, views_, rocks_, *changeLegend_, files_, *notice_, memory, undo_),
+      selection_(engine_, views_, rocks_, *notice_, undo_), comparing_(engine_, views_, *changeLegend_, files_, *notice_, memory, undo_),
       confidence_(engine_, views_, targets_, *confidenceLegend_, memory), markedEdges_(engine_, views_, targets_, undo_, *notice_),
       report_(engine_, files_, rocks_, targets_, comparing_, *notice_, memory), audit_(memory.place(), engine_, views_, undo_, *notice_) {
     setObjectName("edgescan");

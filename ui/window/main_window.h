@@ -170,7 +170,7 @@ private:
     DockRail* rail_;
     RangeWindow* rangeWindow_;
 
-    // In the order in which they receive a new picture.
+    // The views first: the others use what is shown. The order of the others does not matter to what is drawn (sceneOf).
     LinkedViews views_;
     Files files_;
     Opening opening_;

@@ -32,6 +32,7 @@
 #include <QWidget>
 
 #include <system_error>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -50,12 +51,13 @@ bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
 
 Sessions::Sessions(const Desk& desk)
     : desk_(desk), autosaves_(desk.memory.dataFolder().isEmpty() ? QString() : desk.memory.dataFolder() + "/sessions"),
-      worker_(
-          this, [this](const Job& job) { return write(job); }, [this](const Written& written) { take(written); },
+      written_(
+          Urgency::Now, [this](const Job& job) { return write(job); },
+          [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
           [this](const QString& what) {
-              answered_ = posted_;
               desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what));
-          }) {
+          },
+          Older::Delivered) {
     soon_.setSingleShot(true);
     soon_.setInterval(kSaveSoonMs);
     connect(&soon_, &QTimer::timeout, this, &Sessions::save);
@@ -63,7 +65,7 @@ Sessions::Sessions(const Desk& desk)
 }
 
 Sessions::~Sessions() {
-    if (soon_.isActive() || posted_ != answered_) {
+    if (soon_.isActive() || written_.behind()) {
         if (const auto last = job()) {
             for (const QString& path : {last->own, last->file}) {
                 if (!path.isEmpty())
@@ -114,15 +116,15 @@ std::optional<Sessions::Job> Sessions::job() {
     state->keptIn = file_.toStdString();
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
     const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && desk_.live.scanner().recordingClosed();
-    return Job{std::move(*state), autosaves_.own(), file_, closed, ++posted_};
+    return Job{std::move(*state), autosaves_.own(), file_, closed};
 }
 
 void Sessions::save() {
-    if (auto next = job()) worker_.post(std::move(*next));
+    if (auto next = job()) written_.ask(std::move(*next));
 }
 
-Sessions::Written Sessions::write(const Job& job) {
-    Written written{job.number, {}};
+QString Sessions::write(const Job& job) {
+    QString trouble;
     std::string hash;
     if (job.closed) {
         std::string& known = hashes_[job.state.scan.path];
@@ -142,18 +144,16 @@ Sessions::Written Sessions::write(const Job& job) {
         if (done)
             lastTexts_[path] = std::move(text);
         else
-            written.trouble = exactText(done.error().sentence());
+            trouble = exactText(done.error().sentence());
     }
-    return written;
+    return trouble;
 }
 
-void Sessions::take(const Written& written) {
-    answered_ = written.number;
-    if (!written.trouble.isEmpty() && !failing_)
-        desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(written.trouble));
-    failing_ = !written.trouble.isEmpty();
-    if (!toTell_ || answered_ < *toTell_) return;
-    toTell_.reset();
+void Sessions::take(const QString& trouble) {
+    if (!trouble.isEmpty() && !failing_)
+        desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
+    failing_ = !trouble.isEmpty();
+    if (written_.behind() || !std::exchange(toTell_, false)) return;
     if (!failing_ && !file_.isEmpty()) desk_.notice.showSaved(file_, tr("from now on saved as it changes"));
 }
 
@@ -167,7 +167,7 @@ void Sessions::saveAs(const QString& path) {
     file_ = QFileInfo(path).absoluteFilePath();
     filed_ = state->scan.identity;
     save();
-    toTell_ = posted_;
+    toTell_ = true;
     emit nameChanged();
 }
 

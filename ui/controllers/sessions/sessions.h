@@ -3,7 +3,7 @@
 
 #include "ui/controllers/sessions/autosaves.h"
 #include "ui/controllers/sessions/desk.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
 #include <QStringList>
@@ -14,7 +14,7 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only; files are read and written on separate threads.
+/// GUI thread only; files are read and written by the pool.
 class Sessions : public QObject {
     Q_OBJECT
 public:
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const QString& path() const { return file_; }
     [[nodiscard]] const Autosaves& autosaves() const { return autosaves_; }
     /// No reading, waiting or writing is pending.
-    [[nodiscard]] bool settled() const { return !reading_ && !wanted_ && !soon_.isActive() && posted_ == answered_; }
+    [[nodiscard]] bool settled() const { return !reading_ && !wanted_ && !soon_.isActive() && !written_.behind(); }
 
 signals:
     void nameChanged();
@@ -52,17 +52,12 @@ private:
         inspect::ViewerState state;
         QString own, file;   ///< target paths; either may be empty
         bool closed = false; ///< the recording of the sweep is closed: its hash is known
-        std::uint64_t number = 0;
-    };
-    struct Written {
-        std::uint64_t number = 0;
-        QString trouble;
     };
     void connectDesk();
     void changed();
     [[nodiscard]] std::optional<Job> job();
-    [[nodiscard]] Written write(const Job& job); // worker's thread
-    void take(const Written& written);
+    [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
+    void take(const QString& trouble);
     void save();
     void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();
@@ -79,12 +74,11 @@ private:
     bool reading_ = false;
     std::uint64_t readings_ = 0; // number of the newest reading
     QTimer soon_;
-    std::uint64_t posted_ = 0, answered_ = 0;
-    std::optional<std::uint64_t> toTell_; // the job that writes a file named by the operator: its completion is reported
+    bool toTell_ = false; // a file that the operator named is being written: a notice follows
     bool failing_ = false;
-    std::map<QString, std::string> lastTexts_;            // used by the worker's thread: by path
+    std::map<QString, std::string> lastTexts_;            // used only by write(): by path
     std::map<std::filesystem::path, std::string> hashes_; // the same: hashes of recordings
-    Newest<Job, Written> worker_;                         // last
+    Derived<Job, QString> written_;                       // last
 };
 
 } // namespace edgescan::ui
