@@ -3,7 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
@@ -19,8 +19,6 @@
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 namespace edgescan::ui {
 namespace {
@@ -53,37 +51,6 @@ bool isTyping(const QWidget* widget) {
 }
 
 } // namespace
-
-/// A before and after. The picture itself may be gone by then: it is read again.
-class KeptChange : public QUndoCommand {
-public:
-    KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from)
-        : QUndoCommand(name),
-          comparing_(comparing), before_{comparing.kept_, comparing.kept_ == nullptr, comparing.keptFrom_}, after_{after, after == nullptr,
-                                                                                                                   from} {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    struct State {
-        std::weak_ptr<const Picture> picture;
-        bool none;
-        std::optional<KeptFrom> from;
-    };
-    void apply(const State& state) {
-        const auto picture = state.picture.lock();
-        if (state.none || picture)
-            comparing_.use(picture, state.from);
-        else if (state.from)
-            comparing_.read(*state.from, false);
-        else
-            setObsolete(true); // of a sweep that no file holds
-    }
-
-    Comparing& comparing_;
-    State before_, after_;
-};
 
 Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
                      Memory& memory, QUndoStack& undo)
@@ -136,11 +103,28 @@ void Comparing::keep() {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
         return;
     }
-    undo_.push(new KeptChange(stepName("Keep as A"), *this, engine_.picture(), fromShown()));
+    push(stepName("Keep as A"), engine_.picture(), fromShown());
 }
 
 void Comparing::forget() {
-    if (kept_) undo_.push(new KeptChange(stepName("Forget A"), *this, nullptr, std::nullopt));
+    if (kept_) push(stepName("Forget A"), nullptr, std::nullopt);
+}
+
+void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from) {
+    // The picture itself may be gone when the step is taken back: it is made again.
+    struct State {
+        std::weak_ptr<const Picture> picture;
+        bool some;
+        std::optional<KeptFrom> from;
+    };
+    undo_.push(new UndoStep<State>(what, {kept_, kept_ != nullptr, keptFrom_}, {after, after != nullptr, from}, [this](const State& state) {
+        const auto picture = state.picture.lock();
+        if (picture || !state.some)
+            use(picture, state.from);
+        else if (state.from)
+            read(*state.from, false);
+        return picture || !state.some || state.from; // else of a sweep that no file holds
+    }));
 }
 
 std::optional<KeptFrom> Comparing::fromShown() const {
@@ -203,7 +187,7 @@ void Comparing::takeRead(const Read& read) {
     from.name = scan.name;
     if (!read.asked.asStep) return use(picture, from);
     notice_.hide();
-    undo_.push(new KeptChange(stepName("Compare with Scan"), *this, picture, from));
+    push(stepName("Compare with Scan"), picture, from);
 }
 
 bool Comparing::comparable() const {

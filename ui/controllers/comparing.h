@@ -77,7 +77,6 @@ signals:
     void differenceShown(bool on);
 
 private:
-    friend class KeptChange;
     struct Reading {
         KeptFrom from;
         std::shared_ptr<const Scan> scan; ///< where it is the one on the screen
@@ -97,6 +96,7 @@ private:
     void takeRead(const Read& read);
     void use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from);
     void read(const KeptFrom& from, bool asStep);
+    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from);
     [[nodiscard]] std::optional<KeptFrom> fromShown() const;
     void show();
     void showLegend();

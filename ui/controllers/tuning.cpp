@@ -6,14 +6,13 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/engine/worker_bridge/edge_counter.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/panels/tuning/edges_panel.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QUndoCommand>
 
 #include <functional>
 #include <vector>
@@ -34,35 +33,12 @@ QString describe(const Settings& before, const Settings& after) {
     return stepName("settings");
 }
 
-// Changes with the same number of a drag become one step of undo; 0 never does.
-class SettingsChange : public QUndoCommand {
-public:
-    SettingsChange(Engine& engine, const Settings& after, int drag)
-        : QUndoCommand(describe(engine.settings(), after)), engine_(engine), before_(engine.settings()), after_(after), drag_(drag) {}
-
-    void undo() override { engine_.setSettings(before_); }
-    void redo() override { engine_.setSettings(after_); }
-    [[nodiscard]] int id() const override { return drag_ == 0 ? -1 : drag_; }
-    bool mergeWith(const QUndoCommand* later) override {
-        if (later->id() != id()) return false;
-        after_ = static_cast<const SettingsChange*>(later)->after_;
-        setText(describe(before_, after_));
-        return true;
-    }
-
-private:
-    Engine& engine_;
-    Settings before_;
-    Settings after_;
-    int drag_;
-};
-
 } // namespace
 
 Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
     connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
-    connect(&panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
+    connect(&panel_, &EdgesPanel::editEnded, this, [this] { drag_ = nextDrag(); });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connect(&panel_, &EdgesPanel::presetChosen, this, &Tuning::usePreset);
     connect(&panel_, &EdgesPanel::openPresetWanted, this, &Tuning::askOpenPreset);
@@ -108,7 +84,11 @@ void Tuning::change(const Settings& settings, bool dragging) {
         if (formatValue(p, p.get(settings)) != formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
     }
     if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset turns several
-    undo_.push(new SettingsChange(engine_, settings, dragging ? drag_ : 0));
+    const auto use = [this](const Settings& value) {
+        engine_.setSettings(value);
+        return true;
+    };
+    undo_.push(new UndoStep<Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
 }
 
 const Parameter& Tuning::lastTurned() const {

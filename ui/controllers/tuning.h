@@ -49,7 +49,7 @@ private:
     Memory& memory_;
     QUndoStack& undo_;
     EdgeCounter* counts_; // child
-    int drag_ = 1;        // number of the drag, for undo
+    int drag_ = 0;        // number of the drag, for undo
     bool starting_ = false;
     const Parameter* turned_ = nullptr;
     QElapsedTimer sinceChange_;

@@ -55,7 +55,6 @@ signals:
     void straightened(bool on);
 
 private:
-    friend class ReadingChange;
     /// False: another file is on the screen by now.
     bool readAs(const QString& path, const ReadingOptions& options);
     void setOptions(const ReadingOptions& options);

@@ -1,12 +1,8 @@
 // Edits of rocks by hand: merge, split, rock or not, undo.
 #include "ui/base/notice_bar.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/panels/rocks/rocks_panel.h"
-
-#include <QElapsedTimer>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 #include <utility>
@@ -14,30 +10,6 @@
 namespace edgescan::ui {
 namespace {
 
-class RockEditStep : public QUndoCommand {
-public:
-    RockEditStep(const QString& name, Rocks& rocks, const Engine& engine, RockByHand after)
-        : QUndoCommand(name), rocks_(rocks), engine_(engine), stream_(streamNow()), before_(rocks.byHand()), after_(std::move(after)) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    [[nodiscard]] std::uint64_t streamNow() const { return engine_.picture() ? engine_.picture()->source.stream : 0; }
-    void apply(const RockByHand& byHand) {
-        if (streamNow() == stream_)
-            rocks_.setByHand(byHand);
-        else
-            setObsolete(true); // the scan is gone, and its edits with it
-    }
-
-    Rocks& rocks_;
-    const Engine& engine_;
-    std::uint64_t stream_;
-    RockByHand before_, after_;
-};
-
-constexpr int kRockTurning = 0x40000000; // of QUndoCommand::id(): none of the numbers of drags in Tuning
 constexpr qint64 kOneTurnMs = 1000;
 
 QString nameOfTurn(const RockSettings& before, const RockSettings& after) {
@@ -47,41 +19,21 @@ QString nameOfTurn(const RockSettings& before, const RockSettings& after) {
     return stepName("region of interest");
 }
 
-/// Turning on without a pause is one step.
-class RockTurn : public QUndoCommand {
-public:
-    RockTurn(Rocks& rocks, const RockSettings& after)
-        : QUndoCommand(nameOfTurn(rocks.settings(), after)), rocks_(rocks), before_(rocks.settings()), after_(after) {
-        since_.start();
-    }
-
-    void undo() override { turnTo(before_); }
-    void redo() override { turnTo(after_); }
-    [[nodiscard]] int id() const override { return kRockTurning; }
-    bool mergeWith(const QUndoCommand* later) override {
-        const auto* next = dynamic_cast<const RockTurn*>(later);
-        if (next == nullptr || next->text() != text() || since_.elapsed() > kOneTurnMs) return false;
-        after_ = next->after_;
-        since_.restart();
-        return true;
-    }
-
-private:
-    // The region is of one scan and has steps of its own.
-    void turnTo(RockSettings settings) {
-        settings.region = rocks_.settings().region;
-        rocks_.useSettings(settings);
-    }
-
-    Rocks& rocks_;
-    RockSettings before_, after_;
-    QElapsedTimer since_; // the last change
-};
-
 } // namespace
 
 void Rocks::turn(const RockSettings& settings) {
-    if (settings != settings_) undo_.push(new RockTurn(*this, settings));
+    if (settings == settings_) return;
+    const QString name = nameOfTurn(settings_, settings);
+    if (turned_ != name || !sinceTurn_.isValid() || sinceTurn_.elapsed() > kOneTurnMs) turn_ = nextDrag();
+    turned_ = name;
+    sinceTurn_.start();
+    undo_.push(new UndoStep<RockSettings>(
+        turn_, [name](const RockSettings&, const RockSettings&) { return name; }, settings_, settings,
+        [this](RockSettings value) {
+            value.region = settings_.region; // it is of one scan and has steps of its own
+            useSettings(value);
+            return true;
+        }));
 }
 
 void Rocks::restore(const RockPreset& preset) {
@@ -111,7 +63,12 @@ void Rocks::setByHand(const RockByHand& byHand) {
     emit changed();
 }
 
-void Rocks::pushByHand(const QString& name, RockByHand after) { undo_.push(new RockEditStep(name, *this, engine_, std::move(after))); }
+void Rocks::pushByHand(const QString& name, RockByHand after) {
+    undo_.push(new UndoStep<RockByHand>(name, byHand(), std::move(after), [this, stream = stream_](const RockByHand& value) {
+        if (stream_ == stream) setByHand(value);
+        return stream_ == stream; // else the scan is gone, and its edits with it
+    }));
+}
 
 void Rocks::push(const QString& name, RockEdit edit) {
     RockByHand after = byHand();

@@ -7,6 +7,7 @@
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/rocks/rock_finder.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -148,7 +149,11 @@ private:
     std::size_t familyCell_ = 0;
     RockFamily family_;
     std::size_t piece_ = 0; // of the family
-    QTimer nextOfSweep_;    // a growing sweep is asked about once a second
+    // Turning on without a pause is one step of undo: the number of the last one, what it turned, and when.
+    int turn_ = 0;
+    QString turned_;
+    QElapsedTimer sinceTurn_;
+    QTimer nextOfSweep_; // a growing sweep is asked about once a second
     RockFinder finder_;
 };
 

@@ -5,58 +5,17 @@
 #include "ui/base/cell_marks.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/proposals_card.h"
 
 #include <QMenu>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 
 namespace edgescan::ui {
-namespace {
-
-class AdoptedSettings : public QUndoCommand {
-public:
-    AdoptedSettings(Engine& engine, const Settings& after)
-        : QUndoCommand(stepName("Settings for These Marks")), engine_(engine), before_(engine.settings()), after_(after) {}
-
-    void undo() override { engine_.setSettings(before_); }
-    void redo() override { engine_.setSettings(after_); }
-
-private:
-    Engine& engine_;
-    Settings before_, after_;
-};
-
-} // namespace
-
-/// A step on one scan; once another is on the screen there is nothing to take back.
-class MarksChange : public QUndoCommand {
-public:
-    MarksChange(const QString& name, MarkedEdges& marked, const EdgeMarks& after)
-        : QUndoCommand(name), marked_(marked), stream_(marked.stream_), before_(marked.marks_), after_(after) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    void apply(const EdgeMarks& marks) {
-        if (marked_.stream_ == stream_)
-            marked_.use(marks);
-        else
-            setObsolete(true);
-    }
-
-    MarkedEdges& marked_;
-    std::uint64_t stream_;
-    EdgeMarks before_, after_;
-};
-
 MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : engine_(engine), views_(views), targets_(targets), undo_(undo), notice_(notice),
       worker_(
@@ -98,7 +57,11 @@ void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
 void MarkedEdges::restore(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
 
 void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
-    if (after != marks_) undo_.push(new MarksChange(what, *this, after));
+    if (after == marks_) return;
+    undo_.push(new UndoStep<EdgeMarks>(what, marks_, after, [this, stream = stream_](const EdgeMarks& value) {
+        if (stream_ == stream) use(value);
+        return stream_ == stream;
+    }));
 }
 
 void MarkedEdges::use(const EdgeMarks& marks) {
@@ -169,7 +132,10 @@ void MarkedEdges::makeCard() {
     connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
         const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
         putBack(); // so that undo leads back to what was set before the preview
-        undo_.push(new AdoptedSettings(engine_, adopted));
+        undo_.push(new UndoStep<Settings>(stepName("Settings for These Marks"), engine_.settings(), adopted, [this](const Settings& value) {
+            engine_.setSettings(value);
+            return true;
+        }));
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {

@@ -43,7 +43,6 @@ signals:
     void changed();
 
 private:
-    friend class MarksChange;
     struct Question {
         std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;

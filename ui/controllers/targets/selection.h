@@ -58,7 +58,6 @@ signals:
     void exportWanted();
 
 private:
-    friend class SelectionChange;
     struct State {
         CellSet selected, hidden;
         bool operator==(const State&) const = default;

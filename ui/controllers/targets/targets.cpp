@@ -3,7 +3,7 @@
 
 #include "core/base/utc_time.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -14,35 +14,11 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QPushButton>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 #include <utility>
 
 namespace edgescan::ui {
-
-/// A step on one scan; once another is on the screen there is nothing to take back.
-class NotebookChange : public QUndoCommand {
-public:
-    NotebookChange(const QString& name, Targets& targets, Notebook after)
-        : QUndoCommand(name), targets_(targets), key_(targets.key_), before_(targets.notebook_), after_(std::move(after)) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    void apply(const Notebook& notebook) {
-        if (targets_.key_ == key_)
-            targets_.use(notebook);
-        else
-            setObsolete(true);
-    }
-
-    Targets& targets_;
-    QString key_;
-    Notebook before_, after_;
-};
 
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
@@ -223,7 +199,12 @@ void Targets::restore(const Notebook& notebook) {
     emit pinned();
 }
 
-void Targets::change(const QString& what, Notebook after) { undo_.push(new NotebookChange(what, *this, std::move(after))); }
+void Targets::change(const QString& what, Notebook after) {
+    undo_.push(new UndoStep<Notebook>(what, notebook_, std::move(after), [this, key = key_](const Notebook& value) {
+        if (key_ == key) use(value);
+        return key_ == key;
+    }));
+}
 
 void Targets::use(const Notebook& notebook) {
     notebook_ = notebook;

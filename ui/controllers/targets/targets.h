@@ -96,7 +96,6 @@ signals:
     void measureWanted(std::size_t cell);
 
 private:
-    friend class NotebookChange;
     struct Question {
         std::shared_ptr<const Picture> picture;
         Notebook notebook;
