@@ -92,7 +92,7 @@ private slots:
             QVERIFY(QTest::qWaitFor(
                 [&] {
                     const auto now = saved(home / "sessions");
-                    return now && now->notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
+                    return now && now->targets.notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
                 },
                 20000));
             QVERIFY(lines(on) < kLines);
@@ -145,7 +145,7 @@ private slots:
             QVERIFY(QTest::qWaitFor(
                 [&] {
                     const auto now = saved(home / "sessions");
-                    return now && now->notebook.targets.size() == 1;
+                    return now && now->targets.notebook.targets.size() == 1;
                 },
                 20000));
             ViewerState other = *saved(home / "sessions");

@@ -134,8 +134,8 @@ private slots:
             const auto saved = readSession(file.toStdString());
             QVERIFY(bool(saved));
             QCOMPARE(QString::fromStdString(sessionText(saved->state, "/", "")), QString::fromStdString(before));
-            QCOMPARE(int(saved->state.notebook.targets.size()), 2);
-            QVERIFY(saved->state.kept && saved->state.rocks && saved->state.camera && saved->state.images);
+            QCOMPARE(int(saved->state.targets.notebook.targets.size()), 2);
+            QVERIFY(saved->state.earlier && saved->state.rocks && saved->state.view.camera && saved->state.view.images);
         }
         WindowFixture on;
         on.window.resize(1300, 850);
@@ -278,8 +278,8 @@ private slots:
             return read ? std::optional(*read) : std::nullopt;
         };
         const auto isWhole = [](const std::optional<ReadSession>& read) {
-            return read && read->state.notebook.targets.size() == 2 && read->state.kept &&
-                   !read->state.notebook.targets[1].asPinned.empty();
+            return read && read->state.targets.notebook.targets.size() == 2 && read->state.earlier &&
+                   !read->state.targets.notebook.targets[1].asPinned.empty();
         };
         std::string before;
         const auto textOfAll = [](const ReadSession& read) { return sessionText(read.state, "/", ""); };
@@ -387,7 +387,7 @@ private slots:
         QVERIFY(atRest(on));
         // Where the mouse's cell is, is no act.
         auto again = sessionFromText(state(on), "/", "test"), first = sessionFromText(after, "/", "test");
-        again->state.active = first->state.active;
+        again->state.targets.active = first->state.targets.active;
         QCOMPARE(QString::fromStdString(sessionText(again->state, "/", "")), QString::fromStdString(sessionText(first->state, "/", "")));
         // The log has the words of the sources, whatever the window speaks.
         QCOMPARE(w.undoStack().text(0), QString("Keep as A"));

@@ -52,15 +52,20 @@ bool isTyping(const QWidget* widget) {
 
 } // namespace
 
+Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& reading) {
+    const auto& [scan, settings] = reading.from;
+    if (reading.scan) return ui::pictureOf(reading.scan, settings);
+    if (!hasPath(scan.kind)) return earlierDemo(scan.kind == SessionScan::Kind::DemoAfterBlast, settings);
+    return earlierPicture(exactText(scan.path.string()), scan.reading, settings);
+}
+
 Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
                      Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
           this,
           [](const Reading& reading) {
-              return Read{reading, reading.scan        ? pictureOf(reading.scan, reading.from.settings)
-                                   : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
-                                                       : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings)};
+              return Read{reading, pictureOf(reading)};
           },
           [this](const Read& read) { takeRead(read); },
           [this](const QString& what) {
@@ -110,14 +115,14 @@ void Comparing::forget() {
     if (kept_) push(stepName("Forget A"), nullptr, std::nullopt);
 }
 
-void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from) {
+void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<EarlierScan>& from) {
     // The picture itself may be gone when the step is taken back: it is made again.
     struct State {
         std::weak_ptr<const Picture> picture;
         bool some;
-        std::optional<KeptFrom> from;
+        std::optional<EarlierScan> from;
     };
-    undo_.push(new UndoStep<State>(what, {kept_, kept_ != nullptr, keptFrom_}, {after, after != nullptr, from}, [this](const State& state) {
+    undo_.push(new UndoStep<State>(what, {kept_, kept_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
         const auto picture = state.picture.lock();
         if (picture || !state.some)
             use(picture, state.from);
@@ -127,16 +132,16 @@ void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& 
     }));
 }
 
-std::optional<KeptFrom> Comparing::fromShown() const {
-    if (files_.path().isEmpty() && !files_.demo()) return std::nullopt;
+std::optional<EarlierScan> Comparing::fromShown() const {
     const Detection& detection = *engine_.picture()->detection;
-    return KeptFrom{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
+    const auto scan = files_.scanShown(*detection.scan);
+    return scan ? std::optional(EarlierScan{*scan, detection.settings}) : std::nullopt;
 }
 
-void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from) {
+void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<EarlierScan> from) {
     flip(false);
     kept_ = std::move(kept);
-    keptFrom_ = std::move(from);
+    earlier_ = std::move(from);
     if (!kept_) comparer_.post({});
     comparison_ = nullptr;
     show();
@@ -153,16 +158,22 @@ void Comparing::compareWith(const QString& path) {
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
     reading.scanIndex = 0; // of the file on the screen
-    read({path, std::nullopt, reading, engine_.settings(), {}, {}}, true);
+    read({fileScan(path.toStdString(), reading), engine_.settings()}, true);
 }
 
-void Comparing::restore(const KeptFrom& from) { read(from, false); }
+void Comparing::setPart(const std::optional<EarlierScan>& part) {
+    if (part)
+        read(*part, false);
+    else if (kept_)
+        forget();
+}
 
-void Comparing::read(const KeptFrom& from, bool asStep) {
+void Comparing::read(const EarlierScan& from, bool asStep) {
     reading_ = true;
-    const std::optional<KeptFrom> shown = engine_.picture() ? fromShown() : std::nullopt;
-    const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
-                      shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
+    const std::optional<EarlierScan> shown = engine_.picture() ? fromShown() : std::nullopt;
+    const bool same = shown && !from.scan.identity.sha256.empty() && shown->scan.identity.sha256 == from.scan.identity.sha256 &&
+                      shown->scan.identity.name == from.scan.identity.name && shown->scan.path == from.scan.path &&
+                      readingFlags(shown->scan.reading) == readingFlags(from.scan.reading);
     reader_.post({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
 }
 
@@ -176,15 +187,16 @@ void Comparing::takeRead(const Read& read) {
     reading_ = false;
     if (!read.picture) return notice_.tell(read.picture.error());
     const std::shared_ptr<const Picture>& picture = *read.picture;
-    KeptFrom from = read.asked.from;
+    EarlierScan from = read.asked.from;
     const Scan& scan = *picture->detection->scan;
-    if (!from.sha256.empty() && from.sha256 != scan.sha256) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(from.path)));
+    const std::string& sha256 = from.scan.identity.sha256;
+    if (!sha256.empty() && sha256 != scan.sha256) {
+        notice_.showNotice(
+            NoticeBar::Kind::Warning,
+            tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(exactText(from.scan.path.string()))));
         return;
     }
-    from.sha256 = scan.sha256;
-    from.name = scan.name;
+    from.scan.identity = notebookScan(scan);
     if (!read.asked.asStep) return use(picture, from);
     notice_.hide();
     push(stepName("Compare with Scan"), picture, from);

@@ -1,7 +1,7 @@
 // A/B: keeps a picture and compares what is on the screen with it; a key flips the two in all views together.
 #pragma once
 
-#include "core/scan/grid/reading_options.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/newest.h"
 #include "ui/panels/change/comparison.h"
 
@@ -23,16 +23,6 @@ class Rocks;
 class Engine;
 struct EdgesInstead;
 
-/// What A can be made of again.
-struct KeptFrom {
-    QString path;             ///< empty: a demo
-    std::optional<bool> demo; ///< after the blast, or before
-    ReadingOptions reading;
-    Settings settings;
-    std::string sha256; ///< of the scan; empty: not known yet
-    std::string name;
-};
-
 /// GUI thread only. What it is given must outlive it.
 class Comparing : public QObject {
     Q_OBJECT
@@ -45,11 +35,11 @@ public:
     void keep();
     void forget();
     [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
-    /// Where A comes from; empty: there is none, or it is of no file.
-    [[nodiscard]] const std::optional<KeptFrom>& keptFrom() const { return keptFrom_; }
+    /// A, as it can be made again; empty: there is none, or it is of no file.
+    [[nodiscard]] const std::optional<EarlierScan>& part() const { return earlier_; }
+    void setPart(const std::optional<EarlierScan>& part);
     /// Another scan becomes A, read as the one on the screen was, with the settings on the screen. It is read on a thread of its own.
     void compareWith(const QString& path);
-    void restore(const KeptFrom& from);
     void askScan();
 
     /// Off: the edges in their own colours, A still a key away.
@@ -78,7 +68,7 @@ signals:
 
 private:
     struct Reading {
-        KeptFrom from;
+        EarlierScan from;
         std::shared_ptr<const Scan> scan; ///< where it is the one on the screen
         bool asStep = false;              ///< its end is a step of undo
     };
@@ -90,14 +80,15 @@ private:
         ComparisonAsked asked;
         Result<std::shared_ptr<const Comparison>> made;
     };
+    [[nodiscard]] static Result<std::shared_ptr<const Picture>> pictureOf(const Reading& reading); // reading thread
     void follow();
     void ask();
     void take(const Answer& answer);
     void takeRead(const Read& read);
-    void use(std::shared_ptr<const Picture> kept, std::optional<KeptFrom> from);
-    void read(const KeptFrom& from, bool asStep);
-    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<KeptFrom>& from);
-    [[nodiscard]] std::optional<KeptFrom> fromShown() const;
+    void use(std::shared_ptr<const Picture> kept, std::optional<EarlierScan> from);
+    void read(const EarlierScan& from, bool asStep);
+    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<EarlierScan>& from);
+    [[nodiscard]] std::optional<EarlierScan> fromShown() const;
     void show();
     void showLegend();
     [[nodiscard]] bool comparable() const;
@@ -111,7 +102,7 @@ private:
     Memory& memory_;
     QUndoStack& undo_;
     std::shared_ptr<const Picture> kept_;
-    std::optional<KeptFrom> keptFrom_;
+    std::optional<EarlierScan> earlier_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     std::shared_ptr<const EdgesInstead> drawn_; // as it was given to the views

@@ -64,6 +64,8 @@ void ScanLook::setColourBy(ColourBy by) {
     emit changed();
 }
 
+const std::optional<RangeSpan>& ScanLook::rangeWindow() const { return views_.rangeWindow(); }
+
 void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locked) {
     window_.setLocked(false); // what it gets first is of the one before
     views_.setRangeWindow(window);

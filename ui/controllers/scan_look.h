@@ -30,7 +30,8 @@ public:
     [[nodiscard]] bool settled() const { return posted_ == answered_; }
     /// The window of the range image stays when another scan is opened.
     [[nodiscard]] bool rangeLocked() const { return window_.locked(); }
-    /// Empty: as the method scales the ranges.
+    /// Of the range image; empty: as the method scales the ranges.
+    [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const;
     void setRangeWindow(const std::optional<RangeSpan>& window, bool locked);
 
 signals:

@@ -108,6 +108,16 @@ void Tuning::useSettings(const Settings& settings) {
     panel_.show(engine_.settings());
 }
 
+TuningPart Tuning::part() const {
+    const Preset& preset = panel_.preset();
+    return {engine_.settings(), preset.path.empty() ? preset.name : preset.path};
+}
+
+void Tuning::setPart(const TuningPart& part) {
+    if (const auto preset = findPreset(part.preset); preset && !part.preset.empty()) panel_.setPreset(*preset);
+    useSettings(part.settings);
+}
+
 void Tuning::turn(const char* key, double value) {
     Settings settings = engine_.settings();
     findParameter(key)->set(settings, value);

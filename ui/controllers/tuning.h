@@ -3,6 +3,7 @@
 
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/engine.h"
 
 #include <QElapsedTimer>
@@ -24,6 +25,8 @@ public:
 
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
+    [[nodiscard]] TuningPart part() const;
+    void setPart(const TuningPart& part);
     /// One parameter of the table, as if its row of the panel had been turned.
     void turn(const char* key, double value);
     /// As the command line wants it: this start only, nothing of it is remembered until somebody changes a setting.

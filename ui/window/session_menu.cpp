@@ -15,11 +15,33 @@
 
 namespace edgescan::ui {
 
+namespace {
+
+/// In the order in which a session gives them back.
+std::vector<StatePart> partsOf(MainWindow& w) {
+    using enum GivenBack;
+    LinkedViews& views = w.views();
+    std::vector<StatePart> parts{
+        partOf(w.tuning(), &ViewerState::tuning, BeforeScan),
+        partOf(w.targets(), &ViewerState::targets, OnScan),
+        partOf(w.selection(), &ViewerState::selection, OnScan, &Selection::changed),
+        partOf(w.markedEdges(), &ViewerState::marks, OnScan, &MarkedEdges::changed),
+        partOf(w.rocks(), &ViewerState::rocks, OnScan, &Rocks::changed, &Rocks::shownChanged, &Rocks::rocksShown),
+        viewPart(views),
+        switchesPart(w),
+    };
+    const std::vector<StatePart> looks = looksParts(w.look(), views, w.confidence(), w.comparing());
+    parts.insert(parts.end(), looks.begin(), looks.end());
+    parts.push_back(partOf(w.comparing(), &ViewerState::earlier, OnScan, &Comparing::keptChanged, &Comparing::rowsChanged));
+    parts.push_back({[&w](ViewerState& state) { state.layout = w.layoutKept(); },
+                     [&w](const ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
+    return parts;
+}
+
+} // namespace
+
 std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
-    auto sessions = std::make_unique<Sessions>(Desk{w, w.engine(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
-                                                    w.rocks(), w.markedEdges(), w.comparing(), w.confidence(), w.look(), w.live(),
-                                                    w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
-                                                    [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
+    auto sessions = std::make_unique<Sessions>(w.engine(), w.files(), w.live(), w.notice(), memory, w.undoStack(), partsOf(w));
     w.exports().setCarried([made = sessions.get()](const QImage& image, const QString& path) {
         return withSession(image, made->textFor(QFileInfo(path).absolutePath()));
     });

@@ -187,6 +187,13 @@ void Files::fillRecent(QMenu& menu) {
     menu.addAction(tr("Clear"), this, [this] { memory_.forgetRecentFiles(); });
 }
 
+std::optional<SessionScan> Files::scanShown(const Scan& scan) const {
+    if (path_.isEmpty() && !demo_) return std::nullopt;
+    SessionScan of = fileScan(path_.toStdString(), options_, notebookScan(scan));
+    if (demo_) of.kind = *demo_ ? SessionScan::Kind::DemoAfterBlast : SessionScan::Kind::Demo;
+    return of;
+}
+
 QString Files::placeInSeries() const { return series_.size() > 1 ? tr(" (%1 of %2)").arg(place_ + 1).arg(series_.size()) : QString(); }
 
 } // namespace edgescan::ui

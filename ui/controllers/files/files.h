@@ -1,6 +1,7 @@
 // Which file is on the screen: opening, the series, recent files, reading it again with straightened beams.
 #pragma once
 
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/engine.h"
 
 #include <QObject>
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] std::optional<bool> demo() const { return demo_; }
     /// Those of the file on the screen.
     [[nodiscard]] const ReadingOptions& options() const { return options_; }
+    /// `scan`, which is on the screen, as it can be opened again; empty: it comes from no file.
+    [[nodiscard]] std::optional<SessionScan> scanShown(const Scan& scan) const;
     /// " (2 of 3)" in a series, else empty.
     [[nodiscard]] QString placeInSeries() const;
     /// Of a dialog that asks for a scan.

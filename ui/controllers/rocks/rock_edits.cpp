@@ -36,13 +36,19 @@ void Rocks::turn(const RockSettings& settings) {
         }));
 }
 
-void Rocks::restore(const RockPreset& preset) {
+std::optional<RockPreset> Rocks::part() const {
+    if (!on_ || !engine_.picture()) return std::nullopt;
+    return RockPreset{settings_, edits_, engine_.picture()->detection->scan->sha256};
+}
+
+void Rocks::setPart(const std::optional<RockPreset>& part) {
+    if (!part) return;
     if (beside_.reading()) {
-        restored_ = preset;
+        restored_ = part;
         return;
     }
-    RockSettings settings = preset.settings.value_or(settings_);
-    const RockByHand byHandThen{preset.edits, settings.region};
+    const RockSettings settings = part->settings.value_or(settings_);
+    const RockByHand byHandThen{part->edits, settings.region};
     turn(settings);
     if (byHandThen == byHand()) return;
     const bool replaces = byHand() != RockByHand{};

@@ -54,7 +54,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&beside_, &RocksBeside::found, this, &Rocks::takePreset);
     connect(&beside_, &RocksBeside::readEnded, this, [this] {
         follow();
-        if (restored_) restore(*std::exchange(restored_, std::nullopt));
+        setPart(std::exchange(restored_, std::nullopt));
     });
     connect(&beside_, &RocksBeside::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });

@@ -61,8 +61,10 @@ public:
     [[nodiscard]] const RockSettings& settings() const { return settings_; }
     /// The same as one step of undo; a slider that moves on makes one with what it did before.
     void turn(const RockSettings& settings);
+    /// Empty while they are not shown.
+    [[nodiscard]] std::optional<RockPreset> part() const;
     /// Settings and edits, as steps of undo, once what lies beside the scan is read.
-    void restore(const RockPreset& preset);
+    void setPart(const std::optional<RockPreset>& part);
 
     /// Cells: a rock is known by a cell of it, since its label changes with every setting. The last one is on the card.
     void select(std::vector<std::size_t> cells);

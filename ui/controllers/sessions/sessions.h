@@ -1,8 +1,9 @@
 // Sessions: saved as they change, opened, and gone on with after a crash.
 #pragma once
 
+#include "core/inspect/session_file/session_file.h"
 #include "ui/controllers/sessions/autosaves.h"
-#include "ui/controllers/sessions/desk.h"
+#include "ui/controllers/sessions/parts.h"
 #include "ui/engine/worker_bridge/newest.h"
 
 #include <QObject>
@@ -12,13 +13,21 @@
 #include <optional>
 #include <string>
 
+class QUndoStack;
+
 namespace edgescan::ui {
 
-/// GUI thread only; files are read and written on threads of their own.
+class Engine;
+class Files;
+class Live;
+class Memory;
+class NoticeBar;
+
+/// GUI thread only. What it is given must outlive it; files are read and written on threads of their own.
 class Sessions : public QObject {
     Q_OBJECT
 public:
-    explicit Sessions(const Desk& desk);
+    Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo, std::vector<StatePart> parts);
     /// What was not written yet is written now.
     ~Sessions() override;
 
@@ -58,8 +67,14 @@ private:
         std::uint64_t number = 0;
         QString trouble;
     };
-    void connectDesk();
     void changed();
+    /// The state now. Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not
+    /// being recorded.
+    [[nodiscard]] std::optional<ViewerState> taken() const;
+    [[nodiscard]] std::optional<SessionScan> scanTaken() const;
+    /// That the scan on the screen is that one.
+    [[nodiscard]] bool isShown(const SessionScan& scan) const;
+    void give(const ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
     [[nodiscard]] Written write(const Job& job); // worker's thread
     void take(const Written& written);
@@ -69,7 +84,13 @@ private:
     void followStream();
     void askForPlace(const QString& sentence);
 
-    Desk desk_;
+    Engine& engine_;
+    Files& files_;
+    Live& live_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    QUndoStack& undo_;
+    std::vector<StatePart> parts_; // in the order in which they are given back
     Autosaves autosaves_;
     QString file_; // the person's; of the scan below
     NotebookScan filed_;

@@ -54,7 +54,7 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
 
 void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
 
-void MarkedEdges::restore(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
+void MarkedEdges::setPart(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
 
 void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
     if (after == marks_) return;

@@ -30,11 +30,11 @@ public:
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
     /// All of them, as one step of undo.
-    void restore(const EdgeMarks& marks);
+    void setPart(const EdgeMarks& marks);
     /// Works out on a thread of its own which settings agree, and shows them.
     ~MarkedEdges() override { wanted_ = 0; }
     void propose();
-    [[nodiscard]] const EdgeMarks& marks() const { return marks_; }
+    [[nodiscard]] const EdgeMarks& part() const { return marks_; }
     [[nodiscard]] bool settled() const { return !working_; }
     /// Null before the first proposals.
     [[nodiscard]] ProposalsCard* card() const { return card_; }

@@ -24,7 +24,10 @@ void Selection::tellOfGrowth() {
                        tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
 }
 
-void Selection::restore(CellSet selected, CellSet hidden) { change(stepName("Open Session"), {std::move(selected), std::move(hidden)}); }
+void Selection::setPart(const SelectionPart& part) {
+    const std::size_t cells = engine_.picture()->detection->scan->cells();
+    change(stepName("Open Session"), {cellsOf(part.selected, cells), cellsOf(part.hidden, cells)});
+}
 
 void Selection::hideBeyond(double nearM, double farM) {
     if (engine_.picture()) hideToo(stepName("Range Gate"), cellsBeyond(*engine_.picture()->detection->scan, nearM, farM));

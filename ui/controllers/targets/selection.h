@@ -1,7 +1,7 @@
 // One selection of cells for both images, the cloud and exports; and what is hidden of the scan.
 #pragma once
 
-#include "core/inspect/measure/cell_sets.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/newest.h"
 #include "ui/views/cloud/point_pick.h"
 
@@ -37,7 +37,8 @@ public:
     /// Hides all but the selection.
     void isolateSelected();
     void showAll();
-    void restore(CellSet selected, CellSet hidden);
+    [[nodiscard]] SelectionPart part() const { return {runsOf(state_.selected), runsOf(state_.hidden)}; }
+    void setPart(const SelectionPart& part);
     /// Also hides what lies nearer or farther, metres.
     void hideBeyond(double nearM, double farM);
     /// The same with the range of a cell as one of the two.

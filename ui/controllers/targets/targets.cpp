@@ -193,10 +193,17 @@ void Targets::removeMeasure(std::size_t place) {
     change(stepName("Remove Measurement"), std::move(after));
 }
 
-void Targets::restore(const Notebook& notebook) {
-    if (notebook == notebook_) return;
-    change(stepName("Open Session"), notebook);
-    emit pinned();
+TargetsPart Targets::part() const {
+    const PinnedTarget* target = active();
+    return {notebook_, target == nullptr ? std::nullopt : std::optional(target->cell)};
+}
+
+void Targets::setPart(const TargetsPart& part) {
+    if (part.notebook != notebook_) {
+        change(stepName("Open Session"), part.notebook);
+        emit pinned();
+    }
+    if (part.active) views_.pin(*part.active);
 }
 
 void Targets::change(const QString& what, Notebook after) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edges/tuning/confidence.h"
-#include "core/inspect/measure/notebook.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/base/cell_marks.h"
 #include "ui/controllers/targets/target_store.h"
 #include "ui/engine/worker_bridge/newest.h"
@@ -71,8 +71,9 @@ public:
     void lock(int number, bool on);
     void keepMeasure(const KeptMeasure& measure);
     void removeMeasure(std::size_t place);
-    /// All of them, as one step of undo.
-    void restore(const Notebook& notebook);
+    [[nodiscard]] TargetsPart part() const;
+    /// As one step of undo.
+    void setPart(const TargetsPart& part);
     /// What is being picked for a measurement; no cells: nothing is.
     void showDraft(const MeasureMark& draft);
     /// Where the picture comes from, in words, for the cards.
