@@ -1,4 +1,4 @@
-// Appending with the way back.
+// Appends bytes; after a failed write it cuts the file back to its old length.
 #include "core/base/append_file.h"
 
 #include <cerrno>

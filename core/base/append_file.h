@@ -1,11 +1,11 @@
-// Bytes at the end of a file that grows: whole, or not at all.
+// Appends bytes to a growing file: either all of them are written, or the file stays as it was.
 #pragma once
 
 #include <string>
 
 namespace edgescan {
 
-/// What is written stands at the end of the open file wholly, or not at all. Gives 0 or the system's error number.
+/// Appends all of `bytes` to the open file, or leaves the file as it was. Returns 0 or the system's error number (errno).
 [[nodiscard]] int appendWhole(int file, const std::string& bytes);
 
 } // namespace edgescan

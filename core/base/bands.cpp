@@ -1,4 +1,4 @@
-// The thread that helps, started when it is first needed and kept: to start one takes longer than many a stage.
+// The second thread. It is started when it is first needed and then reused: starting a thread takes longer than many of the stages.
 #include "core/base/bands.h"
 
 #include <pthread.h>
@@ -15,12 +15,12 @@
 namespace edgescan {
 namespace {
 
-// Work that is shared out. It may outlive the call: whoever comes late finds all of it taken.
+// Work that is divided into shares. It may outlive the call: a thread that comes late finds that all shares are taken.
 class Shares {
 public:
     Shares(int count, const std::function<void(int)>& work) : count_(count), work_(&work) {}
 
-    /// Takes shares until none is left.
+    /// Takes shares until all are taken.
     void take() {
         for (int n = next_++; n < count_; n = next_++) {
             std::exception_ptr failure;
@@ -34,7 +34,7 @@ public:
             if (++done_ == count_) allDone_.notify_all();
         }
     }
-    /// Until all shares are done, wherever; throws what the first of them threw that failed.
+    /// Waits until all shares are done, on either thread. Throws the first exception that a share threw.
     void wait() {
         std::unique_lock lock(mutex_);
         allDone_.wait(lock, [this] { return done_ == count_; });
@@ -43,7 +43,7 @@ public:
 
 private:
     const int count_;
-    const std::function<void(int)>* work_; // not touched once all shares are taken
+    const std::function<void(int)>* work_; // not used after all shares are taken
     std::atomic<int> next_{0};
     std::mutex mutex_;
     std::condition_variable allDone_;
@@ -51,7 +51,7 @@ private:
     std::exception_ptr failure_;
 };
 
-// A second thread that takes shares of whoever asks for it.
+// A second thread that takes shares of the calling thread's work.
 class SecondThread {
 public:
     SecondThread() : thread_([this] { loop(); }) {}
@@ -65,7 +65,7 @@ public:
         wake_.notify_one();
         thread_.join();
     }
-    /// While a process is copied nobody else may hold the lock: its copy would stay locked.
+    /// While fork() copies the process, only the forking thread may hold the lock. Otherwise the lock would stay locked in the copy.
     std::mutex& mutex() { return mutex_; }
 
     void ask(std::shared_ptr<Shares> shares) {
@@ -95,7 +95,7 @@ private:
     std::condition_variable wake_;
     std::deque<std::shared_ptr<Shares>> waiting_;
     bool stop_ = false;
-    std::thread thread_; // the last, as it uses the others
+    std::thread thread_; // the last member: it uses the others
 };
 
 struct Second {
@@ -104,7 +104,7 @@ struct Second {
 };
 Second& second();
 
-// A copy of the process has no second thread: what was kept for it is left alone, and the next who asks starts another.
+// The copy of a process has no second thread. The copy leaves the old thread's object alone, and the next call starts a new thread.
 void beforeFork() {
     second().mutex.lock();
     if (second().thread) second().thread->mutex().lock();
@@ -128,7 +128,7 @@ Second& second() {
     return *only;
 }
 
-// Where no thread can be had, nobody is asked.
+// Does nothing if a second thread cannot be started.
 void askSecondThread(const std::shared_ptr<Shares>& shares) {
     const std::lock_guard lock(second().mutex);
     try {

@@ -1,4 +1,4 @@
-// The lines of a grid shared out among threads.
+// Divides the lines of a grid among threads.
 #pragma once
 
 #include <algorithm>
@@ -9,28 +9,30 @@
 
 namespace edgescan {
 
-/// How many threads work on a grid: `wanted`, or with 0 as many as pay.
+/// The number of threads that work on a grid: `wanted`, or with 0 as many as make it faster.
 [[nodiscard]] inline int bandsFor(std::size_t cells, int wanted) {
-    // Below, one thread is done before anybody waits. More than two gain little: each looks at lines of the next as well.
+    // A smaller grid is done by one thread before a second one has begun. More than two threads gain little, because each band also reads
+    // lines of the next band.
     constexpr std::size_t kCellsForTwo = 1000000;
     if (wanted > 0) return wanted;
     return cells >= kCellsForTwo && std::thread::hardware_concurrency() >= 2 ? 2 : 1;
 }
 
-/// Calls work(n) for 0 <= n < count, on this thread and on a second one where it comes in time: nobody waits for it to begin. Returns when
-/// all are done; throws what one of them threw.
+/// Calls work(n) for 0 <= n < count on this thread, and on a second one as soon as that one is free; this thread does not wait for it to
+/// begin. Returns when all calls are done. Throws what one of them threw.
 void shareOut(int count, const std::function<void(int)>& work);
 
-/// Calls each of these; on two threads if so many work on it.
+/// Calls each of these functions; on two threads if `threads` is more than 1.
 inline void onThreads(int threads, const std::vector<std::function<void()>>& parts) {
     if (threads > 1) return shareOut(static_cast<int>(parts.size()), [&](int n) { parts[static_cast<std::size_t>(n)](); });
     for (const std::function<void()>& part : parts) part();
 }
 
-/// Ends the second thread, which else waits for more until the process ends: before fork(). The next shareOut() starts it again.
+/// Ends the second thread, which otherwise waits for work until the process ends. Call it before fork(). The next shareOut() starts the
+/// thread again.
 void endSecondThread();
 
-/// The first line of a band; of the one after the last, the number of lines.
+/// The first line of a band. For the band behind the last one: the number of lines.
 [[nodiscard]] inline int firstOfBand(int lines, int bands, int band) {
     return static_cast<int>(static_cast<long long>(lines) * band / bands);
 }

@@ -1,4 +1,4 @@
-// Three bytes are four signs.
+// Three bytes become four characters.
 #include "core/base/base64.h"
 
 #include <array>

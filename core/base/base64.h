@@ -1,4 +1,4 @@
-// Bytes as text of 64 signs (RFC 4648), for pages and JSON.
+// Bytes as text of 64 characters (RFC 4648), for HTML pages and JSON.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 namespace edgescan {
 
 [[nodiscard]] std::string base64(std::string_view bytes);
-/// Empty when the text is none: another sign, or a length that is no multiple of four.
+/// Empty if the text is not Base64: another character, or a length that is not a multiple of four.
 [[nodiscard]] std::optional<std::string> bytesOfBase64(std::string_view text);
 
 } // namespace edgescan

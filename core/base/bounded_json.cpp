@@ -1,4 +1,4 @@
-// Builds a value from the events of nlohmann's parser and stops at the first event that is out of bounds.
+// Builds a value from the events of nlohmann's parser. It stops at the first event that is out of bounds.
 #include "core/base/bounded_json.h"
 
 #include "core/base/checked_size.h"
@@ -11,8 +11,9 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kMostKeysOfOne = 4096; // an ordered object looks through all of its keys for each new one
-constexpr std::uint64_t kBytesPerByte = 32;  // a value of two bytes of text takes sixteen, and twice that while its list grows
+constexpr std::size_t kMostKeysOfOne = 4096; // for each new key, an ordered object compares all of its keys
+// a value of two bytes of text takes sixteen bytes of memory, and twice that while its list grows
+constexpr std::uint64_t kBytesPerByte = 32;
 constexpr std::size_t kAskFrom = std::size_t{1} << 20U;
 constexpr std::size_t kLongestShown = 60;
 
@@ -27,7 +28,7 @@ public:
     bool number_unsigned(typename Json::number_unsigned_t value) override { return add(Json(value)); }
     bool number_float(typename Json::number_float_t value, const std::string&) override { return add(Json(value)); }
     bool string(std::string& value) override { return add(Json(std::move(value))); }
-    bool binary(typename Json::binary_t&) override { return false; } // JSON text has none
+    bool binary(typename Json::binary_t&) override { return false; } // JSON text cannot hold binary values
     bool start_object(std::size_t) override { return open(Json::object()); }
     bool start_array(std::size_t) override { return open(Json::array()); }
     bool end_object() override { return open_.pop_back(), true; }
@@ -66,7 +67,7 @@ private:
         open_.push_back(place(std::move(empty)));
         return true;
     }
-    /// Where the value has come to stand: a list does not grow while something inside is open.
+    /// Stores the value and returns its address. The address stays valid: a list does not grow while one of its elements is open.
     Json* place(Json value) {
         if (open_.empty()) return &(root_ = std::move(value));
         if (!open_.back()->is_array()) return &(*slot_ = std::move(value));

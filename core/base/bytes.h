@@ -1,4 +1,4 @@
-// Bytes as they come from files and sockets.
+// Bytes of files and sockets.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Sizes that files promise, multiplied and added without wrapping round: what is too large stays too large, and every check refuses it.
+// Products and sums of sizes that a file's header gives. They do not overflow: a size that is too large stays too large, and every check
+// refuses it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@ namespace edgescan {
 
 inline constexpr std::uint64_t kTooLarge = std::numeric_limits<std::uint64_t>::max();
 
-/// The product, or kTooLarge where 64 bits do not hold it.
+/// The product, or kTooLarge if it does not fit into 64 bits.
 [[nodiscard]] constexpr std::uint64_t productOf(std::initializer_list<std::uint64_t> factors) {
     std::uint64_t product = 1;
     bool large = false;
@@ -28,8 +29,8 @@ inline constexpr std::uint64_t kTooLarge = std::numeric_limits<std::uint64_t>::m
     return sum;
 }
 
-/// Bytes that so many packed bytes may unpack to, whatever the packing: scans shrink tenfold, bombs a thousandfold. The constant lets small
-/// files of much the same through.
+/// The most bytes that so many packed bytes may unpack to, for every compression. Scans shrink by a factor of ten, zip bombs by a thousand.
+/// The constant term allows small files of equal values.
 [[nodiscard]] constexpr std::uint64_t mostUnpackedBytes(std::uint64_t packed) {
     constexpr std::uint64_t kAlways = 8U << 20U;
     constexpr std::uint64_t kPerByte = 64;

@@ -1,4 +1,4 @@
-// A file that is not written yet.
+// A file in memory that is not written yet.
 #pragma once
 
 #include <filesystem>

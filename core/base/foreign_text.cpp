@@ -1,4 +1,4 @@
-// One decoder of UTF-8, and what is done with each character.
+// One UTF-8 decoder, and the treatment of each character.
 #include "core/base/foreign_text.h"
 
 #include "core/base/result.h"
@@ -11,7 +11,7 @@
 namespace edgescan {
 namespace {
 
-/// A character, or a byte that is part of none.
+/// A character, or a byte that does not belong to a character.
 struct Character {
     std::uint32_t code = 0;
     std::size_t bytes = 1;
@@ -35,7 +35,8 @@ Character characterAt(std::string_view text, std::size_t at) {
     return {code, bytes, true};
 }
 
-/// Controls, characters that nobody sees, and those that turn the direction of what follows (Unicode categories Cc, Cf, Zl, Zp).
+/// Control characters, invisible characters, and characters that change the direction of the following text (Unicode categories Cc, Cf, Zl,
+/// Zp).
 bool isHidden(std::uint32_t code) {
     struct Range {
         std::uint32_t first, last;
@@ -68,7 +69,7 @@ std::string shown(const Character& c, std::string_view bytes) {
     return c.code < 0x10000 ? "\\u" + hex(c.code, 4) : "\\U" + hex(c.code, 8);
 }
 
-/// As JSON writes a character in pure ASCII.
+/// A character as JSON writes it in pure ASCII.
 std::string jsonEscape(std::uint32_t code) {
     if (code < 0x10000) return "\\u" + hex(code, 4);
     const std::uint32_t rest = code - 0x10000;
@@ -78,7 +79,7 @@ std::string jsonEscape(std::uint32_t code) {
 } // namespace
 
 std::string printable(std::string_view text, std::size_t mostCharacters) {
-    // A character has four bytes at most: what is certainly left out is not looked at.
+    // A character has four bytes at most. Text that is certainly cut off is not decoded.
     const std::size_t looked = 4 * mostCharacters;
     const auto charactersOf = [](std::string_view part) {
         std::vector<std::string> characters;
@@ -119,14 +120,14 @@ std::string printableJson(std::string_view json) {
     result.reserve(json.size());
     const auto isPlain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n'; };
     for (std::size_t at = 0; at < json.size();) {
-        const std::size_t from = at; // nearly all of it is plain
+        const std::size_t from = at; // nearly all of the text is plain
         while (at < json.size() && isPlain(json[at])) ++at;
         result += json.substr(from, at - from);
         if (at == json.size()) break;
         const Character c = characterAt(json, at);
         if (!c.valid)
             result += "\\ufffd";
-        else if (c.code != '\n' && isHidden(c.code)) // a line break stands between values: inside a string JSON has none
+        else if (c.code != '\n' && isHidden(c.code)) // a line break can only be between values: JSON strings contain no line break
             result += jsonEscape(c.code);
         else
             result += json.substr(at, c.bytes);
@@ -140,13 +141,13 @@ std::string jsonWithoutFormulas(std::string_view json) {
     bool inString = false;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char c = json[i];
-        if (inString && c == '\\') { // an escape as it stands
+        if (inString && c == '\\') { // an existing escape is copied
             result += json.substr(i, 2);
             ++i;
             continue;
         }
         const bool beginsCell = i > 0 && std::string_view("\",; |").find(json[i - 1]) != std::string_view::npos;
-        const bool afterEscape = i > 1 && json[i - 2] == '\\'; // \t and the like are cut at by some readers
+        const bool afterEscape = i > 1 && json[i - 2] == '\\'; // some readers split text at \t and similar characters
         if (inString && (c == '=' || c == '@' || ((c == '+' || c == '-') && (beginsCell || afterEscape))))
             result += jsonEscape(static_cast<std::uint8_t>(c));
         else

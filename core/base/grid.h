@@ -1,4 +1,4 @@
-// One value per cell of a sweep: lines x beams, row-major. Cell k = line * beams + beam is pixel, measurement and point.
+// One value per cell of a sweep: lines x beams, row-major. Cell k = line * beams + beam is one pixel, one measurement and one point.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// A read lease makes whoever opens the file for writing wait until it is given back, for /proc/sys/fs/lease-break-time seconds at most;
-// where somebody has it open for writing already, there is none. All pages are there before anybody looks: a disk that cannot be read is
-// an error of the reading that follows, and no signal.
+// A read lease on the file makes a program that opens the file for writing wait until EdgeScan gives the lease back, at most
+// /proc/sys/fs/lease-break-time seconds. There is no lease if a program already has the file open for writing. All pages are loaded before
+// the bytes are used, so that an unreadable disk causes an error of the reading that follows, not a signal.
 #include "core/base/held_file.h"
 
 #include "core/base/memory.h"
@@ -20,17 +20,17 @@
 #include <optional>
 
 #ifndef MADV_POPULATE_READ
-#define MADV_POPULATE_READ 22 // Linux 5.14; older ones refuse it
+#define MADV_POPULATE_READ 22 // Linux 5.14; older kernels refuse it
 #endif
 
 namespace edgescan {
 namespace {
 
-constexpr std::uint64_t kLeast = std::uint64_t{1} << 20U;  // smaller files are read sooner
-constexpr std::uint64_t kMost = std::uint64_t{256} << 20U; // read and left again long before a lease can be broken
-constexpr int kLeastSeconds = 20;                          // that others wait
+constexpr std::uint64_t kLeast = std::uint64_t{1} << 20U;  // smaller files are read faster than mapped
+constexpr std::uint64_t kMost = std::uint64_t{256} << 20U; // such a file is read long before a lease can be broken
+constexpr int kLeastSeconds = 20;                          // seconds that a writer waits
 
-// Files of other machines may change under a lease of this one.
+// Another machine may change a file of a network file system in spite of a lease on this one.
 bool isOfThisMachine(int file) {
     static constexpr std::array<std::uint32_t, 4> kKinds{0xEF53, 0x58465342, 0x9123683E, 0x01021994}; // ext, XFS, Btrfs, tmpfs
     struct statfs system {};
@@ -48,7 +48,7 @@ bool othersWaitLongEnough() {
 }
 
 bool takeLease(int file) {
-    // The signal that somebody waits: one that is ignored unless it is asked for.
+    // The signal when a writer waits: SIGURG, which is ignored by default.
     return ::fcntl(file, F_SETSIG, SIGURG) == 0 && ::fcntl(file, F_SETLEASE, F_RDLCK) == 0;
 }
 
@@ -60,7 +60,7 @@ std::optional<std::span<const std::byte>> mappedUnderLease(int file) {
         return size >= kLeast && size <= kMost && checkMemory(size, {});
     };
     if (!isRight() || !isOfThisMachine(file) || !othersWaitLongEnough() || !takeLease(file)) return std::nullopt;
-    if (::fstat(file, &status) != 0 || !isRight()) return std::nullopt; // now it stays so
+    if (::fstat(file, &status) != 0 || !isRight()) return std::nullopt; // from here on the file cannot change
     const auto size = static_cast<std::size_t>(status.st_size);
     void* const at = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
     if (at == MAP_FAILED) return std::nullopt;
@@ -76,11 +76,11 @@ std::optional<std::span<const std::byte>> mappedUnderLease(int file) {
 HeldFile::~HeldFile() {
     if (lease_ < 0) return;
     ::munmap(const_cast<std::byte*>(mapped_.data()), mapped_.size());
-    ::close(lease_); // gives the lease back
+    ::close(lease_); // closing gives the lease back
 }
 
 Result<HeldFile> holdFile(const std::filesystem::path& path) {
-    // O_NONBLOCK: a pipe must not hang; it is refused by the reading.
+    // O_NONBLOCK: opening a pipe must not block; the reading refuses it.
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file >= 0) {
         if (const auto mapped = mappedUnderLease(file)) return HeldFile(*mapped, file);

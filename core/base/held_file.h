@@ -1,4 +1,4 @@
-// The bytes of a file that stay as they are while they are looked at.
+// The bytes of a file, which cannot change while EdgeScan uses them.
 #pragma once
 
 #include "core/base/result.h"
@@ -11,8 +11,8 @@
 
 namespace edgescan {
 
-/// All bytes of a regular file as they were when it was opened. Where the system keeps everybody from writing to the file until this ends
-/// (a lease, by its owner, on a file system of this machine), large ones are not copied but mapped; all others are read into memory.
+/// All bytes of a regular file as they were when it was opened. Large files are mapped instead of copied if the system can block writers
+/// until this object ends (a lease; for files of this user on a file system of this machine). All other files are read into memory.
 class HeldFile {
 public:
     explicit HeldFile(std::vector<std::byte> bytes) : copy_(std::move(bytes)) {}
@@ -32,7 +32,7 @@ private:
 
     std::vector<std::byte> copy_;
     std::span<const std::byte> mapped_;
-    int lease_ = -1; ///< the descriptor that has it
+    int lease_ = -1; ///< descriptor that holds the lease; -1: none
 };
 
 /// Errors as those of readWholeFile().

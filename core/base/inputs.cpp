@@ -1,4 +1,4 @@
-// Inputs by device and inode: names, links and cases of a name all lead there.
+// Identifies inputs by device and inode, so that every name, link and spelling of a name leads to the same input.
 #include "core/base/inputs.h"
 
 #include "core/base/whole_file.h"
@@ -24,8 +24,8 @@ std::optional<FileNumber> numberOf(const fs::path& path) {
     return FileNumber{status.st_dev, status.st_ino};
 }
 
-std::mutex mutex;                           // of the map
-std::multimap<FileNumber, fs::path> inputs; // with the name that each was read by
+std::mutex mutex;                           // protects the map
+std::multimap<FileNumber, fs::path> inputs; // with the name under which each was read
 
 } // namespace
 
@@ -81,7 +81,7 @@ Result<Done> checkIsNoInput(const fs::path& path) {
     const std::lock_guard lock(mutex);
     const auto [first, last] = inputs.equal_range(*number);
     for (auto entry = first; entry != last; ++entry) {
-        if (numberOf(entry->second) != number) continue; // it was replaced by somebody else since
+        if (numberOf(entry->second) != number) continue; // another program has replaced the file since
         const std::string read = entry->second.string();
         return Error{read == path.string() ? "this file was read as an input"
                                            : "this is the file that was read as an input under the name " + read,

@@ -1,4 +1,4 @@
-// The files that are in use as inputs: nothing that is written takes the place of one, by whatever name, link or case it is called.
+// The files in use as inputs. EdgeScan never overwrites an input, whatever name, link or spelling is used for it.
 #pragma once
 
 #include "core/base/result.h"
@@ -10,34 +10,34 @@
 
 namespace edgescan {
 
-/// The claims that were made on one thread while it was bound to them; they end with the last copy of the pointer.
+/// The inputs claimed on one thread while it was bound to them. The claims end with the last copy of the pointer.
 class InputClaims;
 
-/// From now on `path` is an input, until the claims that this thread is bound to end. Nothing happens where the thread is bound to none, or
-/// the path does not exist.
+/// Makes `path` an input until the claims that this thread is bound to end. Does nothing if the thread is not bound or the path does not
+/// exist.
 void claimInput(const std::filesystem::path& path);
 
-/// Claims the file and reads all of it, as readWholeFile().
+/// Claims the file and reads all of it, as readWholeFile() does.
 Result<std::vector<std::byte>> readInput(const std::filesystem::path& path);
 
-/// The paths that were claimed, in the order in which that was.
+/// The claimed paths, in the order in which they were claimed.
 [[nodiscard]] std::vector<std::filesystem::path> claimedPaths(const InputClaims& claims);
 
-/// Binds the thread for as long as this lives.
+/// Binds the thread during the lifetime of this object.
 class BindInputs {
 public:
     BindInputs();
     ~BindInputs();
     BindInputs(const BindInputs&) = delete;
     BindInputs& operator=(const BindInputs&) = delete;
-    /// To be kept as long as the inputs are in use.
+    /// Hold the pointer as long as the inputs are in use.
     [[nodiscard]] std::shared_ptr<const InputClaims> claims() const;
 
 private:
     std::shared_ptr<InputClaims> claims_, before_;
 };
 
-/// Error when `path` is an input by this or another name.
+/// Error if `path` is an input under this or another name.
 Result<Done> checkIsNoInput(const std::filesystem::path& path);
 
 } // namespace edgescan

@@ -15,7 +15,7 @@ namespace {
 
 using PlainJson = nlohmann::json;
 
-/// A key without its unit, for "did you mean".
+/// A key without its unit, for the hint "did you mean".
 std::string withoutUnit(const std::string& key) {
     static const std::vector<std::string> units{"_deg", "_mil", "_rad", "_mm", "_cm", "_m", "_s", "_ms"};
     for (const std::string& unit : units) {

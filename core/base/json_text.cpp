@@ -1,4 +1,4 @@
-// nlohmann's dump() with its traps closed.
+// nlohmann's dump(), without exceptions and without unprintable characters.
 #include "core/base/json_text.h"
 
 #include "core/base/foreign_text.h"

@@ -1,4 +1,4 @@
-// Available memory, from /proc/meminfo, the control groups (versions 2 and 1) and the limit of the address space.
+// Available memory: from /proc/meminfo, the control groups (versions 2 and 1) and the limit of the address space.
 #include "core/base/memory.h"
 
 #include "core/base/number_text.h"
@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t kAnyMachine = std::uint64_t{1} << 60; ///< version 1 says "no limit" with a number close to 2^63
-constexpr std::uint64_t kNotAsked = std::uint64_t{1}
-                                    << 20; ///< asking costs a quarter of a millisecond; what starts a program is more than this
+constexpr std::uint64_t kAnyMachine = std::uint64_t{1} << 60; ///< version 1 says "no limit" with a number near 2^63
+/// the question takes a quarter of a millisecond; the start of a program needs more memory than this
+constexpr std::uint64_t kNotAsked = std::uint64_t{1} << 20;
 
 std::optional<std::uint64_t> numberIn(const fs::path& path) {
     std::ifstream file(path);
@@ -40,17 +40,17 @@ std::optional<std::uint64_t> numberAfter(const fs::path& path, std::string_view 
     std::string key, rest;
     std::uint64_t value = 0;
     while (file >> key >> value) {
-        std::getline(file, rest); // a unit
+        std::getline(file, rest); // skips the unit
         if (key == wanted) return value;
     }
     return std::nullopt;
 }
 
-/// The two versions of control groups name their files differently.
+/// The two versions of control groups use different file names.
 struct GroupFiles {
     const char* limit;
     const char* used;
-    const char* reclaimable; ///< in memory.stat: pages of files that are given up at once when memory is wanted
+    const char* reclaimable; ///< key in memory.stat: pages of files that the system gives up at once when memory is needed
 };
 constexpr GroupFiles kVersion2{"memory.max", "memory.current", "inactive_file"};
 constexpr GroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
@@ -64,13 +64,13 @@ std::uint64_t leftIn(const fs::path& group, const GroupFiles& files) {
     return *limit - std::min(*limit, taken);
 }
 
-/// The least that is left on the way from `root`/`path` up to `root`. A path that is not there is that of another name space: `root` is
-/// ours.
+/// The smallest amount left in the groups from `root`/`path` up to `root`. A path that does not exist belongs to another name space; then
+/// `root` is the process's own group.
 std::uint64_t leftOnTheWay(const fs::path& root, const fs::path& path, const GroupFiles& files) {
     std::uint64_t left = leftIn(root, files);
     fs::path group = root;
     for (const fs::path& part : path.relative_path()) {
-        if (part == "..") break; // seen from inside a name space: above what can be looked at
+        if (part == "..") break; // inside a name space: the groups above cannot be read
         group /= part;
         left = std::min(left, leftIn(group, files));
     }
@@ -80,7 +80,7 @@ std::uint64_t leftOnTheWay(const fs::path& root, const fs::path& path, const Gro
 std::uint64_t addressSpaceLeft() {
     rlimit limit{};
     if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNoLimit;
-    const auto pages = numberIn("/proc/self/statm"); // the first number: the whole address space
+    const auto pages = numberIn("/proc/self/statm"); // the first number: the size of the whole address space
     const std::uint64_t used = pages.value_or(0) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
     return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }

@@ -1,4 +1,4 @@
-// Digits by std::to_chars, which rounds as printf does and knows no locale.
+// Writes digits by std::to_chars, which rounds like printf and does not depend on the locale.
 #include "core/base/number_text.h"
 
 #include <cmath>
@@ -47,7 +47,7 @@ std::optional<double> numberOf(std::string_view text) {
     double value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size() || text.empty()) return std::nullopt;
-    if (code == std::errc::result_out_of_range) { // 1e999 is as good as infinite, 1e-999 as good as 0
+    if (code == std::errc::result_out_of_range) { // 1e999 is read as infinite, 1e-999 as 0
         const std::size_t exponent = text.find_first_of("eE");
         const bool tiny = exponent != std::string_view::npos && text.substr(exponent + 1).starts_with('-');
         return tiny ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), text[0] == '-' ? -1.0 : 1.0);

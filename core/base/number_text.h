@@ -1,4 +1,4 @@
-// Numbers as text for people and files, whatever the locale.
+// Numbers as text for people and files, independent of the locale.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace edgescan {
 
-/// "-12.345" with so many decimals; a zero is never "-0.000".
+/// "-12.345" with `decimals` decimals; zero is never written as "-0.000".
 [[nodiscard]] std::string fixedText(double value, int decimals);
 void appendFixed(std::string& text, double value, int decimals);
 
-/// At most so many digits that count, with an exponent where it is shorter: "0.0123", "1.2e+06" (printf's %g).
+/// At most `digits` significant digits, with an exponent if that is shorter: "0.0123", "1.2e+06" (printf's %g).
 [[nodiscard]] std::string significantText(double value, int digits);
 
-/// The fewest digits that are read back as the same number; written out below 1e15: "250000", "0.1".
+/// The fewest digits that are read back as the same number; without exponent below 1e15: "250000", "0.1".
 [[nodiscard]] std::string shortestText(double value);
 
-/// The same for files, with an exponent wherever that is shorter. Floats keep the few digits of a float.
+/// The same for files, with an exponent wherever that is shorter. A float gets no more digits than a float needs.
 template <class Number>
 void appendShortest(std::string& text, Number value) {
-    if (value != value) { // whatever its sign
+    if (value != value) { // NaN, with either sign
         text += "nan";
         return;
     }
@@ -31,16 +31,16 @@ void appendShortest(std::string& text, Number value) {
     text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
-/// The nearest multiple of 1 / `parts`: a number that is written with few digits.
+/// The nearest multiple of 1 / `parts`, so that the number is written with few digits.
 [[nodiscard]] double rounded(double value, double parts);
 
-/// The number that a text is from its first character to its last: "12", "-1.5e3", "+2", "nan", "inf". Empty for anything else.
+/// The number that the whole text represents: "12", "-1.5e3", "+2", "nan", "inf". Empty for any other text.
 [[nodiscard]] std::optional<double> numberOf(std::string_view text);
 
-/// Capital letters A to Z made small, whatever the locale: in Turkish an I would become another letter.
+/// Changes capital letters A to Z to small ones, independent of the locale: in Turkish an I would become another letter.
 [[nodiscard]] std::string asciiLower(std::string_view text);
 
-/// Text with blanks before it until it is so wide.
+/// The text with blanks before it, so that it has at least this width.
 [[nodiscard]] std::string rightAligned(const std::string& text, std::size_t width);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// The n-th smallest of numbers; the median.
+// The n-th smallest of several numbers; the median.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace edgescan {
 
-/// What stands at place `n` once the values are in order; n < their count. Moves the values.
+/// The value at place `n` of the sorted values; n < their count. Reorders the values.
 template <class T>
 [[nodiscard]] T valueInOrder(std::vector<T>& values, std::size_t n) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(n);
@@ -18,24 +18,25 @@ template <class T>
     return *place;
 }
 
-/// The value that a share of them, 0 to 1, lies below. There is at least one; moves the values.
+/// The value that a share (0 to 1) of the values is below. Needs at least one value; reorders the values.
 template <class T>
 [[nodiscard]] T quantile(std::vector<T>& values, double share) {
     return valueInOrder(values, static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
-/// The middle value; of an even number the upper of the two; `none` where there is no value.
+/// The middle value; of an even number the upper of the two; `none` if there are no values.
 template <class T>
 [[nodiscard]] T median(std::vector<T> values, T none = {}) {
     return values.empty() ? none : valueInOrder(values, values.size() / 2);
 }
 
-/// What valueInOrder() would give for many floats, in two passes over them. Values from 0 up, no NaN.
+/// The result of valueInOrder() for many floats, in two passes over them. The values must be 0 or more, without NaN.
 [[nodiscard]] inline float nthSmallest(std::span<const float> values, std::size_t n) {
-    // Bits of numbers from 0 up are in the order of the numbers: the upper ones tell the neighbourhood, a few per cent of the values.
+    // The bits of non-negative floats are in the order of the numbers. The upper bits give the interval of the result, which holds a few
+    // per cent of the values.
     constexpr unsigned kLower = 17;
     const auto neighbourhood = [](float value) { return (std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFU) >> kLower; };
-    std::vector<std::uint32_t> counts(std::size_t{1} << (31 - kLower)); // no sign
+    std::vector<std::uint32_t> counts(std::size_t{1} << (31 - kLower)); // without the sign bit
     for (const float value : values) ++counts[neighbourhood(value)];
     std::uint32_t wanted = 0;
     while (n >= counts[wanted]) n -= counts[wanted++];

@@ -1,5 +1,5 @@
-// Limits that physics and surveying set to the numbers of files, flags and settings: beyond them nothing was measured. One table for all
-// readers; docs/formats.md shows it.
+// Limits for the numbers of files, flags and settings, set by physics and surveying. A number outside its limits cannot be a measurement.
+// All readers use this one table; docs/formats.md shows it.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@ struct NumberLimits {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
 
-    /// False for what is no number.
+    /// False for NaN.
     [[nodiscard]] constexpr bool hold(double value) const { return value >= least && value <= most; }
 };
 
 /// One row of the table.
 struct PhysicalLimit {
     const char* what;
-    const char* unit; ///< empty: a plain number
+    const char* unit; ///< empty: a number without unit
     NumberLimits limits;
     const char* why;
-    bool zero = true; ///< 0 is among them
+    bool zero = true; ///< whether 0 is allowed
 
     [[nodiscard]] constexpr bool hold(double value) const { return limits.hold(value) && (zero || value != 0.0); }
 };

@@ -1,4 +1,4 @@
-// Reading what has no length beforehand.
+// Reads a stream whose length is unknown.
 #include "core/base/pipe.h"
 
 #include "core/base/memory.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr auto kLongestWithoutWriter = std::chrono::seconds(10);
 
-/// An open descriptor, closed unless it is standard input.
+/// An open descriptor, closed at the end unless it is standard input.
 struct Opened {
     int number = -1;
     explicit Opened(const fs::path& path)
@@ -49,11 +49,11 @@ Result<std::vector<std::byte>> readPipe(const fs::path& path, const std::functio
     if (pipe.number < 0) return pipeError(path, errno);
     if (::isatty(pipe.number) == 1) return Error{"this is a keyboard, not a scan", path.string(), "give a file, or pipe one in"};
     struct stat status {};
-    const bool device = ::fstat(pipe.number, &status) == 0 && S_ISCHR(status.st_mode); // may well be without an end
+    const bool device = ::fstat(pipe.number, &status) == 0 && S_ISCHR(status.st_mode); // a device may have no end
     const auto start = std::chrono::steady_clock::now();
     std::vector<std::byte> bytes;
     std::array<std::byte, 65536> part;
-    bool written = path == kStandardInput; // whoever started the program has opened it
+    bool written = path == kStandardInput; // the program's parent has opened it
     while (true) {
         constexpr int kAskedAfterMs = 100;
         pollfd wait{pipe.number, POLLIN, 0};
@@ -71,7 +71,7 @@ Result<std::vector<std::byte>> readPipe(const fs::path& path, const std::functio
         if (device) return Error{"this is a device, not a scan", path.string(), "choose a file"};
         written = true;
         if (bytes.size() + static_cast<std::size_t>(count) > bytes.capacity()) {
-            constexpr std::uint64_t kWhileItGrows = 6; // old and new beside each other, and what is made of them
+            constexpr std::uint64_t kWhileItGrows = 6; // the old and the new buffer at the same time, and the scan made from them
             if (auto enough = checkMemory(kWhileItGrows * (bytes.size() + part.size()), path.string()); !enough)
                 return Error{enough.error().what, path.string(), "save what it gives to a file and open that"};
         }

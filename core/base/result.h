@@ -1,4 +1,4 @@
-// A value, or one sentence for a person that says why there is none.
+// A value, or one sentence for a person that says why there is no value.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace edgescan {
 
-/// Why the outside world said no. `where` is a path, "path:line 12", "path: byte 96" or a host; it may be empty.
+/// The reason why something outside the program failed. `where` is a path, "path:line 12", "path: byte 96" or a host; it may be empty.
 struct Error {
-    std::string what;  ///< what is wrong, without a final stop
-    std::string where; ///< where it is wrong
-    std::string hint;  ///< what the person can do about it, without a final stop
+    std::string what;  ///< the fault, without a final full stop
+    std::string where; ///< the place of the fault
+    std::string hint;  ///< the remedy, without a final full stop
 
-    /// "where: what; hint.", printable and short whatever a file or a name put into it (foreign_text.h).
+    /// "where: what; hint.", printable and short, whatever a file or a name contains (foreign_text.h).
     [[nodiscard]] std::string sentence() const;
 };
 
-/// Used wherever the outside world can say no: files, sockets, telegrams, settings text.
+/// Used wherever something outside the program can fail: files, sockets, telegrams, text of settings.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -35,7 +35,7 @@ private:
     std::variant<T, Error> content_;
 };
 
-/// The value of a Result that has nothing to carry but success.
+/// The value of a Result that reports only success.
 struct Done {};
 
 } // namespace edgescan

@@ -1,5 +1,5 @@
-// SHA-256 by OpenSSL's own functions for it. Its newer interface reads the system's settings for certificates before the first hash, which
-// takes longer than to hash a megabyte.
+// SHA-256 by OpenSSL's functions for SHA-256 alone. OpenSSL's newer interface reads the system's certificate settings before the first
+// hash, which takes longer than hashing a megabyte.
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "core/base/sha256.h"
 
@@ -49,7 +49,7 @@ std::string sha256Hex(std::span<const std::byte> bytes) {
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path) {
-    // O_NONBLOCK: opening a pipe that nobody writes to must not hang; it is refused just below.
+    // O_NONBLOCK: opening a pipe without a writer must not block; the check below refuses it.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     const std::unique_ptr<std::FILE, CloseFile> file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"));
     if (!file) return Error{std::string("the file cannot be opened: ") + std::strerror(errno), path.string(), "check the path"};

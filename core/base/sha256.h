@@ -13,7 +13,7 @@ struct SHA256state_st; // OpenSSL's
 
 namespace edgescan {
 
-/// Of bytes that come piece by piece.
+/// SHA-256 of bytes that arrive in pieces.
 class Sha256 {
 public:
     Sha256();
@@ -22,7 +22,7 @@ public:
     Sha256& operator=(const Sha256&) = delete;
 
     void add(std::span<const std::byte> bytes);
-    /// 64 lower-case hex digits. Nothing may be added afterwards.
+    /// 64 lower-case hex digits. Call add() only before this.
     [[nodiscard]] std::string hex();
 
 private:
@@ -32,7 +32,7 @@ private:
 /// 64 lower-case hex digits.
 [[nodiscard]] std::string sha256Hex(std::span<const std::byte> bytes);
 
-/// The same for a file, read in pieces, so of any size. Error: no regular file, or it cannot be read.
+/// The same for a file of any size, read in pieces. Error: not a regular file, or it cannot be read.
 Result<std::string> sha256OfFile(const std::filesystem::path& path);
 
 } // namespace edgescan

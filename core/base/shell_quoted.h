@@ -1,4 +1,4 @@
-// Text as one word of a shell.
+// Text quoted as one word of a shell.
 #pragma once
 
 #include "core/base/foreign_text.h"
@@ -7,8 +7,8 @@
 
 namespace edgescan {
 
-/// In single quotes, as a POSIX shell takes it for one word. With characters in it that are not printable() as $'...' with octal numbers,
-/// which bash, zsh and ksh know: pasted as they are they would be keys to the terminal.
+/// In single quotes, so that a POSIX shell reads it as one word. Text with unprintable characters (see printable()) is written as $'...'
+/// with octal numbers, which bash, zsh and ksh read: pasted unquoted, such characters would act as key presses in the terminal.
 [[nodiscard]] inline std::string shellQuoted(const std::string& text) {
     const bool controls = printable(text, text.size() + 1) != text;
     std::string result = controls ? "$'" : "'";

@@ -1,6 +1,6 @@
-// Loops that are compiled several times, with the processor choosing: for any x86-64, for AVX2, and for AVX-512 (x86-64-v4) where the
-// compiler can. All give the same bits: no operation is fused or reordered (-ffp-contract=off, no -ffast-math). Elsewhere, and under
-// sanitizers that cannot bear the choosing, once.
+// Loops that are compiled several times: for any x86-64, for AVX2, and for AVX-512 (x86-64-v4) if the compiler supports it. The processor
+// chooses at run time. All versions give the same bits: no operation is fused or reordered (-ffp-contract=off, no -ffast-math). On other
+// processors, and under sanitizers that do not support this choice, the loop is compiled once.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace edgescan {
 
-/// Cells of a line that are worked on together, where the compiler alone cannot make vectors of a loop over a line: sixteen where the
-/// processor has EDGESCAN_SIMD_WIDE, else four, for what it has not is done cell by cell.
+/// Cells of a line that are processed together, for loops over a line that the compiler alone cannot vectorise: sixteen if the processor
+/// has EDGESCAN_SIMD_WIDE, otherwise four, because a wider vector would be processed cell by cell.
 using FourLanes = float __attribute__((vector_size(16)));
 using SixteenLanes = float __attribute__((vector_size(64)));
 inline constexpr int kMostLanes = 16;
@@ -36,7 +36,7 @@ template <class Lanes>
 inline __attribute__((always_inline)) void store(float* to, const Lanes& lanes) {
     std::memcpy(to, &lanes, sizeof lanes);
 }
-/// The largest of `kCount` values, a power of two, by halves.
+/// The largest of `kCount` values (a power of two), found by halving.
 template <int kCount>
 inline __attribute__((always_inline)) float largest(const float* values) {
     if constexpr (kCount == 1) {

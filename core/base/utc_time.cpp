@@ -1,4 +1,4 @@
-// ISO 8601 by hand: no locale, no time zone.
+// ISO 8601 without library functions: independent of locale and time zone.
 #include "core/base/utc_time.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace edgescan {
 namespace {
 
-/// Digits [from, from + count); empty when there is anything else.
+/// The number in the digits [from, from + count); empty if there is any other character.
 std::optional<int> digitsAt(std::string_view text, std::size_t from, std::size_t count) {
     if (from + count > text.size()) return std::nullopt;
     int value = 0;

@@ -7,10 +7,10 @@
 
 namespace edgescan {
 
-/// Empty when it is no such time. Digits after the second are optional, the Z is not.
+/// Empty if the text is not such a time. Digits after the second are optional, the Z is not.
 [[nodiscard]] std::optional<double> parseUtc(std::string_view text);
 
-/// With milliseconds; empty for a number that is no time.
+/// With milliseconds; empty for a number that is not a time.
 [[nodiscard]] std::string utcText(double seconds);
 
 /// Now, by the computer's clock.

@@ -1,4 +1,4 @@
-// The program's version, as CMake's project() says it.
+// The program's version, from CMake's project().
 #pragma once
 
 namespace edgescan {
@@ -6,7 +6,7 @@ namespace edgescan {
 /// "0.1.0".
 [[nodiscard]] const char* version();
 
-/// The commit it was built from, "unknown" where nobody said.
+/// The commit of the sources, or "unknown" if the build did not set it.
 [[nodiscard]] const char* commit();
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Writing through a temporary and a rename; reading in one go.
+// Writes through a temporary file and a rename; reads a whole file.
 #include "core/base/whole_file.h"
 
 #include "core/base/inputs.h"
@@ -39,7 +39,7 @@ private:
     int number_;
 };
 
-/// A temporary file that goes away unless it was renamed.
+/// A temporary file, removed at the end unless it was renamed.
 struct Temporary {
     fs::path path;
     fs::path target;
@@ -100,7 +100,7 @@ Error readError(const fs::path& path, int code) {
     }
 }
 
-/// 0, or the errno that stopped the writing.
+/// Returns 0, or the errno of the failed write.
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
@@ -111,12 +111,12 @@ int writeAll(int descriptor, std::span<const std::byte> bytes) {
     return 0;
 }
 
-/// Where a path leads to through its links. Somebody else could have laid a link here to have one of our files overwritten.
+/// The file that a path leads to through its links. Another user could place a link here so that EdgeScan overwrites one of our files.
 Result<fs::path> finalTarget(const fs::path& path) {
     std::error_code problem;
     if (fs::is_directory(path, problem)) return writeError(path, EISDIR);
     if (!path.has_filename()) return Error{"there is no file name to write to", path.string(), "give a file name"};
-    constexpr int kMostLinks = 40; // as the kernel follows
+    constexpr int kMostLinks = 40; // the kernel's limit
     fs::path target = path;
     for (int links = 0; links <= kMostLinks; ++links) {
         struct stat status {};
@@ -132,24 +132,24 @@ Result<fs::path> finalTarget(const fs::path& path) {
 
 fs::path temporaryNameFor(const fs::path& target) {
     static std::atomic<unsigned> serial{0};
-    // A short name of its own, so that a target name of the greatest length allowed still works.
+    // A short name that does not depend on the target's name, so that a target name of the greatest allowed length still works.
     const std::string name = ".edgescan-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".part";
     return target.parent_path() / name;
 }
 
-/// All bytes on the disk under a temporary name beside the target.
+/// Writes all bytes to the disk under a temporary name in the folder of the target.
 Result<Temporary> writeTemporary(const fs::path& path, const fs::path& target, std::span<const std::byte> bytes) {
     Temporary temporary(temporaryNameFor(target), target);
-    // The mode is what a plain open() would give, or that of the file that is replaced.
+    // The mode is that of a plain open(), or that of the file that is replaced.
     struct stat old {};
     const bool replaces = ::stat(target.c_str(), &old) == 0;
-    ::unlink(temporary.path.c_str()); // left by a killed program that had our process number
+    ::unlink(temporary.path.c_str()); // left by a killed program with the same process number
     Descriptor file(::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.number() < 0) {
-        temporary.renamed = true; // nothing of ours to remove
+        temporary.renamed = true; // the temporary file is not ours: do not remove it
         return writeError(path, errno);
     }
-    if (replaces) static_cast<void>(::fchmod(file.number(), old.st_mode & 0777U)); // not worth failing for
+    if (replaces) static_cast<void>(::fchmod(file.number(), old.st_mode & 0777U)); // a wrong mode is not a reason to fail
     if (const int code = writeAll(file.number(), bytes)) return writeError(path, code);
     if (::fsync(file.number()) != 0 && errno != EINVAL) return writeError(path, errno);
     if (::close(file.release()) != 0 && errno != EINTR) return writeError(path, errno);
@@ -165,7 +165,7 @@ void syncFolder(const fs::path& file) {
 constexpr std::chrono::seconds kReaderComesWithin{3};
 constexpr std::chrono::seconds kReaderReadsWithin{30};
 
-/// Opens for writing without waiting for ever: a pipe can be opened only once somebody reads from it.
+/// Opens for writing and does not wait for ever: opening a pipe for writing works only after a program opened it for reading.
 Result<int> openDevice(const fs::path& path) {
     const auto until = std::chrono::steady_clock::now() + kReaderComesWithin;
     while (true) {
@@ -179,7 +179,7 @@ Result<int> openDevice(const fs::path& path) {
     }
 }
 
-/// As long as this lives, a pipe whose reader goes away is an errno and no signal that ends the program.
+/// During the lifetime of this object, a closed reader of a pipe causes an errno instead of a signal that ends the program.
 class NoBrokenPipe {
 public:
     NoBrokenPipe() {
@@ -227,7 +227,7 @@ Result<Done> writeDevice(const fs::path& path, std::span<const std::byte> bytes)
 
 bool isStandardOutput(const fs::path& path) { return path == "-" || (!path.has_parent_path() && path.native().starts_with("-.")); }
 
-// Renaming over /dev/null or a pipe would destroy it; those are written to as they are.
+// A rename would destroy /dev/null or a pipe, so these are written to directly.
 bool isDevice(const fs::path& path) {
     if (isStandardOutput(path)) return true;
     std::error_code problem;
@@ -264,7 +264,7 @@ Result<Done> writeWholeFile(const fs::path& path, std::span<const std::byte> byt
 Result<Done> writeWholeFile(const fs::path& path, const std::string& text) { return writeWholeFile(path, std::as_bytes(std::span(text))); }
 
 Result<std::vector<std::byte>> readWholeFile(const fs::path& path, std::uint64_t most) {
-    // O_NONBLOCK: opening a pipe that nobody writes to must not hang; it is refused just below.
+    // O_NONBLOCK: opening a pipe without a writer must not block; the check below refuses it.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0) return readError(path, errno);
     struct stat status {};
@@ -276,7 +276,7 @@ Result<std::vector<std::byte>> readWholeFile(const fs::path& path, std::uint64_t
         return Error{"the file is too large for what it should be: " + sizeText(size) + ", and at most " + sizeText(most) + " are read",
                      path.string(), "choose another file"};
     if (auto enough = checkMemory(size, path.string()); !enough) return enough.error();
-    // A vector clears what it grows by: piece by piece, so that the cache still has it when it is read into.
+    // resize() clears the new elements. In pieces, the memory is still in the cache when the file is read into it.
     constexpr std::size_t kPiece = std::size_t{1} << 18U;
     std::vector<std::byte> bytes;
     bytes.reserve(size);

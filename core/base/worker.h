@@ -1,4 +1,4 @@
-// A thread that works on what was asked for last. Newest wins, both ways: posting overwrites what waits, an unread result is overwritten.
+// A thread that works on the newest request. A new request replaces the one that waits; a new result replaces an unread one.
 #pragma once
 
 #include <condition_variable>
@@ -15,8 +15,8 @@ namespace edgescan {
 template <class Request, class Result>
 class Worker {
 public:
-    /// Both are called on the worker's thread: `run` with the newest request; `ready` whenever take() or takeFailure() has something new.
-    /// The next run waits until it returns.
+    /// Both functions are called on the worker's thread: `run` with the newest request; `ready` when take() or takeFailure() has something
+    /// new. The next run waits until `ready` returns.
     Worker(std::function<Result(const Request&)> run, std::function<void()> ready)
         : run_(std::move(run)), ready_(std::move(ready)), thread_([this] { loop(); }) {}
     ~Worker() {
@@ -38,19 +38,19 @@ public:
         wake_.notify_one();
     }
 
-    /// The newest result that nobody took yet.
+    /// The newest result that was not taken yet.
     [[nodiscard]] std::optional<Result> take() {
         const std::lock_guard lock(mutex_);
         return std::exchange(unread_, std::nullopt);
     }
 
-    /// What the last run threw; empty when it gave a result. Asking clears it.
+    /// The exception text of the last run; empty if the run gave a result. The call clears it.
     [[nodiscard]] std::string takeFailure() {
         const std::lock_guard lock(mutex_);
         return std::exchange(failure_, {});
     }
 
-    /// Something was posted whose result is not ready yet.
+    /// A request was posted whose result is not ready yet.
     [[nodiscard]] bool busy() const {
         const std::lock_guard lock(mutex_);
         return waiting_ || running_;
@@ -72,7 +72,7 @@ private:
             } catch (const std::exception& error) {
                 failure = error.what();
             }
-            request.reset(); // as the results below: what is large is let go of while nobody waits for the lock
+            request.reset(); // large objects are freed while the lock is not held; the same applies to the results below
             lock.lock();
             running_ = false;
             failure_ = std::move(failure);
@@ -93,7 +93,7 @@ private:
     std::string failure_;
     bool running_ = false;
     bool stop_ = false;
-    std::thread thread_; // last: starts when all the rest is there
+    std::thread thread_; // last member: the thread starts when all the others exist
 };
 
 } // namespace edgescan

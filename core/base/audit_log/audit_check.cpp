@@ -1,4 +1,4 @@
-// Walks through a log and compares each line with its neighbours.
+// Reads a log and compares each line with its neighbours.
 #include "core/base/audit_log/audit_check.h"
 
 #include "core/base/whole_file.h"
@@ -14,7 +14,7 @@ namespace {
 struct Placed {
     std::uint64_t place;
     std::size_t bytes;
-    std::optional<AuditLine> line; // empty: its bytes are not those that were written
+    std::optional<AuditLine> line; // empty: the bytes of the line were altered
 };
 
 std::vector<Placed> placedLines(std::string_view text) {
@@ -30,7 +30,7 @@ std::vector<Placed> placedLines(std::string_view text) {
     return lines;
 }
 
-// A torn line that the next one owns up to.
+// Whether the next line reports that a crash tore this line.
 bool isRecovered(const std::vector<Placed>& lines, std::size_t i) {
     if (lines[i].line || i + 1 >= lines.size() || !lines[i + 1].line) return false;
     const AuditLine& next = *lines[i + 1].line;
@@ -40,7 +40,7 @@ bool isRecovered(const std::vector<Placed>& lines, std::size_t i) {
 
 std::string numbered(std::uint64_t n) { return "line " + std::to_string(n); }
 
-// What lies between the last good line and this one. `altered`: lines between them that are not as they were written.
+// Finds faults between the last good line and the current one. `altered`: altered lines between these two.
 class Walk {
 public:
     explicit Walk(const std::vector<Placed>& lines) {
@@ -67,7 +67,7 @@ public:
         if (follows && altered_ == 0 && line.before != before_)
             check.faults.push_back({AuditFaultKind::Altered, placed.place - 1, line.n - 1,
                                     "what stood before " + numbered(placed.place) + " of the file was replaced by another line"});
-        if (!follows) tellMissing(placed, line, check);
+        if (!follows) reportMissing(placed, line, check);
         expected_ = line.n + 1;
         altered_ = 0;
         before_ = line.sha256;
@@ -75,14 +75,14 @@ public:
     }
 
 private:
-    // Lines are missing here: they stand elsewhere, or are gone.
-    void tellMissing(const Placed& placed, const AuditLine& line, AuditCheck& check) {
+    // Lines are missing at this place: they were moved to another place of the file, or deleted.
+    void reportMissing(const Placed& placed, const AuditLine& line, AuditCheck& check) {
         std::vector<std::uint64_t> gone;
         for (std::uint64_t n = expected_; n < line.n && gone.size() < 1000; ++n) {
             if (!there_.contains(n)) gone.push_back(n);
         }
         gone.erase(gone.begin(), gone.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(altered_, gone.size())));
-        if (gone.empty()) return; // told where they stand now
+        if (gone.empty()) return; // these are reported at their present place
         std::string which = numbered(gone.front());
         if (gone.size() > 1) which += " and " + std::to_string(gone.size() - 1) + " more";
         check.faults.push_back({AuditFaultKind::Dropped, placed.place, gone.front(),

@@ -1,4 +1,4 @@
-// Lines with hashes, appended under a lock.
+// Appends lines with hashes while it holds a lock on the file.
 #include "core/base/audit_log/audit_log.h"
 
 #include "core/base/append_file.h"
@@ -32,7 +32,7 @@ constexpr JsonBounds kLineJson{std::size_t{1} << 20U, 8, 10'000};
 
 std::string hashOf(std::string_view text) { return sha256Hex(std::as_bytes(std::span(text))); }
 
-// A file that is open and locked, as long as this lives.
+// A file that is open and locked during the lifetime of this object.
 class LockedFile {
 public:
     explicit LockedFile(const std::filesystem::path& path)
@@ -53,7 +53,7 @@ private:
     int file_, code_;
 };
 
-// The end of the file: the last line that is whole, and what a crash left behind it.
+// The end of the file: the last complete line, and the bytes behind it that a crash left.
 struct Tail {
     std::string lastLine, torn;
 };
@@ -119,7 +119,7 @@ Result<Done> AuditLog::append(const std::string& event, const Json& details) con
         line.before = last->sha256;
     }
     std::string text;
-    if (!tail->torn.empty()) { // it stays for whoever looks into it
+    if (!tail->torn.empty()) { // the torn line stays in the file as evidence
         const AuditLine recovered{line.n, line.utc, kRecoveredEvent, {{"torn_bytes", tail->torn.size()}}, line.before, {}};
         const std::string whole = auditText(recovered);
         text = "\n" + whole + "\n";

@@ -1,4 +1,4 @@
-// What was done with scans, line by line, so that a later change of a line shows (docs/audit.md).
+// A log of all actions on scans. Each line holds the hash of the line before, so that a later change of a line is detected (docs/audit.md).
 #pragma once
 
 #include "core/base/result.h"
@@ -14,11 +14,11 @@ namespace edgescan {
 
 /// "before" of the first line.
 inline constexpr const char* kNoLineBefore = "0000000000000000000000000000000000000000000000000000000000000000";
-/// Of the line that goes on behind one that a crash or a power cut tore: "details" hold its length, "torn_bytes".
+/// Event of the line that follows a line torn by a crash or a power failure. Its "details" hold the length of the torn line, "torn_bytes".
 inline constexpr const char* kRecoveredEvent = "recovered";
 
-/// What a line holds: {"n": 1, "utc": "...", "event": "...", "details": {...}, "before": HASH, "sha256": HASH}. "before" is the "sha256" of
-/// the line before, and "sha256" that of the bytes of the line up to the comma before it.
+/// One line: {"n": 1, "utc": "...", "event": "...", "details": {...}, "before": HASH, "sha256": HASH}. "before" is the "sha256" of the line
+/// before. "sha256" is the hash of the bytes of the line up to the comma before "sha256".
 struct AuditLine {
     std::uint64_t n = 0; ///< from 1
     std::string utc, event;
@@ -26,17 +26,17 @@ struct AuditLine {
     std::string before, sha256;
 };
 
-/// The line without its line feed.
+/// The line as text, without its line feed.
 [[nodiscard]] std::string auditText(const AuditLine& line);
-/// Error: it is no such line, or its bytes do not have its hash.
+/// Reads one line. Error: not a line of a log, or its bytes do not match its hash.
 Result<AuditLine> auditLine(std::string_view text, const std::string& where);
 
-/// Appends to one file; several programs may do so at the same time. Nothing is ever taken out or written over.
+/// Appends to one file. Several programs may append at the same time. Existing lines are never removed or overwritten.
 class AuditLog {
 public:
     explicit AuditLog(std::filesystem::path path) : path_(std::move(path)) {}
 
-    /// Is on the disk when it returns. Error: the disk is full, no right to write, the last line is none of a log.
+    /// Returns when the line is on the disk. Error: the disk is full, no right to write, the last line is not a line of a log.
     Result<Done> append(const std::string& event, const nlohmann::ordered_json& details) const;
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

@@ -1,4 +1,4 @@
-// Incremental hull: each point outside removes the triangles it sees and is joined to their rim.
+// Incremental convex hull: each point outside removes the triangles that it sees, and is joined to the rim of the hole.
 #include "core/base/geometry/convex_hull.h"
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 const Eigen::Vector3d& at(const Points& points, int i) { return points[static_cast<std::size_t>(i)]; }
 
-/// Signed height of the point over the triangle's plane, positive outside.
+/// Signed height of the point over the plane of the triangle, positive outside.
 double heightOver(const Points& points, const HullTriangle& triangle, int point) {
     const Eigen::Vector3d& a = at(points, triangle[0]);
     const Eigen::Vector3d normal = (at(points, triangle[1]) - a).cross(at(points, triangle[2]) - a);
@@ -29,7 +29,7 @@ int farthest(const Points& points, Measure measure) {
     return best;
 }
 
-/// Four far-apart points, outward-facing; empty when flat.
+/// Four points far apart, with triangles that face outward; empty if all points are in one plane.
 std::vector<HullTriangle> firstTetrahedron(const Points& points, double tolerance) {
     const Eigen::Vector3d origin = points.front();
     const int a = farthest(points, [&](const Eigen::Vector3d& p) { return (p - origin).squaredNorm(); });
@@ -47,10 +47,10 @@ std::vector<HullTriangle> firstTetrahedron(const Points& points, double toleranc
     return {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
 }
 
-/// The hull of what `triangles` span and one more point.
+/// The hull of the points of `triangles` and one more point.
 std::vector<HullTriangle> grown(const Points& points, const std::vector<HullTriangle>& triangles, int point, double tolerance) {
     std::vector<HullTriangle> kept;
-    std::vector<std::array<int, 2>> rim; // directed edges of the removed triangles that no other removed triangle shares
+    std::vector<std::array<int, 2>> rim; // directed edges of removed triangles that do not belong to a second removed triangle
     for (const HullTriangle& triangle : triangles) {
         if (heightOver(points, triangle, point) <= tolerance) {
             kept.push_back(triangle);
@@ -82,7 +82,7 @@ std::vector<HullTriangle> convexHull(const std::vector<Eigen::Vector3d>& points)
     return triangles;
 }
 
-// The hull of those points is the body's dual: each of its triangles stands for a corner.
+// The hull of these points is the dual of the body: each of its triangles corresponds to a corner.
 std::vector<Eigen::Vector3d> cornersBetween(const std::vector<Eigen::Vector3d>& planes) {
     std::vector<Eigen::Vector3d> corners;
     for (const HullTriangle& t : convexHull(planes)) {

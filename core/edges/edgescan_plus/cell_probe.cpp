@@ -1,5 +1,5 @@
-// What EdgeScan+ measured at one cell. No formula is repeated here: each part of a limit is found by running the stage itself with limits
-// of which only that part is left.
+// The measurements of EdgeScan+ at one cell. This file does not repeat the formulas: it finds each part of a limit by running the stage
+// itself with limits that contain only this part.
 #include "core/edges/edgescan_plus/cell_probe.h"
 
 #include "core/edges/edgescan_plus/crease.h"
@@ -28,7 +28,7 @@ struct DepthInputs {
     DepthLimits limits;
 };
 
-// Limits of one millimetre, or one degree, and nothing else.
+// Limits that consist of one millimetre, or one degree, and nothing else.
 DepthLimits bare(DepthLimits limits) {
     limits.jumpMm = 1;
     limits.growth = 0;
@@ -40,7 +40,7 @@ DepthLimits bare(DepthLimits limits) {
     return limits;
 }
 
-// The crack behind (line, beam) along one way; valid while the surface is at this line.
+// The crack behind (line, beam) in one direction; valid while the stages are at this line.
 struct Crack {
     double strength = 0, stepMm = 0, growthMm = 0, grazingMm = 0, reliefMm = 0;
 };
@@ -56,7 +56,7 @@ Crack crackAt(const SurfaceLines& surface, Along along, CellPlace at, const Dept
     const DepthLimits one = bare(inputs.limits);
     Crack crack{strengthWith(inputs.limits), strengthWith(one), 0, 0, 0};
     if (crack.stepMm <= 0) return crack;
-    // What a part of the limit adds to the one millimetre.
+    // The part of the limit beyond the one millimetre.
     const auto partOf = [&](float DepthLimits::*part) {
         DepthLimits with = one;
         with.*part = inputs.limits.*part;
@@ -72,7 +72,7 @@ class Prober {
 public:
     Prober(const DepthInputs& inputs, CellPlace cell) : inputs_(inputs), cell_(cell) {}
 
-    // Looks at what the surface holds by now.
+    // Reads the values of the current lines.
     void look(const SurfaceLines& surface) {
         if (surface.jumpLine() == cell_.line - 1) addStep(surface, Along::Lines, {cell_.line - 1, cell_.beam});
         if (surface.jumpLine() == cell_.line) {
@@ -92,7 +92,7 @@ public:
     DepthProbe probe;
 
 private:
-    // The crack from `first` to the next cell.
+    // Adds the crack between `first` and the next cell.
     void addStep(const SurfaceLines& surface, Along along, CellPlace first) {
         const Crack crack = crackAt(surface, along, first, inputs_);
         if (crack.strength <= 0) return;
@@ -132,8 +132,8 @@ private:
                                std::abs(strengthWith(inputs_.limits))});
     }
 
-    // As the suppression of depthResponses() does: along the way of the stronger response a cell must be no weaker than the neighbour
-    // before it and stronger than the one after it.
+    // As the suppression of depthResponses(): in the direction of the stronger response a cell must not be weaker than the neighbour before
+    // it, and it must be stronger than the neighbour after it.
     [[nodiscard]] ThinnedStrength thinned(const Lines& alongBeams, const Lines& alongLines, bool both) const {
         const float b = alongBeams.line(cell_.line)[cell_.beam];
         const float l = alongLines.line(cell_.line)[cell_.beam];

@@ -1,4 +1,4 @@
-// Creases. Lines of plain arithmetic without branches, so that the compiler makes vectors of them.
+// Creases. Loops of plain arithmetic without branches, so that the compiler can vectorise them.
 #include "core/edges/edgescan_plus/crease.h"
 
 #include "core/base/simd.h"
@@ -15,31 +15,31 @@ namespace edgescan {
 namespace {
 
 constexpr float kFewest = 3;
-constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is looked at
-constexpr float kWanted = 2;            // cells beyond the cell itself, on both sides
+constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is also read
+constexpr float kWanted = 2;            // cells on both sides, in addition to the cell itself
 constexpr float kNoiseFloor = 4.5F;     // standard deviations
 constexpr float kTangentNoise = kFoldOfWhite * 0.001F;
 constexpr float kLeastCube = 6.0F; // of two cells
 constexpr float kDegPerRad = 57.2957795F;
 
-// What is known of the cells of a block, so many that all of it stays in the nearest cache.
+// The values for the cells of a block. The block is small enough to stay in the nearest cache.
 constexpr int kBlock = 128;
 using Values = std::array<float, kBlock>;
 
-// Sums over one side of each cell, of differences to the cell: these keep more digits than sums of u.
+// Sums over one side of each cell, of differences to the cell: such sums are more exact than sums of u.
 struct SideSums {
     Values cells, sum, weighted;
 };
 
 // The lines fitted to both sides of each cell.
 struct LineFits {
-    Values before, after; // tangents of the slope away from the scanner; equal where only one side was fitted
-    Values noise;         // square of the standard deviation of the difference of the tangents
-    Values apart, meet;   // distance of the two lines at the cell along the beam over the misfit that counts, as a fraction
+    Values before, after; // tangents of the slope away from the scanner; equal if only one side was fitted
+    Values noise;         // variance of the difference of the tangents
+    Values apart, meet;   // distance of the two lines at the cell along the beam divided by the misfit limit, as a fraction
     Values fitted;        // 1 where both sides have enough cells
 };
 
-// Cells of a line of the sweep, and the way along which they are looked at.
+// Cells of a scan line, and the direction in which they are processed.
 struct Cells {
     const float* u;
     const std::uint8_t* links;
@@ -47,8 +47,8 @@ struct Cells {
     std::ptrdiff_t step;
 };
 
-// How many cells of both sides belong to them, whatever the window, 15 at most. A side ends at a break; the cell before a break is left out
-// unless it is the first: the spot of the beam may lie on what is behind, too.
+// Number of cells on each side of a cell without regard to the window, 15 at most. A side ends at a break. The cell before a break is left
+// out unless it is the first: the spot of the beam may partly be on the surface behind.
 using Counts = std::array<std::uint8_t, kBlock>;
 template <class Count>
 FOLD_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts& after) {
@@ -77,7 +77,7 @@ FOLD_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts
     }
 }
 
-// The sums of both sides of some cells, from the farthest to the nearest: what is added up on the way is then the weighted sum.
+// The sums of both sides of some cells, from the farthest to the nearest cell: adding up the partial sums gives the weighted sum.
 template <class Lanes>
 struct LaneSums {
     Lanes here, cells, sum{}, weighted{};
@@ -97,7 +97,7 @@ struct LaneSums {
     }
 };
 
-// So many cells look as far as the one of them that looks farthest: what the others add is 0, and the loop is of one length.
+// In a group of this many cells all use the largest reach of the group: the additional terms are 0, and the loop has one length.
 constexpr int kAlike = 64;
 
 template <class Lanes>
@@ -115,7 +115,7 @@ FOLD_INLINE int farthestOf(const SideSums& left, const SideSums& right, int firs
     return static_cast<int>(largest<kLanes<Lanes>>(values.data()));
 }
 
-// The sums of two vectors of cells, whose additions do not wait for each other.
+// The sums of two vectors of cells, whose additions do not depend on each other.
 template <class Lanes>
 FOLD_INLINE void addUpLanes(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
     const int k = j + kLanes<Lanes>;
@@ -144,7 +144,8 @@ FOLD_INLINE void addUp(const Cells& at, int count, SideSums& left, SideSums& rig
     }
 }
 
-// Angle whose tangent is y / x, y >= 0, degrees. A polynomial (Abramowitz and Stegun 4.4.49): within 0.01 degrees on every machine alike.
+// The angle whose tangent is y / x, y >= 0, in degrees. A polynomial (Abramowitz and Stegun 4.4.49), exact to 0.01 degrees and the same on
+// every machine.
 FOLD_INLINE float angleDeg(float y, float x) {
     const float size = std::abs(x);
     const float t = std::min(y, size) / std::max(std::max(y, size), 1e-30F);
@@ -155,7 +156,7 @@ FOLD_INLINE float angleDeg(float y, float x) {
     return angle * kDegPerRad;
 }
 
-// The lines through both sides of each cell along one way. Divisions take longest: two are left, each shared by what needs it.
+// The lines through both sides of each cell in one direction. Divisions take the most time: two are left, each used for several values.
 template <class Lanes, class Count>
 FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limits, LineFits& fits) {
     Values scales;
@@ -173,14 +174,14 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
         left.cells[j] = static_cast<float>(std::min<int>(reach, before[j]));
         right.cells[j] = static_cast<float>(std::min<int>(reach, after[j]));
     }
-    for (int j = count; j < kBlock; ++j) left.cells[j] = right.cells[j] = 0; // beyond the last
+    for (int j = count; j < kBlock; ++j) left.cells[j] = right.cells[j] = 0; // behind the last cell
     addUp<Lanes>(at, count, left, right);
     const auto offset = static_cast<float>(limits.foldNoise.offsetMm);
     const auto perMetre = static_cast<float>(limits.foldNoise.perMetreMm);
     const auto perSquareMetre = static_cast<float>(limits.foldNoise.perSquareMetreMm);
     const float misfits = 1000.0F / limits.misfitMm;
     for (int j = 0; j < count; ++j) {
-        // Slopes of u per step outwards, from the sum of the squares of n places from their mean, n (n^2 - 1) / 12, and heights of the
+        // Slopes of u per step outwards, from n (n^2 - 1) / 12, the sum of squares of n positions about their mean; and heights of the
         // lines over the cell.
         const float nl = left.cells[j] + 1, nr = right.cells[j] + 1;
         const float ml = 0.5F * left.cells[j], mr = 0.5F * right.cells[j];
@@ -191,7 +192,7 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
         const float slopeLeft = (left.weighted[j] - ml * left.sum[j]) * (12.0F * perLeft);
         const float slopeRight = (right.weighted[j] - mr * right.sum[j]) * (12.0F * perRight);
         const float rangeM = scales[j] * angle[j];
-        const float heightLeft = (left.sum[j] * (sl * perLeft) - ml * slopeLeft) * rangeM; // share of u
+        const float heightLeft = (left.sum[j] * (sl * perLeft) - ml * slopeLeft) * rangeM; // as a share of u
         const float heightRight = (right.sum[j] * (sr * perRight) - mr * slopeRight) * rangeM;
         const float tangentLeft = slopeLeft * scales[j];
         const float tangentRight = -slopeRight * scales[j];
@@ -205,7 +206,7 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
     }
 }
 
-// S_C of the cells along one way; the slope across tilts both planes.
+// S_C of the cells in one direction; the slope across it tilts both planes.
 template <class Count>
 FOLD_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Count count, float least, float* __restrict out) {
     for (int j = 0; j < count; ++j) {
@@ -214,10 +215,10 @@ FOLD_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Coun
         const float tilt = 0.5F * (across.before[j] + across.after[j]);
         const float tilted = 1 + tilt * tilt;
         const float fold = angleDeg(std::abs(a - b) * std::sqrt(tilted), a * b + tilted);
-        // The least angle over `flatter`: C0, or what noise makes of a flat surface.
+        // The limit angle times `flatter`: C0, or the angle that noise causes on a flat surface.
         const float flatter = std::min(a * a, b * b) + tilted;
         const float floor = std::max(least * flatter, kNoiseFloor * kDegPerRad * std::sqrt(along.noise[j] * tilted));
-        // How well the lines meet, by the distance across the surface, not along the beam: the root of meet / (meet + apart).
+        // How well the lines meet, by their distance across the surface, not along the beam: the square root of meet / (meet + apart).
         const float mean = 0.5F * (a + b);
         const float meet = along.meet[j] * along.meet[j] * (mean * mean + tilted);
         const float all = std::max(meet + along.apart[j] * along.apart[j], 1e-30F);
@@ -236,7 +237,7 @@ FOLD_INLINE void foldBlock(const Cells& beamwise, const Cells& linewise, Count c
     strengthsOf(lines, beams, count, limits.creaseDeg, alongLines);
 }
 
-// A line in blocks, the last one over cells that were worked on before: so no loop ends with single cells.
+// Processes a line in blocks. The last block overlaps the one before, so that loops never end with single cells.
 template <class Lanes>
 FOLD_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
                           float* alongLines) {

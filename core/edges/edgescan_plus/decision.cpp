@@ -1,4 +1,4 @@
-// EdgeScan+'s last step: which cells are edges, and of which class.
+// EdgeScan+'s last step: decides which cells are edges, and of which class.
 #include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -12,13 +12,13 @@
 namespace edgescan {
 namespace {
 
-// What is known of a cell before chains are linked.
+// State of a cell before chains are linked.
 constexpr std::uint8_t kWaits = 1; // strong enough for a chain
 constexpr std::uint8_t kStrong = 2;
 constexpr std::uint8_t kJump = 4;
 constexpr std::uint8_t kConvex = 8;
 
-// 1 for a class that is wanted, else 0.
+// 1 for a requested class, otherwise 0.
 struct Wanted {
     float jumps, convex, concave;
     explicit Wanted(const DepthEdgeSettings& settings)
@@ -50,7 +50,7 @@ EDGESCAN_SIMD void markClasses(const float* jump, const float* crease, std::size
     }
 }
 
-// A chain as it grows: its cells, and what was known of each.
+// A growing chain: its cells and their states.
 class Chain {
 public:
     explicit Chain(Grid<std::uint8_t>& state)
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> cells() const { return {cells_.data(), size_}; }
     [[nodiscard]] std::span<const std::uint8_t> known() const { return {known_.data(), size_}; }
 
-    /// From a cell on, all that wait; they become 0. Returns whether one is strong.
+    /// Collects all waiting cells connected with the seed and clears their state. Returns whether one of them is strong.
     bool grow(std::uint32_t seed) {
         size_ = 0;
         if (cells_.empty()) makeRoom();
@@ -85,7 +85,7 @@ private:
         known_[size_++] = state_[k];
         state_[k] = 0;
     }
-    // The neighbours of a cell that wait. Inside of the grid the three of a line are looked at together.
+    // Takes the waiting neighbours of a cell. Inside the grid the three cells of a line are checked together.
     void takeAround(std::uint32_t k) {
         const std::uint32_t line = k / beams_;
         const std::uint32_t beam = k % beams_;
@@ -102,7 +102,7 @@ private:
             }
         }
     }
-    // A bit for each, in bytes of their own.
+    // The bits of three cells, each in its own byte.
     [[nodiscard]] std::uint32_t waitingOfThree(std::uint32_t first) const {
         std::uint32_t four = 0;
         std::memcpy(&four, state_ + first, sizeof four);
@@ -128,7 +128,7 @@ std::size_t nextWaiting(const std::vector<std::uint8_t>& cells, std::size_t k) {
     return k;
 }
 
-// Calls keep(chain) for each chain of cells that are not 0 which is long enough and strong somewhere. All become 0.
+// Calls keep(chain) for each chain of cells that is long enough and has a strong cell. All cells become 0.
 template <class Keep>
 void linkChains(Grid<std::uint8_t>& state, int minimum, Keep keep) {
     Chain chain(state);
@@ -150,7 +150,7 @@ Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float l
 }
 
 std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum) {
-    constexpr int kReach = 2; // the cells of an outline may be joined by a corner that is void
+    constexpr int kReach = 2; // two cells of an outline may be connected over a void corner
     std::vector<std::uint32_t> kept, chain;
     if (responses.silhouettes.empty()) return kept;
     Grid<std::uint8_t> waits(responses.jump.lines, responses.jump.beams);

@@ -1,4 +1,4 @@
-// EdgeScan+: its stages one after the other, up to the decision.
+// EdgeScan+: its stages in order, up to the decision.
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 
 #include "core/base/bands.h"
@@ -19,33 +19,34 @@ namespace edgescan {
 namespace {
 
 constexpr double kNominalNoiseMm = 6.75; // sigma at 5 m of an LMS511
-constexpr double kOffsetShare = 0.815;   // of sigma at 5 m: sigma at 0 m ...
+constexpr double kOffsetShare = 0.815;   // share of sigma at 5 m: sigma at 0 m ...
 constexpr double kPerMetreShare = 0.037; // ... and its growth per metre
 constexpr double kJumpMm = 30.0;
 constexpr double kMisfitMm = 6.0;
 constexpr double kReliefMm = 5.0;
 constexpr double kWindowMm = 50.0;
-constexpr double kMemoryWindowMm = 50.0;   // of folds where neighbours err alike: narrower ones follow the steps of the depth
+// of folds if the errors of neighbours are correlated: narrower windows follow the steps of the depth
+constexpr double kMemoryWindowMm = 50.0;
 constexpr double kNoisy = 1.5;             // x nominal
 constexpr double kLeastNoise = 0.2;        // x nominal
-constexpr double kRelief = 0.7;            // x nominal: relief and the width of the beam blur as much, however good the ranges are ...
-constexpr double kJumpSpacings = 2.0;      // ... but where points lie close together, J0 need not exceed so many point spacings
-constexpr float kInterlacedGrazing = 0.5F; // index steps by which interlaced beams are still out of place after straightening
+constexpr double kRelief = 0.7;            // x nominal: relief and beam width blur as much as this, even with perfect ranges ...
+constexpr double kJumpSpacings = 2.0;      // ... but where points are close together, J0 is at most this many point spacings
+constexpr float kInterlacedGrazing = 0.5F; // index steps: remaining displacement of interlaced beams after straightening
 
-// q of step 6: the noise over that of an LMS511, by which the thresholds in millimetres grow and shrink.
+// q of step 6: the noise divided by that of an LMS511; thresholds in millimetres scale with it.
 double noiseShare(const RangeNoise& noise, double spacingMm, double rangeM = 5.0) {
     const double least = std::clamp(kJumpSpacings * spacingMm / kJumpMm, kLeastNoise, kRelief);
     const double nominal = rangeM == 5.0 ? kNominalNoiseMm : kNominalNoiseMm * (kOffsetShare + kPerMetreShare * rangeM);
     return std::clamp(noise.at(rangeM) / nominal, least, 10.0);
 }
 
-// Both ways of one line.
+// Both directions of one line.
 struct BothWays {
     const float* beamwise;
     const float* linewise;
     std::ptrdiff_t stride;
 
-    /// Along the way of the stronger response a cell must be no weaker than one neighbour and stronger than the other.
+    /// In the direction of the stronger response a cell must not be weaker than one neighbour, and must be stronger than the other.
     [[nodiscard]] bool isKept(int j) const {
         const float b = std::abs(beamwise[j]);
         const float l = std::abs(linewise[j]);
@@ -56,7 +57,7 @@ struct BothWays {
     [[nodiscard]] bool isBeamwise(int j) const { return std::abs(beamwise[j]) >= std::abs(linewise[j]); }
 };
 
-// The stronger of both ways.
+// The response of the stronger direction.
 EDGESCAN_SIMD void suppressJumps(const BothWays& jumps, const Support* support, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float value = jumps.isBeamwise(j) ? jumps.beamwise[j] : jumps.linewise[j];
@@ -64,7 +65,8 @@ EDGESCAN_SIMD void suppressJumps(const BothWays& jumps, const Support* support, 
     }
 }
 
-// The root of the sum of squares where both ways have the same sign: a fold that runs askew shows only part of itself in each way.
+// The root of the sum of squares where both directions have the same sign: a diagonal fold shows only a part of its angle in each
+// direction.
 EDGESCAN_SIMD void suppressFolds(const BothWays& folds, const Support* support, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float stronger = folds.isBeamwise(j) ? folds.beamwise[j] : folds.linewise[j];
@@ -79,9 +81,9 @@ BothWays bothWays(const Lines& beamwise, const Lines& linewise, int line) {
     return {beamwise.line(line), linewise.line(line), linewise.stride};
 }
 
-// Lines that a thread works on; it looks at those around them as well.
+// The lines that a thread processes; it also reads lines around them.
 struct Band {
-    int first, last; // the line after the band
+    int first, last; // the line behind the band
     [[nodiscard]] bool contains(int line) const { return line >= first && line < last; }
 };
 
@@ -103,7 +105,7 @@ void respond(const DepthSurface& surface, const DepthLimits& limits, const Band&
     while (lines.foldLine() < band.last) {
         lines.advance();
         if (cracks != nullptr) copyCracks(lines, band, *cracks);
-        // One line behind the newest: suppression looks at the lines on both sides.
+        // One line behind the newest: suppression reads the lines on both sides.
         if (const int line = lines.jumpLine() - 1; band.contains(line))
             suppressJumps(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line), support.beams,
                           result.jump.line(line));
@@ -113,7 +115,8 @@ void respond(const DepthSurface& surface, const DepthLimits& limits, const Band&
     }
 }
 
-// 1 at measured cells with a void beside them. Before the first and after the last line the line itself is given: that adds no void.
+// 1 at measured cells with a void next to them. For the first and the last line, the missing neighbour line is the line itself: this adds
+// no void.
 EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
                               std::uint8_t* __restrict marked) {
     const auto mark = [&](int j, int left, int right) {
@@ -168,8 +171,8 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
     limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
     limits.foldNoise = limits.noise;
     double q = noiseShare(limits.noise, surface.spacingMm);
-    // A jump is told by the cells beside it, so its noise is that of neighbours; at the scan's own range, since the square of the range
-    // says nothing about 5 m where everything lies within one.
+    // A jump is computed from neighbouring cells, so its noise is that of neighbours. It is taken at the scan's own range: noise that grows
+    // with the square of the range cannot be extrapolated to 5 m from ranges below one metre.
     const bool remembered = typed < 0 && surface.memory.windowMm > 0;
     if (remembered) {
         limits.noise = surface.memory.range;
@@ -202,7 +205,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
         for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
             clear(*grid);
     }
-    // Bands of lines, and what is done beside them.
+    // Bands of lines, and work that runs in parallel with them.
     std::vector<std::function<void()>> parts;
     for (int band = 0; band < bands; ++band)
         parts.emplace_back([&, band] {

@@ -1,4 +1,4 @@
-// Edges that run on across cells without a range: cells beside the gap are taken before those at its corners.
+// Edges that continue across cells without a range: cells next to the gap are used before those at its corners.
 #include "core/edges/edgescan_plus/gap_detour.h"
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::array<int, 2>, 4> kSides{{{0, -1}, {0, 1}, {-1, 0}, {1, 0}}};
 constexpr std::array<std::array<int, 2>, 4> kCorners{{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
 
-// The measured cell among these that has no response yet and costs least; -1 when there is none.
+// The measured cell among these that has no response yet and has the lowest cost; -1 if there is none.
 template <class Cost>
 std::ptrdiff_t cheapest(const InverseRange& inverse, const Grid<float>& response, std::size_t k,
                         const std::array<std::array<int, 2>, 4>& around, Cost cost) {
@@ -44,7 +44,7 @@ void move(const InverseRange& inverse, std::size_t k, Grid<float>& response, Cos
 void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease) {
     const Support* support = inverse.support.cells.data();
     for (std::size_t k = 0; k < inverse.support.size(); ++k) {
-        const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), inverse.support.size() - k); // few are
+        const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), inverse.support.size() - k); // few cells are filled
         if (next == nullptr) return;
         k = static_cast<std::size_t>(static_cast<const Support*>(next) - support);
         move(inverse, k, jump, [](float u) { return -u; });

@@ -1,4 +1,4 @@
-// Jumps between neighbouring cells. Rows of plain arithmetic without branches, so that the compiler makes vectors of them.
+// Jumps between neighbouring cells. Loops of plain arithmetic without branches, so that the compiler can vectorise them.
 #include "core/edges/edgescan_plus/jump.h"
 
 #include "core/base/simd.h"
@@ -13,12 +13,13 @@
 namespace edgescan {
 namespace {
 
-// Weights of the cells at a crack, nearest first: where their line meets the crack, half a cell on.
+// Weights of the cells at a crack, nearest first: they give the value of their straight line at the crack, half a cell beyond the nearest
+// cell.
 struct LineWeights {
     float first, second, third;
 };
 constexpr LineWeights kTwoCells{1.5F, -0.5F, 0.0F};
-constexpr LineWeights kThreeCells{1.083F, 0.333F, -0.417F}; // least squares through three: calmer
+constexpr LineWeights kThreeCells{1.083F, 0.333F, -0.417F}; // least squares through three cells: less noise
 
 float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity) {
     const std::vector<float>& extra = slips.extra[parity];
@@ -26,7 +27,7 @@ float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity
     return along == Along::Lines && inside ? extra[static_cast<std::size_t>(line)] : 0.0F;
 }
 
-// As integers floats that are not negative compare alike, in one instruction; negative ones are less than all others.
+// As integers, non-negative floats have the same order, compared in one instruction; negative ones are less than all others.
 inline __attribute__((always_inline)) float atLeast(float value) {
     constexpr float kLeast = 1e-6F;
     return std::bit_cast<float>(std::max(std::bit_cast<std::int32_t>(value), std::bit_cast<std::int32_t>(kLeast)));
@@ -38,13 +39,13 @@ inline __attribute__((always_inline)) float greater(float a, float b) {
     return std::bit_cast<float>(std::max(std::bit_cast<std::int32_t>(a), std::bit_cast<std::int32_t>(b)));
 }
 
-// By how much the step to the next line is too long, for even and for odd beams.
+// The excess of the step to the next line, for even and for odd beams.
 struct Extra {
     float even, odd;
     [[nodiscard]] float of(int beam) const { return even + static_cast<float>(beam & 1) * (odd - even); }
 };
 
-// A line of cells, and the way along which they are looked at.
+// A line of cells, and the direction in which they are processed.
 struct CrackCells {
     const float* u;
     const float* solid;
@@ -52,7 +53,8 @@ struct CrackCells {
     std::ptrdiff_t step;
 };
 
-// Cracks of some cells. Whole: all around are solid and no stepper slipped; the same arithmetic without what is then 1 or 0.
+// Cracks of some cells. kWhole: all cells around are solid and the stepper did not slip; the same arithmetic without the factors that are
+// then 1 or 0.
 template <bool kWhole, class Count>
 inline __attribute__((always_inline)) void jumpsOfCells(const CrackCells& at, Count count, Extra extra, const DepthLimits& limits,
                                                         const LineWeights& w, float* __restrict out) {
@@ -61,11 +63,11 @@ inline __attribute__((always_inline)) void jumpsOfCells(const CrackCells& at, Co
     const float* angle = at.angle;
     const std::ptrdiff_t s = at.step;
     const float least = limits.jumpMm;
-    const float growth = 1000.0F * limits.growth; // the nearer range is 1000 over the greater u
+    const float growth = 1000.0F * limits.growth; // the nearer range is 1000 divided by the larger u
     const float grazing = limits.grazing;
     const float relief = 0.001F * limits.reliefMm;
     for (int j = 0; j < count; ++j) {
-        // A side of one cell has the slope of the other side.
+        // A side of only one cell gets the slope of the other side.
         float away = u[j] - u[j - s];
         float on = u[j + 2 * s] - u[j + s];
         float a = u[j];
@@ -91,12 +93,12 @@ inline __attribute__((always_inline)) void jumpsOfCells(const CrackCells& at, Co
         const float b1 = atLeast(b + on);
         const float left = atLeast(w.first * a + w.second * a1 + w.third * (a1 + a2));
         const float right = atLeast(w.first * b + w.second * b1 + w.third * (b1 + b2));
-        // Ranges are 1000 / u. On common denominators two divisions are left of eight.
+        // Ranges are 1000 / u. With common denominators two divisions remain of eight.
         const float ends = a * b;
         const float meeting = left * right;
         const float step = 1000.0F * lesser(std::abs(b - a) * meeting, std::abs(right - left) * ends) / (ends * meeting);
         const float others = a1 * b1;
-        const float slope = 500.0F * (std::abs(a1 - a) * (b * b1) + std::abs(b1 - b) * (a * a1)); // times ends, times others
+        const float slope = 500.0F * (std::abs(a1 - a) * (b * b1) + std::abs(b1 - b) * (a * a1)); // multiplied by `ends` and by `others`
         const float allowed =
             (least * ends + growth * lesser(a, b)) * (others * angle[j]) + slope * (grazing * angle[j] + relief * greater(a, b));
         const float jump = step * (ends * others * angle[j]) / allowed;
@@ -106,7 +108,7 @@ inline __attribute__((always_inline)) void jumpsOfCells(const CrackCells& at, Co
 
 constexpr int kCrackBlock = 64;
 
-// Whether all cells that the cracks of a block look at are solid.
+// Whether all cells that the cracks of a block read are solid.
 inline __attribute__((always_inline)) bool isWhole(const CrackCells& at) {
     std::int32_t all = -1;
     for (int n = -2; n <= 3; ++n) {
@@ -116,7 +118,7 @@ inline __attribute__((always_inline)) bool isWhole(const CrackCells& at) {
     return all == std::bit_cast<std::int32_t>(1.0F);
 }
 
-// `out` goes from beam -1 to `beams`; at these two there is never a jump. In blocks, the last one over cells that were done before.
+// `out` covers beams -1 to `beams`; at these two there is never a jump. Works in blocks; the last block overlaps the one before.
 EDGESCAN_SIMD void jumpsOfLine(const CrackCells& at, int beams, Extra extra, const DepthLimits& limits, float* out) {
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
     out[-1] = out[beams] = 0;
@@ -124,7 +126,7 @@ EDGESCAN_SIMD void jumpsOfLine(const CrackCells& at, int beams, Extra extra, con
     constexpr auto kCount = std::integral_constant<int, kCrackBlock>();
     const bool straight = extra.even == 0 && extra.odd == 0;
     for (int next = 0; next < beams; next += kCrackBlock) {
-        // At an even beam, as even and odd ones differ.
+        // At an even beam, because even and odd beams differ.
         const int first = std::min(next, (beams - kCrackBlock) & ~1);
         const CrackCells block{at.u + first, at.solid + first, at.angle + first, at.step};
         if (straight && isWhole(block))
@@ -132,7 +134,7 @@ EDGESCAN_SIMD void jumpsOfLine(const CrackCells& at, int beams, Extra extra, con
         else
             jumpsOfCells<false>(block, kCount, extra, limits, w, out + first);
     }
-    // An odd beam is left.
+    // An odd beam remains.
     const int last = beams - 1;
     if (beams % 2 != 0) jumpsOfCells<false>({at.u + last, at.solid + last, at.angle + last, at.step}, 1, extra, limits, w, out + last);
 }
@@ -141,7 +143,7 @@ EDGESCAN_SIMD void linksOfLine(const float* jump, const float* solid, std::ptrdi
     for (int j = -1; j <= beams; ++j) out[j] = (jump[j] <= 1.0F) & (solid[j] * solid[j + s] > 0) ? 1 : 0;
 }
 
-// A longer or shorter step links nothing.
+// Lines with a longer or shorter step between them are not linked.
 void unlink(Extra extra, int beams, std::uint8_t* links) {
     for (int j = -1; j <= beams; ++j) links[j] = extra.of(j) == 0.0F ? links[j] : 0;
 }

@@ -16,15 +16,15 @@
 namespace edgescan {
 namespace {
 
-constexpr int kRun = 2; // cells
+constexpr int kRun = 2; // longest run of mixed pixels, cells
 constexpr auto kSpotM = static_cast<float>(BeamWidth{}.atExitM);
 constexpr auto kSpotRad = static_cast<float>(BeamWidth{}.growthRad);
 constexpr float kSurfacesApart = 2.0F; // jump thresholds
-constexpr float kBend = 0.25F;         // of the least distance of the surfaces
-constexpr float kOffSurface = 0.5F;    // jump thresholds, for one cell of a run at least
+constexpr float kBend = 0.25F;         // share of the least distance between the surfaces
+constexpr float kOffSurface = 0.5F;    // jump thresholds, for at least one cell of a run
 
-// The first look does without divisions. Its limits are a little wider, so that rounding never drops what the exact look would take.
-constexpr float kLenient = 0.999F;   // of the distance wanted
+// The first pass avoids divisions. Its limits are slightly wider, so that rounding never drops a cell that the exact check would accept.
+constexpr float kLenient = 0.999F;   // of the required distance
 constexpr float kRounding = 1e-6F;   // of u
 constexpr float kWiderSpot = 1.001F; // times the spot
 
@@ -37,14 +37,14 @@ bool solidAll(const float* solid, std::ptrdiff_t step, int from, int to) {
     return true;
 }
 
-/// One place of a line: u and solid point at the cell.
+/// A position on a line: pointers to u and to the solid flags at the cell.
 struct Place {
     const float* u;
     const float* solid;
     std::ptrdiff_t step;
 };
 
-// The cell alone.
+// Checks a single cell.
 bool snapOne(const Place& at, const DepthLimits& limits, float& result) {
     if (!solidAll(at.solid, at.step, -2, 2)) return false;
     const float before = 2 * at.u[-at.step] - at.u[-2 * at.step];
@@ -59,7 +59,7 @@ bool snapOne(const Place& at, const DepthLimits& limits, float& result) {
     return true;
 }
 
-// Slope of u per step away from the run, over two steps where there are two.
+// Slope of u per step away from the run, over two steps if there are two.
 float slopeAway(const Place& at, int end, int sign) {
     const auto u = [&](int n) { return at.u[(end + sign * n) * at.step]; };
     return at.solid[(end + 2 * sign) * at.step] != 0 ? 0.5F * (u(2) - u(0)) : u(1) - u(0);
@@ -70,11 +70,11 @@ struct RunLines {
     std::array<float, kRun> before, after;
 };
 
-// Two surfaces at a cell, compared without divisions: a distance in metres is the difference of two u over their product. Where rounding
-// may decide, the answer is yes.
+// Compares two surfaces at a cell without divisions: a distance in metres is the difference of two u divided by their product. If rounding
+// could decide, the answer is yes.
 struct TwoSurfaces {
     float farther, nearer; // u
-    float allowed;         // jump threshold, as a difference of u over the farther one
+    float allowed;         // jump threshold, as a difference of u divided by the u of the farther surface
     float rounding;
 };
 inline __attribute__((always_inline)) TwoSurfaces surfacesAt(float before, float after, const DepthLimits& limits) {
@@ -104,7 +104,7 @@ bool canBeRun(const Place& at, const RunLines& lines, const DepthLimits& limits)
     return off;
 }
 
-// This cell and the next.
+// Checks this cell and the next.
 bool snapRun(const Place& at, const DepthLimits& limits, std::array<float, kRun>& result) {
     if (!solidAll(at.solid, at.step, -2, kRun + 1)) return false;
     const float first = at.u[-at.step];
@@ -132,23 +132,23 @@ bool snapRun(const Place& at, const DepthLimits& limits, std::array<float, kRun>
     return farthest >= kOffSurface;
 }
 
-// Whether the surfaces on both sides of a cell can be two thresholds apart. On a smooth surface they are not.
+// Whether the surfaces on both sides of a cell can be two thresholds apart. On a smooth surface they cannot.
 bool isWorthwhile(const Place& at, const DepthLimits& limits) {
     const auto u = [&](int n) { return at.u[n * at.step]; };
     const float apart = 0.001F * kSurfacesApart * limits.jumpMm;
     const float before = 2 * u(-1) - u(-2);
     const float after = 2 * u(1) - u(2);
     if (std::abs(before - after) > apart * before * after) return true;
-    // The ends of a run must be apart, and its first cell off a line through them.
+    // The ends of a run must be far enough apart, and its first cell must be off a line through them.
     return std::abs(u(-1) - u(2)) > apart * u(-1) * u(2) &&
            std::abs(u(-2) - 2 * u(-1) + u(0)) + std::abs(u(1) - 2 * u(0) + u(-1)) > kBend * apart * u(0) * u(0);
 }
 
-// The neighbours of a cell, what lies beside it, and where the lines of both sides lead: to the cell itself where it may stand alone, and
-// to it and the next where these may be a run.
+// The neighbours of a cell, and the continuations of the lines of both sides: at the cell itself if it may be a single mixed pixel, and at
+// it and the next one if these may be a run.
 struct FirstLook {
     float here, next;
-    float spot; // of the beam, as a share of the range
+    float spot; // spot of the beam, as a share of the range
     TwoSurfaces alone, first, second;
 };
 inline __attribute__((always_inline)) FirstLook lookAt(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
@@ -166,7 +166,8 @@ inline __attribute__((always_inline)) FirstLook lookAt(const float* u, const flo
 
 constexpr int kLookBlock = 32;
 
-// Whether the surfaces beside any cell are far enough apart: in most blocks none are, and the rest of the look is left out.
+// Whether the surfaces next to any cell are far enough apart. In most blocks this is false for all cells, and the rest of the check is
+// skipped.
 template <class Count>
 inline __attribute__((always_inline)) bool anyApart(const float* u, const float* solid, std::ptrdiff_t s, Count cells,
                                                     const DepthLimits& limits) {
@@ -192,7 +193,7 @@ inline __attribute__((always_inline)) void lookAtBlock(const float* u, const flo
     for (int j = 0; j < cells; ++j) marked[j] = worth[j] != 0 ? 1 : 0;
 }
 
-// A first look at some cells: 1 at every one that the closer looks could snap, and at a few more.
+// First pass over some cells: 1 at every cell that the full check could move, and at a few more.
 EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
                                  const DepthLimits& limits, std::uint8_t* __restrict marked) {
     constexpr auto kCount = std::integral_constant<int, kLookBlock>();
@@ -204,7 +205,7 @@ EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float
     lookAtBlock(u + j, solid + j, angle + j, s, cells - j, limits, marked + j);
 }
 
-// The closer look at one cell; `angle` of an index step.
+// The full check of one cell; `angle` of an index step, radians.
 void snapAt(const Place& at, float angle, const DepthLimits& limits, float* out) {
     if (!isWorthwhile(at, limits)) return;
     if (snapOne(at, limits, *out)) return;
@@ -223,7 +224,7 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     const float* u = field.u.line(line);
     const float* solid = field.solid.line(line);
     float* out = snapped.line(line);
-    constexpr int kTogether = 1024; // cells that are looked at before the first is worked on
+    constexpr int kTogether = 1024; // cells checked in a first pass before the first of them gets the full check
     std::array<std::uint8_t, kTogether> marked;
     for (int from = 0; from < field.u.beams; from += kTogether) {
         const int cells = std::min(kTogether, field.u.beams - from);

@@ -1,4 +1,4 @@
-// The structure function of the noise, and what it does to folds.
+// The structure function of the noise, and its effect on folds.
 #include "core/edges/edgescan_plus/noise_memory.h"
 
 #include "core/base/order_statistic.h"
@@ -12,26 +12,26 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kCellsLookedAt = 10000; // per way; half as many at lags that only tell how the noise goes on
+constexpr std::size_t kCellsLookedAt = 10000; // per direction; half as many at lags that only show how the noise continues
 constexpr std::size_t kLagsThatDecide = 2;
-constexpr std::size_t kFoldsLookedAt = 6000; // per way
-constexpr std::size_t kFewestValues = 400;   // values that tell a spread
-constexpr double kNil = 0.05;                // of the RMS
-constexpr double kMostNil = 0.20;            // share of nil differences above which ranges come in steps
-constexpr double kGrows = 1.15;              // S(2) / S(1)
-constexpr double kStands = 1.05;             // S(next lag) / S(lag): it has stopped growing ...
-constexpr double kReliefGrows = 1.6;         // ... or it is no noise any more: a curved surface grows four times
-constexpr double kEighty = 1.2816;           // 80 % of |N(0, 1)| lie below
+constexpr std::size_t kFoldsLookedAt = 6000; // per direction
+constexpr std::size_t kFewestValues = 400;   // fewest values for the estimate of a spread
+constexpr double kNil = 0.05;                // share of the RMS below which a difference counts as nil
+constexpr double kMostNil = 0.20;            // share of nil differences above which the ranges come in steps
+constexpr double kGrows = 1.15;              // least S(2) / S(1) of noise with memory
+constexpr double kStands = 1.05;             // S(next lag) / S(lag) below which the noise has stopped growing ...
+constexpr double kReliefGrows = 1.6;         // ... and above which it is not noise: on a curved surface S grows by a factor of four
+constexpr double kEighty = 1.2816;           // 80 % of |N(0, 1)| are below it
 constexpr double kTrimmedAt = 2.7;           // standard deviations ...
-constexpr double kTrimmedRms = 0.971;        // ... and the RMS of what is left of N(0, 1)
-constexpr double kForty = 0.524;             // 40 % of |N(0, 1)| lie below
+constexpr double kTrimmedRms = 0.971;        // ... and the RMS of the remaining values of N(0, 1)
+constexpr double kForty = 0.524;             // 40 % of |N(0, 1)| are below it
 constexpr double kNearestBinM = 0.25;
-constexpr double kBinFactor = 1.189207115; // four per doubling
+constexpr double kBinFactor = 1.189207115; // four bins per doubling
 constexpr std::size_t kRangeBins = 33;
 
 using Bins = std::vector<std::vector<float>>;
 
-// The bins of ranges that come one after the other: neighbours are alike, so the search begins at the bin before.
+// Bins of consecutive ranges: neighbours are similar, so the search begins at the last bin.
 class RangeBins {
 public:
     RangeBins() {
@@ -57,12 +57,12 @@ double middleOf(std::size_t bin) {
     return near * std::sqrt(kBinFactor);
 }
 
-// The value that a share of them lies below, one at least.
+// The value that a share of the values is below; needs at least one value.
 double shareBelow(const std::vector<float>& sizes, double share) {
     return static_cast<double>(nthSmallest(sizes, static_cast<std::size_t>(share * static_cast<double>(sizes.size() - 1))));
 }
 
-// Standard deviation of values whose sizes are given, without what is far off: a jump, a fold.
+// Standard deviation of values given by their sizes, without outliers such as jumps and folds.
 double trimmedRms(const std::vector<float>& sizes) {
     if (sizes.size() < kFewestValues) return 0;
     const double most = kTrimmedAt / kEighty * shareBelow(sizes, 0.8);
@@ -76,7 +76,7 @@ double trimmedRms(const std::vector<float>& sizes) {
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, count))) / kTrimmedRms;
 }
 
-// A sweep looked at along one way.
+// A sweep seen in one direction.
 struct NoiseWay {
     const InverseRange& inverse;
     Along along;
@@ -86,18 +86,18 @@ struct NoiseWay {
     [[nodiscard]] int places() const { return along == Along::Beams ? inverse.u.beams : inverse.u.lines; }
 };
 
-// Calls `look(line, beam)` for about `wanted` cells, evenly over the sweep.
+// Calls `look(line, beam)` for about `wanted` cells, distributed evenly over the sweep.
 template <class Look>
 void forSome(const InverseRange& inverse, std::size_t wanted, const Look& look) {
     const double share = static_cast<double>(wanted) / static_cast<double>(std::max<std::size_t>(1, inverse.u.size()));
     const int every = std::max(1, static_cast<int>(std::sqrt(1 / share)));
     for (int i = every / 2; i < inverse.u.lines; i += every) {
-        // Shifted from line to line, so that no column is looked at alone.
+        // Shifted from line to line, so that all columns are sampled.
         for (int j = (i / every) % every; j < inverse.u.beams; j += every) look(i, j);
     }
 }
 
-// |u[-lag] - 2 u + u[+lag]| r^2 in mm over sqrt(6); below 0 where a cell between them was not measured.
+// |u[-lag] - 2 u + u[+lag]| r^2 in mm divided by sqrt(6); below 0 if a cell between them was not measured.
 float differenceAt(const NoiseWay& way, int line, int beam, int lag) {
     const int place = way.placeOf(line, beam);
     if (place < lag || place + lag >= way.places()) return -1;
@@ -110,7 +110,7 @@ float differenceAt(const NoiseWay& way, int line, int beam, int lag) {
     return static_cast<float>(1000.0 * std::abs(u(-lag) - 2 * u(0) + u(lag)) / (u(0) * u(0)) / std::sqrt(6.0));
 }
 
-// The same by range.
+// The same differences, in range bins.
 Bins differencesByRange(const InverseRange& inverse, int lag, std::size_t cells) {
     Bins bins(kRangeBins);
     RangeBins bin;
@@ -123,7 +123,7 @@ Bins differencesByRange(const InverseRange& inverse, int lag, std::size_t cells)
     return bins;
 }
 
-// sigma = offset + growth r or sigma = offset + growth r^2, neither below 0, whichever lies closer to the bins.
+// sigma = offset + growth r or sigma = offset + growth r^2, with both coefficients 0 or more; the one closer to the bins.
 class NoiseLaw {
 public:
     void add(double rangeM, double sigmaMm, std::size_t count) { bins_.push_back({rangeM, sigmaMm, static_cast<double>(count)}); }
@@ -158,7 +158,7 @@ private:
         if (spread > 1e-9 * w * xx) {
             line.slope = std::max(0.0, (w * xy - x * y) / spread);
             line.offset = (y - line.slope * x) / w;
-            if (line.offset < 0) line = {0, xy / xx, 0}; // through nothing at 0 m
+            if (line.offset < 0) line = {0, xy / xx, 0}; // a line through 0 at 0 m
         }
         for (const Bin& bin : bins_) {
             const double off = line.offset + line.slope * xOf(bin) - bin.sigmaMm;
@@ -181,8 +181,8 @@ RangeNoise lawOf(const Bins& bins, double (*spread)(const std::vector<float>&)) 
 
 double spreadByForty(const std::vector<float>& sizes) { return shareBelow(sizes, 0.4) / kForty; }
 
-// The white noise whose folds would be as large as the one at this cell, mm; below 0 where it cannot be told. Both sides run through the
-// cell and `reach` more on smoothed ranges, as foldStrengths() fits them.
+// The white noise, in mm, that would cause a fold as large as the one at this cell; below 0 if it cannot be computed. Both sides contain
+// the cell and `reach` more on smoothed ranges, as foldStrengths() fits them.
 float foldAt(const NoiseWay& way, int line, int beam, int reach) {
     const InverseRange& inverse = way.inverse;
     const int place = way.placeOf(line, beam);
@@ -192,7 +192,7 @@ float foldAt(const NoiseWay& way, int line, int beam, int reach) {
     const std::ptrdiff_t step = way.step();
     const std::ptrdiff_t across = way.along == Along::Beams ? inverse.u.beams : 1;
     const auto at = static_cast<std::ptrdiff_t>(inverse.u.index(line, beam));
-    // Sums across the way of three cells each, smoothed again along it below.
+    // Sums of three cells each across the direction; below they are smoothed again along it.
     std::array<double, 2 * kFoldLooks + 3> sums{};
     for (int off = -reach - 1; off <= reach + 1; ++off) {
         double sum = 0;
@@ -216,7 +216,8 @@ float foldAt(const NoiseWay& way, int line, int beam, int reach) {
     const double count = reach + 1;
     const double spread = count * (count * count - 1) / 12;
     const double u = static_cast<double>(inverse.u[static_cast<std::size_t>(at)]);
-    // Both slopes point outwards: on a plane they cancel. White noise of 1 mm makes kFoldOfWhite / sqrt(spread) of their sum, in mm.
+    // Both slopes point outwards: on a plane they cancel. White noise of 1 mm gives their sum a standard deviation of kFoldOfWhite /
+    // sqrt(spread), in mm.
     return static_cast<float>(1000.0 * std::abs(before + after) / (u * u) / std::sqrt(spread) / static_cast<double>(kFoldOfWhite));
 }
 
@@ -247,7 +248,7 @@ NoiseScales noiseScales(const InverseRange& inverse, bool all) {
     for (std::size_t n = 0; n < kLagsThatDecide; ++n) measure(n);
     scales.inSteps = scales.nilShare > kMostNil;
     scales.remembered = scales.inSteps && scales.sigmaMm[1] > kGrows * scales.sigmaMm[0];
-    // The others look far along the columns, which takes longer than all the rest: not for the noise of a laser.
+    // The large lags read far along the columns, which takes longer than all the rest: they are not needed for the noise of a laser.
     if (all || scales.remembered)
         for (std::size_t n = kLagsThatDecide; n < kNoiseLags.size(); ++n) measure(n);
     return scales;

@@ -1,4 +1,4 @@
-// What the operator turned, in the terms of EdgeScan+.
+// Converts the operator's settings to those of EdgeScan+.
 #include "core/edges/edgescan_plus/plus_settings.h"
 
 #include "core/edges/settings/method_traits.h"

@@ -1,4 +1,4 @@
-// What the operator turned, in the terms of EdgeScan+.
+// Converts the operator's settings to those of EdgeScan+.
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -6,12 +6,12 @@
 
 namespace edgescan {
 
-/// The method must not be Canny. Outlines and jumps are classes of the same edges.
+/// The settings of EdgeScan+. The method must not be Canny. Outlines and Jumps are EdgeScan+ with fewer classes.
 [[nodiscard]] DepthEdgeSettings depthEdgeSettings(const Settings& settings);
 
 /// "jump", "convex", "concave", "border", "silhouette"; "none".
 [[nodiscard]] const char* edgeClassName(DepthEdge kind);
-/// As people read it, and the switches say it: "data border", "outline before a void".
+/// The name for people, as on the switches: "data border", "outline before a void".
 [[nodiscard]] const char* edgeClassLabel(DepthEdge kind);
 
 } // namespace edgescan

@@ -9,7 +9,7 @@
 
 namespace edgescan {
 
-/// The two ways through a sweep: along the fan, and across the lines.
+/// The two directions in a sweep: along the fan (from beam to beam), and across the lines (from line to line).
 enum class Along : std::uint8_t { Beams, Lines };
 
 using Lines = LineWindow<float>;
@@ -24,30 +24,33 @@ struct DepthField {
     [[nodiscard]] std::ptrdiff_t step(Along along) const { return stepOf(u, along); }
 };
 
-/// Thresholds of the stages, from sliders and noise (docs/method.md, "Step 3", "Step 5", "Step 6").
+/// Thresholds of the stages, from settings and noise (docs/method.md, "Step 3", "Step 5", "Step 6"). depthLimits() sets all of them; the
+/// values here are only placeholders. q is the noise divided by that of an LMS511.
 struct DepthLimits {
-    float jumpMm = 30;    ///< J0
-    float growth = 0.01F; ///< p
-    float grazing = 0.1F; ///< g, index steps
+    float jumpMm = 30;    ///< J0: smallest jump near the scanner, mm; automatic: 30 q
+    float growth = 0.01F; ///< p: added to J0, as a share of the range
+    float grazing = 0.1F; ///< g: displacement, in index steps, that is tolerated on a grazing surface
+    /// misfit: distance of the two lines of a fold at the cell, mm, at which the fold has lost part of its weight; depthLimits(): 6 q
     float misfitMm = 5;
-    float windowMm = 60;
-    float creaseDeg = 30; ///< C0
-    float reliefMm = 5;   ///< roughness of a surface, measured across it; along a slanted beam it is longer
-    bool noisy = false;   ///< lines at jumps run through three cells instead of two
-    int passes = 1;       ///< of smoothing
+    float windowMm = 60;  ///< w: length of one side of a fold, mm; depthLimits(): 50 q^0.7
+    float creaseDeg = 30; ///< C0: smallest fold, degrees
+    float reliefMm = 5;   ///< roughness of a surface, mm, measured across it; along a slanted beam it is longer; depthLimits(): 5 q
+    bool noisy = false;   ///< straight lines at jumps use three cells instead of two (q > 1.5)
+    int passes = 1;       ///< number of smoothing passes
     RangeNoise noise;
-    RangeNoise foldNoise; ///< the white noise that folds surfaces as much as the scan's does within the window
+    RangeNoise foldNoise; ///< the white noise that causes as large folds within the window as the scan's noise does
 
+    /// Jump threshold at a range; both in mm.
     [[nodiscard]] float jumpAt(float rangeMm) const { return jumpMm + growth * rangeMm; }
 };
 
-/// Angle of one index step at the cells of a line, radians. `room` holds the values where they differ from line to line.
-[[nodiscard]] inline const float* anglesOf(const AngularSteps& steps, Along along, int line, std::vector<float>& room) {
+/// Angle of one index step at the cells of a line, radians. `buffer` holds the values if they differ from line to line.
+[[nodiscard]] inline const float* anglesOf(const AngularSteps& steps, Along along, int line, std::vector<float>& buffer) {
     if (along == Along::Beams) return steps.beam.data();
     const float step = steps.line[static_cast<std::size_t>(line)];
-    room.resize(steps.fromAxis.size());
-    std::transform(steps.fromAxis.begin(), steps.fromAxis.end(), room.begin(), [step](float sine) { return step * sine; });
-    return room.data();
+    buffer.resize(steps.fromAxis.size());
+    std::transform(steps.fromAxis.begin(), steps.fromAxis.end(), buffer.begin(), [step](float sine) { return step * sine; });
+    return buffer.data();
 }
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Voids along every line and every beam: which end is the near one, and whether it ends there.
+// Examines voids along every line and every beam: which end is nearer, and whether its surface ends there.
 #include "core/edges/edgescan_plus/silhouettes.h"
 
 #include "core/base/simd.h"
@@ -11,21 +11,21 @@
 namespace edgescan {
 namespace {
 
-constexpr int kSide = 5;          // cells of a surface that its slope is taken from
-constexpr int kFewest = 3;        // of them
+constexpr int kSide = 5;          // cells of a surface used for its slope
+constexpr int kFewest = 3;        // least number of these
 constexpr float kSure = 1;        // jump thresholds
-constexpr float kBend = 0.25F;    // tangent by which a surface may bend on its way across the void
+constexpr float kBend = 0.25F;    // tangent of the angle by which a surface may bend across the void
 constexpr float kGrazing = 2.75F; // tangent of 70 degrees
-constexpr int kBridged = 4;       // cells of a gap that step 1 may have filled
+constexpr int kBridged = 4;       // longest gap that step 1 may have filled, cells
 
-// The cells of one line along the beams, or of one beam along the lines.
+// The cells of one line in beam order, or of one beam in line order.
 struct Way {
     const InverseRange& inverse;
     const AngularSteps& steps;
     Along along;
     int at;               // line or beam
-    int count;            // cells
-    bool bridged = false; ///< gaps that were filled are looked at: a surface ends at them too
+    int count;            // number of cells
+    bool bridged = false; ///< filled gaps are examined, too: a surface may end at them
 
     [[nodiscard]] std::size_t cell(int n) const { return along == Along::Beams ? inverse.u.index(at, n) : inverse.u.index(n, at); }
     [[nodiscard]] bool isVoid(int n) const {
@@ -36,7 +36,7 @@ struct Way {
     [[nodiscard]] float angle(int n) const { return along == Along::Beams ? steps.beam[static_cast<std::size_t>(n)] : steps.lineAt(n, at); }
 };
 
-// The surface that ends at a cell: its slope of u per cell towards the void; not known where there are too few cells or a break.
+// The surface that ends at a cell: its slope of u per cell towards the void; unknown if there are too few cells or a break.
 struct End {
     float u = 0, slope = 0;
     bool known = false;
@@ -61,12 +61,12 @@ End endAt(const Way& way, int n, int awayFromVoid, const DepthLimits& limits) {
     return end;
 }
 
-// Whether the surface of `near` ends before the void of `cells` and the other one is behind it.
+// Whether the surface of `near` ends before the void of `cells` and the other surface is behind it.
 bool isOutline(const End& near, const End& far, int cells, float angle, const DepthLimits& limits) {
     if (!near.known || !far.known || std::abs(near.slope) > kGrazing * near.u * angle) return false;
     const auto steps = static_cast<float>(cells + 1);
-    const float continued = near.u + steps * near.slope; // beside the far end
-    const float backwards = far.u + steps * far.slope;   // beside the near end
+    const float continued = near.u + steps * near.slope; // next to the far end
+    const float backwards = far.u + steps * far.slope;   // next to the near end
     if (continued <= 0) return false;
     const float farMm = 1000 / far.u;
     const float least = kSure * limits.jumpAt(farMm) + kBend * steps * angle * farMm;
@@ -74,7 +74,7 @@ bool isOutline(const End& near, const End& far, int cells, float angle, const De
     return behind && (backwards <= 0 || 1000 / backwards - 1000 / near.u > least);
 }
 
-// A void between two cells of a way.
+// Examines a void between two cells of a way.
 void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
     const bool first = way.u(before) >= way.u(after);
     const int at = first ? before : after;
@@ -84,7 +84,7 @@ void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits
     if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
 }
 
-// A gap that was filled, ending before cell `after`: a jump may lie in it, spread over so many cells that none of them shows it.
+// Examines a filled gap that ends before cell `after`: it may contain a jump, distributed over so many cells that no single cell shows it.
 void lookAtBridge(const Way& way, int after, const DepthLimits& limits, Grid<std::uint8_t>& marked) {
     int before = after - 1;
     while (before >= std::max(0, after - 1 - kBridged) && way.inverse.support[way.cell(before)] == Support::Filled) --before;
@@ -97,7 +97,7 @@ EDGESCAN_SIMD void markVoidEnds(const Support* before, const Support* here, int 
     for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Void) & (here[n] != Support::Void));
 }
 
-// 1 where a gap that was filled ends.
+// 1 where a filled gap ends.
 EDGESCAN_SIMD void markBridgeEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
     for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Filled) & (here[n] == Support::Measured));
 }
@@ -115,7 +115,7 @@ void markAlongBeams(const InverseRange& inverse, const AngularSteps& steps, cons
         forEachMarked(ends, [&](std::size_t n) {
             int before = static_cast<int>(n);
             while (before >= 0 && support[before] == Support::Void) --before;
-            // Nobody knows what is beyond the border of the grid.
+            // The surface beyond the border of the grid is unknown.
             if (before >= 0) lookAtVoid({inverse, steps, Along::Beams, i, beams}, before, static_cast<int>(n) + 1, limits, marked);
         });
         markBridgeEnds(support, support + 1, beams - 1, ends.data());

@@ -1,4 +1,4 @@
-// The order of the stages, and how far each is behind the one before.
+// The order of the stages, and by how many lines each is behind the one before.
 #include "core/edges/edgescan_plus/surface_lines.h"
 
 #include "core/base/simd.h"
@@ -11,8 +11,8 @@ namespace edgescan {
 namespace {
 
 constexpr float kMarginU = 1.0F;
-constexpr int kAround = 8; // lines of jumps and folds that can be looked at together
-// By how many lines each stage lags behind the line that is read.
+constexpr int kAround = 8; // lines of jumps and folds that can be read together
+// By how many lines each stage is behind the line that is read.
 constexpr int kToSnapped = kMixedLooksOn;
 constexpr int kToCracks = kToSnapped + kJumpLooksOn;
 constexpr int kSurfaceLines = kToCracks + kJumpLooksBack + 1;
@@ -77,7 +77,7 @@ void SurfaceLines::snapAlongLines(int line) {
         snapMixedPixels({snappedOnce_, solid_}, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), limits_, snapped_);
 }
 
-// Cracks from the margin before the first line to the last one's.
+// Cracks from the margin before the first line to those of the last line.
 void SurfaceLines::findCracks(int line) {
     const DepthField field{snapped_, solid_};
     if (!isInside(line)) {

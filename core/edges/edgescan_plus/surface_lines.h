@@ -1,4 +1,5 @@
-// Jumps and folds of a sweep line by line: every stage of EdgeScan+ works on a line as soon as the stage before has done what it looks at.
+// Jumps and folds of a sweep line by line: every stage of EdgeScan+ processes a line as soon as the stage before has finished the lines
+// that it needs.
 #pragma once
 
 #include "core/edges/edgescan_plus/crease.h"
@@ -9,34 +10,34 @@
 
 namespace edgescan {
 
-/// The stages between a cleaned sweep and what is decided on (docs/method.md, "Step 2" to "Step 5"), and the lines between them. What they
-/// say of a line depends on no more than a few dozen lines round it, and no more are held.
+/// The stages between a cleaned sweep and the decision (docs/method.md, "Step 2" to "Step 5"), and the lines between them. The results of a
+/// line depend only on a few dozen lines around it, and only these are stored.
 class SurfaceLines {
 public:
-    /// What is said of a line depends on no more than so many lines before it.
+    /// The results of a line depend on at most this many lines before it.
     static constexpr int kLooksBack = 32;
 
-    /// The references are kept. Begins at line `from`, as if no lines were before it.
+    /// Stores the references. Begins at line `from` as if it were the first line.
     SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits, int from = 0);
 
-    /// Takes up one more line of the sweep; after the last one, lines of the margin.
+    /// Reads one more line of the sweep; after the last one, lines of the margin.
     void advance();
 
-    /// S_J per cell, both ways, ...
+    /// S_J per cell in both directions, ...
     [[nodiscard]] const Lines& jumps(Along along) const { return along == Along::Beams ? jumpBeams_ : jumpLines_; }
-    /// ... and S_C. Both have lines of 0 after the last one of the sweep.
+    /// ... and S_C. Both have lines of 0 behind the last line of the sweep.
     [[nodiscard]] const Lines& folds(Along along) const { return along == Along::Beams ? folds_.alongBeams : folds_.alongLines; }
 
     /// S_J of the cracks of the newest line of jumps; empty before the first.
     [[nodiscard]] const Lines& cracks(Along along) const { return along == Along::Beams ? crackBeams_ : crackLines_; }
 
-    /// u of the newest lines of jumps, mixed pixels snapped, and where it is solid.
+    /// u of the newest lines of jumps, with mixed pixels moved to a surface, and the solid flags.
     [[nodiscard]] DepthField surface() const { return {snapped_, solid_}; }
-    /// u of the newest line of folds and those around it, smoothed, and where neighbours are linked.
+    /// Smoothed u of the newest line of folds and of those around it, and the links between neighbours.
     [[nodiscard]] const Lines& smoothed() const { return passes_.back().lines; }
     [[nodiscard]] const Links& links(Along along) const { return along == Along::Beams ? linkBeams_ : linkLines_; }
 
-    /// The newest line there is; negative before the first.
+    /// The newest line; negative before the first.
     [[nodiscard]] int jumpLine() const { return crackLine_; }
     [[nodiscard]] int foldLine() const { return crackLine_ - limits_.passes - kFoldLooks; }
 
@@ -58,13 +59,13 @@ private:
     int crackLine_;  // newest line of cracks
     Lines measured_; // u
     Lines solid_;
-    Lines snappedOnce_; // u, mixed pixels snapped along the beams ...
+    Lines snappedOnce_; // u, with mixed pixels moved along the beams ...
     Lines snapped_;     // ... and along the lines
     Lines crackBeams_, crackLines_;
     Links linkBeams_, linkLines_;
     Lines jumpBeams_, jumpLines_;
     struct Pass {
-        Lines beams, lines; // u, smoothed along both
+        Lines beams, lines; // u, smoothed in both directions
     };
     std::vector<Pass> passes_;
     FoldWork work_;

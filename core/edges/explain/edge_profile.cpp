@@ -1,4 +1,4 @@
-// Points across a cell.
+// The points on both sides of a cell.
 #include "core/edges/explain/edge_profile.h"
 
 #include "core/scan/grid/cartesian.h"
@@ -50,7 +50,7 @@ EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach)
         return scan.rangeMm.index(l, b);
     };
     const Eigen::Vector3d own = tables.point(k), away = (own - tables.sensor()).normalized();
-    // The beams of the profile span a plane with the cell's own; what points across it there is taken from the farthest of them.
+    // The beams of the profile define a plane with the cell's own beam. The direction across the beam is taken from the farthest of them.
     Eigen::Vector3d across = Eigen::Vector3d::Zero();
     for (int steps = reach; steps > 0 && across.isZero(); --steps) {
         for (const int way : {1, -1}) {

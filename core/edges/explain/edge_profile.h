@@ -1,4 +1,4 @@
-// The surface across a cell as a picture has it: the points along its line or across the lines, and a straight line through each side.
+// A profile of the surface at a cell for display: the points along its line or across the lines, and a straight line through each side.
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"
@@ -10,7 +10,7 @@
 
 namespace edgescan {
 
-/// In the plane of the beams: `across` at right angles to the cell's own beam, `away` along it, both metres from the cell.
+/// In the plane of the beams: `across` at right angles to the cell's own beam, `away` along it, both in metres from the cell.
 struct ProfilePoint {
     std::size_t cell = 0;
     int side = 0; ///< -1 or 1: before or behind the cell; 0: the cell itself
@@ -19,16 +19,16 @@ struct ProfilePoint {
 };
 struct ProfileLine {
     double fromAcrossM = 0.0, fromAwayM = 0.0, toAcrossM = 0.0, toAwayM = 0.0;
-    int points = 0; ///< that it was laid through
+    int points = 0; ///< number of points that it was fitted to
 };
 struct EdgeProfile {
     Along along = Along::Beams;
-    std::vector<ProfilePoint> points;                ///< in order; without the cells that have no range
-    std::array<std::optional<ProfileLine>, 2> sides; ///< before and behind the cell; empty where fewer than 3 points lie there
+    std::vector<ProfilePoint> points;                ///< in order; cells without a range are left out
+    std::array<std::optional<ProfileLine>, 2> sides; ///< before and behind the cell; empty if a side has fewer than 3 points
 };
 
-/// Up to `reach` cells to either side; lines are laid through the 6 nearest of a side with the smallest sum of squares across them.
-/// Empty where the cell has no range.
+/// The profile with up to `reach` cells on either side. Each straight line is fitted to the 6 nearest points of a side, with the smallest
+/// sum of squared distances from the line. Empty if the cell has no range.
 [[nodiscard]] EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach = 12);
 
 } // namespace edgescan

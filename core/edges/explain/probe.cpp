@@ -1,4 +1,4 @@
-// Everything known about one cell.
+// All values of one cell.
 #include "core/edges/explain/probe.h"
 
 #include "core/scan/gap_filling/gap_filling.h"

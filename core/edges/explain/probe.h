@@ -1,4 +1,4 @@
-// Everything known about one cell, for the status bar and for copying.
+// All values of one cell, for the status bar and for copying.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -14,13 +14,13 @@ struct Probe {
     double beamDeg = kAutomatic; ///< NaN for an organised cloud
     double lineDeg = kAutomatic;
     CellState state = CellState::NoReturn;
-    double rangeMm = 0.0; ///< raw value times unit; a range only where state is Valid
+    double rangeMm = 0.0; ///< raw value times unit; a range only if state is Valid
     int gray = 0;
-    std::optional<FilledCell> filled{};   ///< what its gap was filled with; nobody measured it
+    std::optional<FilledCell> filled{};   ///< the value that fills its gap; not measured
     Eigen::Vector3d pointM;               ///< scanner frame, metres; NaN where not valid
-    std::optional<Eigen::Vector3d> mineM; ///< Easting, Northing, Elevation; empty when the scan has no pose
+    std::optional<Eigen::Vector3d> mineM; ///< Easting, Northing, Elevation; empty if the scan has no pose
     bool edge = false;
-    DepthEdge kind = DepthEdge::None; ///< of an edge, where the method tells classes apart
+    DepthEdge kind = DepthEdge::None; ///< class of an edge, if the method distinguishes classes
 };
 
 /// `k` must be a cell of the detection's scan.

@@ -1,4 +1,4 @@
-// Why a cell is an edge, or why it is none.
+// Explains why a cell is an edge, or why it is not.
 #include "core/edges/explain/why.h"
 
 #include "core/edges/pipeline/methods.h"
@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// A value of the table's precision at which the cell still is an edge: rounded down.
+// A value with the table's precision at which the cell is still an edge: rounded down.
 double roundedDown(double value, const Parameter& parameter) {
     const double tens = std::pow(10.0, parameter.decimals);
     return std::floor(value * tens) / tens;
 }
 
-// Breadth first over cells above the lower threshold: the way to the nearest strong cell, and how many cells hang together.
+// Breadth first over cells above the lower threshold: finds the path to the nearest strong cell, and the number of connected cells.
 void followChain(Why& why) {
     const Grid<float>& strength = why.linked;
     if (why.standing == Standing::Below) return;
@@ -62,8 +62,8 @@ Standing standingOf(double strength, const Why& why) {
     return strength > why.upper ? Standing::Above : strength > why.lower ? Standing::Between : Standing::Below;
 }
 
-// Strengths and thresholds as a person turns them.
-void tellAsShown(Why& why, const Settings& settings) {
+// Converts strengths and thresholds to the units of the settings.
+void convertToShownUnits(Why& why, const Settings& settings) {
     const auto shown = [&](double& value) { value = why.shown(value, settings); };
     for (double* value : {&why.strength, &why.lower, &why.upper}) shown(*value);
     for (std::optional<double>* value : {&why.alongBeams, &why.alongLines}) {
@@ -90,7 +90,7 @@ Why whyCell(const Detection& detection, std::size_t k) {
     const bool linked = why.linked.size() > 0;
     why.standing = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
     if (linked) followChain(why);
-    if (why.shown != nullptr) tellAsShown(why, settings);
+    if (why.shown != nullptr) convertToShownUnits(why, settings);
     const double highest = decision.thresholds(detection).highest[k];
     if (highest >= 0) {
         const double limited = std::min(roundedDown(highest, parameter), parameter.maximum);

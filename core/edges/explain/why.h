@@ -1,4 +1,4 @@
-// Why a cell is an edge, or why it is none.
+// Explains why a cell is an edge, or why it is not.
 #pragma once
 
 #include "core/edges/explain/probe.h"
@@ -11,33 +11,33 @@
 
 namespace edgescan {
 
-/// Where a strength stands between the thresholds.
+/// The position of a strength relative to the two thresholds.
 enum class Standing : std::uint8_t { Below, Between, Above };
 
 struct Why : Judgement {
     Probe probe;
-    std::optional<double> smoothed; ///< level after smoothing; null where the method smooths no levels
-    const char* unit = "";          ///< of strength and thresholds: "levels", "% of range" (of a straight step), "x"
+    std::optional<double> smoothed; ///< level after smoothing; null if the method does not smooth levels
+    const char* unit = "";          ///< unit of strength and thresholds: "levels", "% of range" (of a straight step), "x"
     Standing standing = Standing::Below;
-    std::vector<CellStrength> chain;         ///< from the cell to the nearest strong one, both included; empty when there is none
-    std::size_t chainCells = 0;              ///< cells that hang together with it above the lower threshold, itself included
+    std::vector<CellStrength> chain;         ///< path from the cell to the nearest strong one, including both; empty if there is none
+    std::size_t chainCells = 0;              ///< number of cells connected with it above the lower threshold, including itself
     std::vector<std::uint32_t> chainMembers; ///< these, ascending
-    std::optional<CellStrength> chainTop;    ///< the strongest of these
-    const char* parameter = "";              ///< key of the parameter that decides most directly
-    std::optional<double> appearsAt;         ///< the cell is an edge up to this value of it; null: at none
-    std::string verdict;                     ///< one sentence, with the key of the parameter as typed on the command line
+    std::optional<CellStrength> chainTop;    ///< the strongest of them
+    const char* parameter = "";              ///< key of the parameter with the most direct influence
+    std::optional<double> appearsAt;         ///< the cell is an edge up to this value of the parameter; null: at no value
+    std::string verdict;                     ///< one sentence, with the parameter's key as on the command line
 };
 
-/// `k` must be a cell of the detection's scan. Runs the method's stages again: about as costly as the detection itself.
+/// `k` must be a cell of the detection's scan. Runs the method's stages again, so it costs about as much as the detection.
 [[nodiscard]] Why whyCell(const Detection& detection, std::size_t k);
 
-/// How parameters are called: by the flags of the command line, or by the labels of the sliders.
+/// The names of parameters: the flags of the command line, or the labels of the sliders.
 enum class Naming : std::uint8_t { Keys, Labels };
 [[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming);
 
-/// Several lines for a person who sees the sliders: what was measured, and against which limits.
+/// Several lines for the window: the measurements and their limits.
 [[nodiscard]] std::string whyNumbers(const Why& why, const Settings& settings);
-/// The same with the verdict as the last line.
+/// The same, with the verdict as the last line.
 [[nodiscard]] std::string whyText(const Why& why, const Settings& settings);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// The words of why a cell is an edge, or why it is none.
+// The text that explains why a cell is an edge, or why it is not.
 #include "core/base/number_text.h"
 #include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/explain/why.h"
@@ -20,7 +20,7 @@ std::string place(const CellStrength& cell) { return place(cell.line, cell.beam)
 
 bool isDepth(const Why& why) { return why.depth.has_value(); }
 
-// A number with the unit of the thresholds; strengths of EdgeScan+ are plain factors.
+// A number with the unit of the thresholds; strengths of EdgeScan+ are factors without unit.
 std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
 
 const char* kindName(DepthEdge kind) {
@@ -43,7 +43,7 @@ Thresholds thresholdNames(const Why& why, const Settings& settings, Naming namin
     return {"the lower threshold " + inUnit(why, why.lower), "the upper threshold " + inUnit(why, why.upper)};
 }
 
-// The farther side of a jump has no edge, however large the jump: the rock's border is the nearer cell's.
+// The farther side of a jump is never an edge, however large the jump: the outline of the rock is at the nearer cell.
 const DepthStepAtCell* stepOfNeighbour(const Why& why) {
     if (!isDepth(why) || why.strength > why.lower) return nullptr;
     const auto& steps = why.depth->steps;
@@ -112,7 +112,7 @@ std::string foldText(const Why& why, const FoldAtCell& fold) {
     return text + ": strength " + number(fold.strength) + ".";
 }
 
-// What the surface says at the cell, a line each.
+// The measurements of the surface at the cell, one per line.
 std::string depthText(const Why& why) {
     const DepthProbe& depth = *why.depth;
     std::string text;

@@ -15,7 +15,7 @@
 namespace edgescan {
 namespace {
 
-constexpr std::uint8_t kEdge = 128; // and no other bit: what is weak or strong still waits
+constexpr std::uint8_t kEdge = 128; // and no other bit: marks that are weak or strong are not decided yet
 
 constexpr std::size_t kEight = sizeof(std::uint64_t);
 constexpr std::uint64_t kEachByte = 0x0101010101010101U;
@@ -36,7 +36,7 @@ void forBytesWith(std::uint8_t bits, const std::uint8_t* bytes, std::size_t coun
             if ((bytes[n] & bits) != 0) visit(n);
         }
     };
-    for (; k + 4 * kEight <= count; k += 4 * kEight) { // most have none
+    for (; k + 4 * kEight <= count; k += 4 * kEight) { // most bytes are 0
         const std::uint64_t first = eightBytes(bytes + k) | eightBytes(bytes + k + kEight);
         const std::uint64_t second = eightBytes(bytes + k + 2 * kEight) | eightBytes(bytes + k + 3 * kEight);
         if (((first | second) & wanted) == 0) continue;
@@ -49,7 +49,7 @@ void forBytesWith(std::uint8_t bits, const std::uint8_t* bytes, std::size_t coun
     }
 }
 
-// Marks of what hangs together with a strong cell become edges, by 8 neighbours.
+// Marks connected with a strong cell (8 neighbours) become edges.
 void followFromStrongCells(CannyMarks& marks) {
     constexpr std::uint8_t kWaits = CannyMarks::kWeak | CannyMarks::kStrong;
     const auto width = static_cast<std::ptrdiff_t>(marks.width());
@@ -67,14 +67,14 @@ void followFromStrongCells(CannyMarks& marks) {
             std::uint8_t* const cell = waiting.back();
             waiting.pop_back();
             for (std::uint8_t* middle : {cell - width, cell, cell + width}) {
-                if (anyOf(middle) == 0) continue; // as behind the end of a line that was followed
+                if (anyOf(middle) == 0) continue; // the strong cells of a line that was already followed are edges now
                 for (const std::ptrdiff_t step : {-1, 0, 1}) take(middle + step);
             }
         }
     });
 }
 
-// The weak cells that are left over are none.
+// The remaining weak cells are not edges.
 Grid<std::uint8_t> edgesOf(const CannyMarks& marks) {
     Grid<std::uint8_t> mask(marks.lines, marks.beams);
     for (int i = 0; i < marks.lines; ++i) {
@@ -86,7 +86,7 @@ Grid<std::uint8_t> edgesOf(const CannyMarks& marks) {
     return mask;
 }
 
-// cv::Canny takes whole numbers below its thresholds; magnitudes are whole.
+// cv::Canny rounds its thresholds down to whole numbers; magnitudes are whole numbers.
 std::int32_t wholeLimit(double threshold, int aperture, Norm norm) {
     const double limit = std::floor(magnitudeLimit(threshold, gradientScale(aperture), norm));
     return static_cast<std::int32_t>(std::clamp(limit, 0.0, static_cast<double>(std::numeric_limits<std::int32_t>::max())));
@@ -127,7 +127,8 @@ std::vector<std::uint32_t> edgeCells(const Grid<std::uint8_t>& mask) {
     for (; k + kEight <= mask.size(); k += kEight) { // most of a mask is empty
         if (eightBytes(bytes + k) == 0) continue;
         if (found + kEight > cells.size()) cells.resize(2 * cells.size());
-        for (std::size_t n = k; n < k + kEight; ++n) { // written whether or not: which cells are edges is not to be guessed
+        // Written without a branch, because the processor cannot predict which cells are edges.
+        for (std::size_t n = k; n < k + kEight; ++n) {
             cells[found] = static_cast<std::uint32_t>(n);
             found += bytes[n] != 0 ? 1U : 0U;
         }

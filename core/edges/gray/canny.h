@@ -14,15 +14,15 @@ namespace edgescan {
 /// 255 = edge, lines x beams: cv::Canny with lower, upper = ratio x lower, aperture and norm of the settings.
 [[nodiscard]] Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings);
 
-/// The same by the loops of one instruction set.
+/// The same, by the loops of one instruction set.
 [[nodiscard]] Grid<std::uint8_t> cannyBy(const GrayLoops& loops, const Grid<std::uint8_t>& smoothed, const Settings& settings);
 
-/// As canny(), but a missing cell in the gradient window counts as the window's centre and has no gradient itself, so that the
-/// border of a hole makes no edge. Bit-identical to canny() where no cell is missing. `missing`: 255 = no valid range.
+/// As canny(), but a missing cell in the gradient window counts as the window's centre and has no gradient itself, so that the border of a
+/// hole does not become an edge. Bit-identical to canny() if no cell is missing. `missing`: 255 = no valid range.
 [[nodiscard]] Grid<std::uint8_t> cannyAroundHoles(const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing,
                                                   const Settings& settings);
 
-/// Suppression and hysteresis of a gradient from elsewhere; thresholds as the gradient counts before its scale.
+/// Suppression and hysteresis of a given gradient; the thresholds are in units of the gradient before its scale.
 [[nodiscard]] Grid<std::uint8_t> cannyOfGradient(const Gradient& gradient, double lower, double upper, Norm norm);
 
 /// Indices k = line * beams + beam of the edge cells, ascending.

@@ -13,7 +13,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kLargestThreshold = 32767.0; // cv::Canny squares no more than this
+constexpr double kLargestThreshold = 32767.0; // cv::Canny squares no threshold above this
 
 Gradient plainSobel(const Grid<std::uint8_t>& smoothed, int aperture) {
     Gradient gradient{Grid<std::int16_t>(smoothed.lines, smoothed.beams), Grid<std::int16_t>(smoothed.lines, smoothed.beams),
@@ -26,7 +26,7 @@ Gradient plainSobel(const Grid<std::uint8_t>& smoothed, int aperture) {
     return gradient;
 }
 
-// One cell's gradient with missing cells counted as the centre.
+// One cell's gradient; missing cells count as the centre.
 void gradientAt(Gradient& gradient, const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing, const SobelWeights& weights,
                 int line, int beam) {
     const int aperture = static_cast<int>(weights.derivative.size());
@@ -111,7 +111,7 @@ AlongGradient alongGradient(std::int16_t alongBeams, std::int16_t alongLines) {
 Grid<std::int32_t> suppressedMagnitude(const Gradient& gradient, Norm norm) {
     const int lines = gradient.alongBeams.lines;
     const int beams = gradient.alongBeams.beams;
-    // A frame of zeros round the magnitudes: what lies outside is outdone by everything.
+    // A frame of zeros around the magnitudes: cells outside are weaker than all others.
     const std::size_t wide = static_cast<std::size_t>(beams) + 2;
     std::vector<std::int32_t> magnitude(wide * (static_cast<std::size_t>(lines) + 2));
     for (int i = 0; i < lines; ++i) {

@@ -9,7 +9,7 @@
 namespace edgescan {
 namespace {
 
-// Down to the right, and down to the left.
+// To the lower right, and to the lower left.
 MaskComponents robertsDifferences(const Neighbours& at) { return {at.centre - at.around[4], at.around[3] - at.around[5]}; }
 
 // 5 x (three in a row) - 3 x (the other five) = 8 x (three in a row) - 3 x all.
@@ -28,7 +28,7 @@ int robinsonAnswer(const Neighbours& at, std::size_t turn) {
 
 double degreesOf(MaskComponents way) { return std::atan2(way.alongLines, way.alongBeams) * 180.0 / std::numbers::pi; }
 
-// The middle of the strongest mask; its first cell is the one at the top left.
+// The middle of the strongest mask; its first cell is at the top left.
 MaskDirection strongestOf(const Neighbours& at, int (*answer)(const Neighbours&, std::size_t)) {
     static constexpr std::array<MaskComponents, 8> kPlaces{{{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}};
     int strongest = 0;
@@ -60,7 +60,7 @@ Grid<float> robertsResponse(const Grid<std::uint8_t>& levels, const Grid<std::ui
                                 [norm = settings.norm](const Neighbours& at) { return strengthOf(robertsDifferences(at), norm); });
 }
 
-// The sum of both diagonal differences falls from line to line, their difference rises from beam to beam.
+// The sum of both diagonal differences decreases from line to line; their difference increases from beam to beam.
 MaskDirection robertsDirection(const Neighbours& at) {
     const MaskComponents c = robertsDifferences(at);
     return directionOf({c.alongLines - c.alongBeams, -c.alongBeams - c.alongLines}, 0.5);

@@ -1,4 +1,4 @@
-// The gradient detectors of the thesis's chapter 3: two or eight small masks, and the strength of their answer.
+// The gradient detectors of the thesis's chapter 3: two or eight small masks, and the strength of their response.
 #pragma once
 
 #include "core/edges/gray/neighbours.h"
@@ -9,17 +9,17 @@
 
 namespace edgescan {
 
-// The responses take gray levels (as they are, or smoothed), lines x beams, and the cells that take no part (255; may be null): such a cell
-// in a window counts as the window's cell, and has no response itself. They give the response of every cell in units of the masks' sums.
+// The responses take gray levels (raw or smoothed), lines x beams, and the missing cells (255; may be null). A missing cell in a window
+// counts as the window's centre, and has no response itself. The responses are divided by the sums of the masks.
 
-/// Which way the levels rise at a cell.
+/// The direction in which the levels increase at a cell.
 struct MaskDirection {
-    std::optional<double> alongBeams{}; ///< components where the detector has them, in the units of the response; both, or none
+    std::optional<double> alongBeams{}; ///< components in the units of the response, for detectors that have them; either both or neither
     std::optional<double> alongLines{};
-    std::optional<double> deg{}; ///< 0 along increasing beams, 90 along increasing lines; empty where the levels are even
+    std::optional<double> deg{}; ///< 0 along increasing beams, 90 along increasing lines; empty where the levels are equal
 };
 
-/// Answers of two masks, with their own strength and direction.
+/// The responses of two masks, with their strength and direction.
 struct MaskComponents {
     int alongBeams, alongLines;
 };
@@ -49,12 +49,12 @@ template <int kCorner, int kMiddle>
 [[nodiscard]] Grid<float> robertsResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 [[nodiscard]] MaskDirection robertsDirection(const Neighbours& at);
 
-/// Kirsch (1971): the strongest of eight masks, -3 -3 5 / -3 0 5 / -3 -3 5 turned by 45 degrees each.
+/// Kirsch (1971): the strongest of eight masks, -3 -3 5 / -3 0 5 / -3 -3 5 rotated by 45 degrees each.
 [[nodiscard]] Grid<float> kirschResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
-/// That of the strongest mask, a multiple of 45 degrees.
+/// The direction of the strongest mask, a multiple of 45 degrees.
 [[nodiscard]] MaskDirection kirschDirection(const Neighbours& at);
 
-/// Robinson (1977): the strongest of eight masks, -1 0 1 / -2 0 2 / -1 0 1 turned by 45 degrees each.
+/// Robinson (1977): the strongest of eight masks, -1 0 1 / -2 0 2 / -1 0 1 rotated by 45 degrees each.
 [[nodiscard]] Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 [[nodiscard]] MaskDirection robinsonDirection(const Neighbours& at);
 

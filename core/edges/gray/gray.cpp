@@ -1,4 +1,4 @@
-// Range to gray.
+// Converts ranges to gray levels.
 #include "core/edges/gray/gray.h"
 
 #include "core/base/order_statistic.h"
@@ -14,12 +14,12 @@ namespace edgescan {
 namespace {
 
 constexpr double kLevels = 255.0;
-constexpr double kTrimmedShare = 0.01;      // of the ranges at either end
+constexpr double kTrimmedShare = 0.01;      // share of the ranges that is cut off at either end
 constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 degrees then stays below the default thresholds
-constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to these, so that every libm gives the same mask
-constexpr std::size_t kTableMm = 1U << 17U; // ranges looked up instead of searched
+constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to this fraction, so that every libm gives the same mask
+constexpr std::size_t kTableMm = 1U << 17U; // ranges up to this are looked up in a table instead of searched
 
-// 1 % and 99 % of the valid ranges, kSmallestRatio apart at least.
+// 1 % and 99 % of the valid ranges, at least a factor kSmallestRatio apart.
 GrayScale logScale(const Scan& scan) {
     std::vector<float> ranges;
     ranges.reserve(scan.cells());
@@ -35,11 +35,11 @@ GrayScale logScale(const Scan& scan) {
         nearMm = middle / std::sqrt(kSmallestRatio);
         farMm = nearMm * kSmallestRatio;
     }
-    // Whole millimetres: the numbers shown are the numbers used.
+    // Whole millimetres, so that the displayed numbers are the numbers in use.
     return {std::max(1.0, std::round(nearMm)), std::round(farMm), true};
 }
 
-// limits[n] is the range at which level n turns into level n + 1.
+// limits[n] is the range at which level n changes to level n + 1.
 std::array<double, 255> logLimits(const GrayScale& scale) {
     std::array<double, 255> limits{};
     const double ratio = std::log(scale.farMm / scale.nearMm);
@@ -50,7 +50,7 @@ std::array<double, 255> logLimits(const GrayScale& scale) {
     return limits;
 }
 
-// Levels of a line of ranges by a rule of plain arithmetic; how many lie outside near..far is returned.
+// Converts a line of ranges to levels by plain arithmetic; returns how many are outside near..far.
 template <class LevelOf>
 inline __attribute__((always_inline)) int takeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
                                                      LevelOf levelOf, std::uint8_t* __restrict levels) {
@@ -109,7 +109,7 @@ GrayScale grayScale(const Scan& scan, const Settings& settings) {
         const RangeLimits limits = rangeLimits(scan);
         scale = {limits.minMm, limits.maxMm, false};
     }
-    // As printed, c = 255 / (Smax - Smin) multiplies S itself: gray 0 lies at range 0.
+    // As printed in the thesis, c = 255 / (Smax - Smin) multiplies S itself: gray 0 is at range 0.
     if (settings.scaling == Scaling::Thesis) return {0.0, scale.farMm - scale.nearMm, false};
     if (!std::isnan(settings.nearMm)) scale.nearMm = settings.nearMm;
     if (!std::isnan(settings.farMm)) scale.farMm = settings.farMm;
@@ -122,7 +122,7 @@ LinearLevels linearLevels(const GrayScale& scale) { return {kLevels / (scale.far
 
 GrayImage grayImage(const Scan& scan, const Settings& settings) {
     GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
-    if (gray.scale.farMm <= gray.scale.nearMm) { // one single range, or a typed limit beyond the other: no depth, no gray
+    if (gray.scale.farMm <= gray.scale.nearMm) { // all ranges are equal, or a typed limit is beyond the other: no depth, all levels 0
         fillLevels(gray, scan, [](double) { return std::uint8_t{0}; });
         return gray;
     }

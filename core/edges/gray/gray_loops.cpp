@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #define EDGESCAN_INLINE inline __attribute__((always_inline))
-// The rows of a loop do not overlap: more of them than the compiler would compare when it runs.
+// Says that the rows of a loop do not overlap: the compiler would not check so many rows at run time.
 #if defined(__clang__)
 #define EDGESCAN_APART // for fuzzing only
 #else
@@ -19,17 +19,17 @@
 namespace edgescan {
 namespace {
 
-constexpr int kPad = 16;   // cells on either side of a row of the work space; 5 are needed
-constexpr int kBlock = 64; // cells that the loops work on at once
+constexpr int kPad = 16;   // cells on either side of a row of the buffer; 5 are needed
+constexpr int kBlock = 64; // cells that the loops process at once
 
-// Calls work(first cell, cells) for blocks of a row, the last one over cells that were worked on before: so no loop ends with single cells.
+// Calls work(first cell, cells) for blocks of a row. The last block overlaps the one before, so that loops never end with single cells.
 template <class Work>
 EDGESCAN_INLINE void inBlocks(int beams, Work work) {
     if (beams < kBlock) return work(0, beams);
     for (int first = 0; first < beams; first += kBlock) work(std::min(first, beams - kBlock), std::integral_constant<int, kBlock>());
 }
 
-// Rows of a picture's width with room on either side.
+// Rows of an image's width with a margin on either side.
 template <class T>
 class Rows {
 public:
@@ -48,14 +48,14 @@ EDGESCAN_INLINE int insideOf(int i, int count) {
     return i;
 }
 
-// ---- Levels. A product of floats is within 1e-4 of that of doubles where it is below 512, so it rounds to the same level unless it lies
-// that close to the middle between two. Then, for a block of cells, the doubles decide.
+// ---- Levels. For products below 512, floats differ from doubles by less than 1e-4. So a float product rounds to the same level, unless it
+// is that close to the middle between two levels. If so, doubles decide for the block of cells.
 constexpr float kSurelyRounded = 0.5F - 1e-4F;
-constexpr float kToWhole = 12582912.0F; // 1.5 x 2^23: a sum with it keeps no fraction, and rounds to even
+constexpr float kToWhole = 12582912.0F; // 1.5 x 2^23: a sum with it has no fraction bits, and rounds to even
 
 struct QuickLevels {
-    int outside; ///< valid ranges beyond the limits
-    bool isSure; ///< all levels are those of the doubles
+    int outside; ///< number of valid ranges outside the limits
+    bool isSure; ///< all levels are the same as with doubles
 };
 EDGESCAN_INLINE QuickLevels quickLevels(const float* rangeMm, const CellState* states, int cells, float factor, float least, float most,
                                         std::uint8_t* __restrict levels) {
@@ -67,7 +67,7 @@ EDGESCAN_INLINE QuickLevels quickLevels(const float* rangeMm, const CellState* s
         const int valid = states[j] == CellState::Valid ? -1 : 0;
         const float product = range * factor;
         const float level = (product + kToWhole) - kToWhole;
-        doubtful |= std::fabs(product - level) <= kSurelyRounded ? 0 : -1; // nor is that which is no number sure
+        doubtful |= std::fabs(product - level) <= kSurelyRounded ? 0 : -1; // NaN is not certain either
         outside -= valid & ((range < least ? -1 : 0) | (range > most ? -1 : 0));
         const float notBelow = level > 0.0F ? level : 0.0F;
         const float within = notBelow < 255.0F ? notBelow : 255.0F;
@@ -84,13 +84,13 @@ EDGESCAN_INLINE void exactLevels(const float* rangeMm, const CellState* states, 
 
 EDGESCAN_INLINE std::size_t levelsAll(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to,
                                       Grid<std::uint8_t>& levels) {
-    // Floats compare with limits rounded towards the inside as doubles do with the limits themselves.
+    // Comparisons of floats with limits rounded to the inside give the same result as those of doubles with the limits themselves.
     auto least = static_cast<float>(to.nearMm), most = static_cast<float>(to.farMm);
     if (least < to.nearMm) least = std::nextafter(least, std::numeric_limits<float>::infinity());
     if (most > to.farMm) most = std::nextafter(most, -std::numeric_limits<float>::infinity());
     const auto factor = static_cast<float>(to.factor);
     std::size_t outside = 0;
-    constexpr int kMany = 4 * kBlock; // counting takes as long for more cells
+    constexpr int kMany = 4 * kBlock; // for more cells, counting takes as long
     const std::size_t whole = rangeMm.size() / kMany * kMany;
     const auto take = [&](std::size_t k, auto cells) __attribute__((always_inline)) {
         const float* from = rangeMm.cells.data() + k;
@@ -105,7 +105,7 @@ EDGESCAN_INLINE std::size_t levelsAll(const Grid<float>& rangeMm, const Grid<Cel
     return outside;
 }
 
-// ---- Gaussian. Weights without their common divisor: where the sums then stay within 16 bits, twice as many cells are worked on at once.
+// ---- Gaussian. Weights without their common divisor: if the sums then fit into 16 bits, twice as many cells are processed at once.
 template <int kReach, class Sum>
 EDGESCAN_INLINE void blurBody(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, int divisor, Grid<std::uint8_t>& blurred) {
     const int beams = levels.beams;
@@ -207,9 +207,9 @@ EDGESCAN_INLINE Sum weighted(const std::array<int, kTaps>& weights, From from) {
     return sum;
 }
 
-// As cv::Canny keeps it: within 16 bits, for aperture 7 divided by 16 and rounded to even.
-EDGESCAN_INLINE std::int16_t kept(std::int16_t sum) { return sum; }
-EDGESCAN_INLINE std::int16_t kept(std::int32_t sum) { return static_cast<std::int16_t>((sum + 7 + ((sum >> 4) & 1)) >> 4); }
+// As cv::Canny stores it: within 16 bits; for aperture 7 divided by 16 and rounded to even.
+EDGESCAN_INLINE std::int16_t stored(std::int16_t sum) { return sum; }
+EDGESCAN_INLINE std::int16_t stored(std::int32_t sum) { return static_cast<std::int16_t>((sum + 7 + ((sum >> 4) & 1)) >> 4); }
 
 template <class Magnitude>
 EDGESCAN_INLINE Magnitude magnitudeOf(std::int16_t x, std::int16_t y) {
@@ -219,7 +219,7 @@ EDGESCAN_INLINE Magnitude magnitudeOf(std::int16_t x, std::int16_t y) {
         return x * x + y * y;
 }
 
-// Gradient and magnitude of line i. `smooth` and `rise`: work space, the sums across lines.
+// Gradient and magnitude of line i. `smooth` and `rise`: buffers for the sums across lines.
 template <int kAperture, class Magnitude, class Sum>
 EDGESCAN_INLINE void gradientLine(const Grid<std::uint8_t>& levels, int i, Sum* __restrict smooth, Sum* __restrict rise,
                                   std::int16_t* __restrict dx, std::int16_t* __restrict dy, Magnitude* __restrict magnitude) {
@@ -248,8 +248,8 @@ EDGESCAN_INLINE void gradientLine(const Grid<std::uint8_t>& levels, int i, Sum* 
             const int end = first + cells;
             EDGESCAN_APART
             for (int j = first; j < end; ++j) {
-                const std::int16_t x = kept(weighted<Sum>(Sobel<kAperture>::kDerivative, [&](int n) { return smooth[j + n - kReach]; }));
-                const std::int16_t y = kept(weighted<Sum>(Sobel<kAperture>::kSmoothing, [&](int n) { return rise[j + n - kReach]; }));
+                const std::int16_t x = stored(weighted<Sum>(Sobel<kAperture>::kDerivative, [&](int n) { return smooth[j + n - kReach]; }));
+                const std::int16_t y = stored(weighted<Sum>(Sobel<kAperture>::kSmoothing, [&](int n) { return rise[j + n - kReach]; }));
                 dx[j] = x;
                 dy[j] = y;
                 magnitude[j] = magnitudeOf<Magnitude>(x, y);
@@ -260,14 +260,14 @@ EDGESCAN_INLINE void gradientLine(const Grid<std::uint8_t>& levels, int i, Sum* 
 // ---- Suppression.
 constexpr std::uint32_t kTan22 = 13573; // tan(22.5 degrees) x 2^15, as cv::Canny rounds it
 
-// All ones where true, as wide as the values beside it: selections by bits, where branches would be guessed wrong.
+// All ones where true, as wide as the values: selections by bits, because the processor would mispredict branches.
 template <class Lane>
 EDGESCAN_INLINE Lane all(bool condition) {
     return condition ? Lane{-1} : Lane{0};
 }
 
-// cv::Canny asks y 2^15 < x kTan22 and y 2^15 > x (kTan22 + 2^16). kTan22 is odd and x below 2^15: x kTan22 / 2^15 is whole for x = 0
-// alone, where the magnitude decides by itself. So its whole part says the same.
+// cv::Canny compares y 2^15 < x kTan22 and y 2^15 > x (kTan22 + 2^16). kTan22 is odd and x is below 2^15, so x kTan22 / 2^15 is whole only
+// for x = 0, where the magnitude alone decides. So its whole part gives the same result.
 template <class Magnitude>
 EDGESCAN_INLINE void suppressCells(const std::int16_t* dx, const std::int16_t* dy, const Magnitude* up, const Magnitude* here,
                                    const Magnitude* down, int cells, Magnitude low, Magnitude high, std::uint8_t* __restrict marks) {
@@ -312,7 +312,7 @@ EDGESCAN_INLINE void suppressBody(const Grid<std::uint8_t>& levels, CannyLimits 
     const int beams = levels.beams;
     Rows<Sum> sums(2, beams);
     Rows<std::int16_t> gradients(4, beams);
-    Rows<Magnitude> magnitudes(3, beams); // what lies outside is 0
+    Rows<Magnitude> magnitudes(3, beams); // cells outside are 0
     for (int i = 0; i <= levels.lines; ++i) {
         Magnitude* down = magnitudes[i % 3];
         if (i < levels.lines)

@@ -1,4 +1,4 @@
-// The loops of the gray path over a whole picture, compiled for each instruction set. All give the same bits, those of OpenCV.
+// The loops of the gray path over a whole image, compiled for each instruction set. All give the same bits as OpenCV.
 #pragma once
 
 #include "core/base/grid.h"
@@ -11,20 +11,21 @@
 
 namespace edgescan {
 
-/// What cv::Canny compares magnitudes with, as whole numbers: a cell above `low` may be an edge, one above `high` begins one.
+/// The thresholds that cv::Canny compares magnitudes with, as whole numbers: a cell above `low` may be an edge, a cell above `high` starts
+/// one.
 struct CannyLimits {
     std::int32_t low = 0;
     std::int32_t high = 0;
 };
 
-/// Gray levels in proportion to the range.
+/// Gray levels proportional to the range.
 struct LinearLevels {
     double factor = 1.0; ///< levels per mm
     double nearMm = 0.0;
     double farMm = 0.0;
 };
 
-/// Cells of a picture in a frame of one cell on each side, so that every cell has eight neighbours.
+/// Marks for the cells of an image, in a frame of one cell on each side, so that every cell has eight neighbours.
 struct CannyMarks {
     static constexpr std::uint8_t kNone = 0, kWeak = 1, kStrong = 2;
 
@@ -41,25 +42,25 @@ struct CannyMarks {
 
 struct GrayLoops {
     const char* instructions; ///< "plain", "SSE4.2", "AVX2", "AVX-512"
-    bool isWide;              ///< 32 bytes at once or more
-    bool (*isHere)();         ///< whether this processor has them
+    bool isWide;              ///< processes 32 bytes or more at once
+    bool (*isHere)();         ///< whether this processor supports them
 
-    /// rint(range x factor) within 0..255, the product as double; 0 where the cell is not valid. How many valid ranges lie outside
-    /// near..far is returned.
+    /// rint(range x factor) within 0..255, the product as double; 0 where the cell is not valid. Returns how many valid ranges are outside
+    /// near..far.
     std::size_t (*levels)(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to, Grid<std::uint8_t>& levels);
 
     /// cv::GaussianBlur of 8-bit levels with gaussianWeights() of 3 to 11 cells; `blurred` has the size of `levels`, at least 1 x 1.
     void (*blur)(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred);
 
-    /// Sobel gradient of aperture 3, 5 or 7 and non-maximum suppression, as cv::Canny does them: marks of what outdoes its neighbours and
-    /// the limits. `squared`: magnitudes are gx^2 + gy^2 (norm L2), else |gx| + |gy|.
+    /// Sobel gradient of aperture 3, 5 or 7 and non-maximum suppression, as cv::Canny does them: marks the cells that exceed their
+    /// neighbours and the limits. `squared`: magnitudes are gx^2 + gy^2 (norm L2), otherwise |gx| + |gy|.
     void (*suppress)(const Grid<std::uint8_t>& smoothed, int aperture, bool squared, CannyLimits limits, CannyMarks& marks);
 };
 
-/// For every instruction set that the compiler knows, the widest last.
+/// One for every instruction set that the compiler knows, the widest last.
 [[nodiscard]] std::span<const GrayLoops> allGrayLoops();
 
-/// The widest that this processor has.
+/// The widest that this processor supports.
 [[nodiscard]] const GrayLoops& grayLoops();
 
 } // namespace edgescan

@@ -13,8 +13,8 @@ namespace edgescan {
 namespace {
 
 constexpr double kPerEFold = 4096.0;       // whole numbers per factor e of range: 0.024 % each
-constexpr int kSmoothedBits = 8;           // binary places kept by the Gaussian
-constexpr double kGradientPerEFold = 2048; // of the 16-bit gradient: a straight step gives 4 x this, so 1 % of range counts 81
+constexpr int kSmoothedBits = 8;           // binary places of the Gaussian's results
+constexpr double kGradientPerEFold = 2048; // of the 16-bit gradient: a straight step gives 4 x this value, so 1 % of range counts 81
 
 struct Logarithms {
     Grid<std::int32_t> value;
@@ -43,7 +43,7 @@ int mirrored(int i, int count) {
 
 enum class Border : std::uint8_t { Mirrored, Repeated };
 
-// Correlation with the product of two rows of weights; a missing cell in the window counts as the centre and stays as it is.
+// Correlation with the product of two rows of weights. A missing cell in the window counts as the centre and is unchanged itself.
 Grid<std::int64_t> weighted(const Grid<std::int64_t>& from, const Grid<std::uint8_t>& missing, const std::vector<int>& overLines,
                             const std::vector<int>& overBeams, Border border) {
     const int reach = static_cast<int>(overLines.size()) / 2;
@@ -82,7 +82,7 @@ Grid<std::int64_t> weighted(const Grid<std::int64_t>& from, const Grid<std::uint
     return result;
 }
 
-// Sum of the positive derivative weights times the sum of the smoothing ones: the gradient of a straight unit step.
+// Sum of the positive derivative weights times the sum of the smoothing weights: the gradient of a straight unit step.
 int stepWeight(const SobelWeights& sobel) {
     int positive = 0;
     int smoothing = 0;
@@ -106,7 +106,7 @@ Gradient logRangeGradient(const Scan& scan, const Settings& settings) {
         for (std::int64_t& v : values.cells) v = (v + 128) >> 8;
     }
     const SobelWeights sobel = sobelWeights(settings.aperture);
-    // As if every aperture answered a straight step with 4 times its size.
+    // Scaled as if every aperture responded to a straight step with 4 times its size.
     const auto unit = static_cast<std::int64_t>((kPerEFold / kGradientPerEFold) * (1 << kSmoothedBits)) * stepWeight(sobel) / 4;
     Gradient gradient{Grid<std::int16_t>(scan.lines(), scan.beams()), Grid<std::int16_t>(scan.lines(), scan.beams()), 1.0};
     const auto fill = [&](Grid<std::int16_t>& to, const std::vector<int>& overLines, const std::vector<int>& overBeams) {
@@ -120,7 +120,7 @@ Gradient logRangeGradient(const Scan& scan, const Settings& settings) {
 }
 
 double logRangeGradientOfStep(double percent, const Settings& settings) {
-    // The largest sum that any place of derivative and Gaussian together gives on a step.
+    // The largest response to a step at any position of derivative and Gaussian together.
     const SobelWeights sobel = sobelWeights(settings.aperture);
     const std::vector<int> gaussian = settings.kernel > 1 ? gaussianWeights(settings.kernel, settings.sigma) : std::vector<int>{256};
     std::vector<double> answer(sobel.derivative.size() + gaussian.size() - 1);

@@ -1,4 +1,4 @@
-// The cells that take no part in the gray methods.
+// The cells that the gray methods ignore.
 #include "core/edges/gray/masked_cells.h"
 
 #include "core/scan/grid/missing_cells.h"

@@ -1,4 +1,4 @@
-// The cells that take no part in the gray methods.
+// The cells that the gray methods ignore.
 #pragma once
 
 #include "core/edges/settings/settings.h"
@@ -6,7 +6,7 @@
 
 namespace edgescan {
 
-/// 255 where a cell takes no part in the gray methods under these settings; empty (0 x 0) when all take part.
+/// lines x beams: 255 where the gray methods ignore a cell under these settings; empty (0 x 0) if they use all cells.
 [[nodiscard]] Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// The eight cells round each cell, as every 3 x 3 detector sees them: borders repeated, missing cells counted as the centre.
+// The eight cells around each cell, as every 3 x 3 detector reads them: borders repeated, missing cells counted as the centre.
 #pragma once
 
 #include "core/base/grid.h"
@@ -16,7 +16,7 @@ struct Neighbours {
     std::array<int, 8> around{};
 };
 
-/// Around one cell. `missing` (255 = no valid range) may be null.
+/// The neighbours of one cell. `missing` (255 = no valid range) may be null.
 [[nodiscard]] inline Neighbours neighboursAt(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, int i, int j) {
     const std::array<int, 3> lines{std::max(i - 1, 0), i, std::min(i + 1, levels.lines - 1)};
     const int left = std::max(j - 1, 0);

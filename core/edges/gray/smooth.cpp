@@ -11,7 +11,7 @@
 namespace edgescan {
 namespace {
 
-constexpr int kOne = 256;                     // fixed-point one of a weight
+constexpr int kOne = 256;                     // 1 as a fixed-point weight
 constexpr int kHalfSquared = kOne * kOne / 2; // rounds the product of two weights
 
 double openCvSigma(double sigma) { return std::isnan(sigma) ? 0.0 : sigma; }
@@ -40,7 +40,7 @@ std::uint8_t smoothedCell(const Grid<std::uint8_t>& gray, const Grid<std::uint8_
 
 std::vector<int> gaussianWeights(int size, double sigma) {
     const cv::Mat exact = cv::getGaussianKernel(size, openCvSigma(sigma), CV_64F);
-    // OpenCV rounds from the outside in, carrying the rounding error, and gives the rest to the centre.
+    // OpenCV rounds from the outside to the inside, carries the rounding error along, and gives the rest to the centre.
     std::vector<int> weights(static_cast<std::size_t>(size));
     double carried = 0.0;
     int sum = 0;
@@ -65,7 +65,7 @@ Grid<std::uint8_t> smoothBy(const GrayLoops& loops, const Grid<std::uint8_t>& gr
 Grid<std::uint8_t> smooth(const Grid<std::uint8_t>& gray, const Settings& settings) {
     if (settings.kernel <= 1 || gray.size() == 0) return gray;
     const GrayLoops& loops = grayLoops();
-    // Where 7 cells and more need sums of 32 bits, OpenCV's own loops are the faster ones on processors without AVX2.
+    // From 7 cells on the sums need 32 bits; then OpenCV's own loops are faster on processors without AVX2.
     if (settings.kernel < 7 || loops.isWide) return smoothBy(loops, gray, settings);
     Grid<std::uint8_t> result(gray.lines, gray.beams);
     cv::Mat output = asMat(result);

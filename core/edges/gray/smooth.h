@@ -1,4 +1,4 @@
-// Gaussian smoothing of the gray image: OpenCV's, or one that does not look through holes.
+// Gaussian smoothing of the gray image: OpenCV's, or one that ignores missing cells.
 #pragma once
 
 #include "core/base/grid.h"
@@ -17,11 +17,11 @@ namespace edgescan {
 /// cv::GaussianBlur of the gray levels, lines x beams, borders reflected (BORDER_REFLECT_101).
 [[nodiscard]] Grid<std::uint8_t> smooth(const Grid<std::uint8_t>& gray, const Settings& settings);
 
-/// The same by the loops of one instruction set.
+/// The same, by the loops of one instruction set.
 [[nodiscard]] Grid<std::uint8_t> smoothBy(const GrayLoops& loops, const Grid<std::uint8_t>& gray, const Settings& settings);
 
-/// As smooth(), but a missing cell in the window takes the value of the window's centre, and missing cells stay 0: nothing is
-/// smoothed across the border of a hole. Bit-identical to smooth() where no cell is missing. `missing`: 255 = no valid range.
+/// As smooth(), but a missing cell in the window counts as the window's centre, and missing cells stay 0: values are not smoothed across
+/// the border of a hole. Bit-identical to smooth() if no cell is missing. `missing`: 255 = no valid range.
 [[nodiscard]] Grid<std::uint8_t> smoothAroundHoles(const Grid<std::uint8_t>& gray, const Grid<std::uint8_t>& missing,
                                                    const Settings& settings);
 

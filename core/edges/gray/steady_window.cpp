@@ -1,4 +1,4 @@
-// Range windows of sweeps that grow.
+// Range windows of growing sweeps.
 #include "core/edges/gray/steady_window.h"
 
 #include "core/edges/gray/gray.h"
@@ -9,8 +9,8 @@
 namespace edgescan {
 namespace {
 
-constexpr int kFirstLook = 16;       // lines of a sweep after which a window from before is looked at
-constexpr double kWindowShare = 0.1; // of a limit that it may be off
+constexpr int kFirstLook = 16;       // number of lines of a sweep after which a window of the sweep before is checked
+constexpr double kWindowShare = 0.1; // tolerated error of a limit, as a share of it
 
 void copyWindow(Settings& to, const Settings& from) {
     to.scaling = from.scaling;

@@ -1,4 +1,4 @@
-// Keeps the range window of the gray levels while a sweep grows: levels that follow every new line would flicker.
+// Fixes the range window of the gray levels while a sweep grows. Otherwise the levels would follow every new line and flicker.
 #pragma once
 
 #include "core/edges/settings/settings.h"
@@ -8,16 +8,16 @@ namespace edgescan {
 
 class SteadyWindow {
 public:
-    /// The settings with near and far fixed where they would follow the ranges of the scan; the thesis's scaling becomes the same scaling
-    /// by a window from 0. The window is looked at again when the lines have doubled, and changes only when it is more than a tenth off.
+    /// The settings with fixed values for near and far, if these are automatic. The thesis's scaling becomes the same scaling with a window
+    /// from 0. The window is checked again when the number of lines has doubled, and changes only if it is wrong by more than a tenth.
     [[nodiscard]] Settings fix(const Scan& scan, const Settings& settings);
 
-    /// The scans that follow belong to another sweep: it begins with the window there is, and that is looked at again soon.
+    /// The next scans belong to another sweep: it begins with the current window, which is checked again soon.
     void nextSweep();
 
 private:
-    Settings asked_, fixed_; // nothing but what makes gray of ranges
-    int lookedAt_ = 0;       // lines; 0: never
+    Settings asked_, fixed_; // only the settings for gray levels
+    int lookedAt_ = 0;       // number of lines at the last check; 0: never
 };
 
 } // namespace edgescan

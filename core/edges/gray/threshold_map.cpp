@@ -16,24 +16,24 @@ namespace {
 constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr float kFloatBeyondAll = std::numeric_limits<float>::infinity();
-constexpr double kBeyondAll = 1e9;      // no table of parameters reaches this threshold
+constexpr double kBeyondAll = 1e9;      // larger than every maximum of the parameter table
 constexpr double kGuessError = 1e-6;    // relative
-constexpr std::size_t kSortedPart = 4;  // of all cells, a fourth: no more are sorted
-constexpr double kStableShare = 0.8;    // of the edges must be left at the end of a plateau
-constexpr double kSmallestShare = 0.05; // of the edges at the first threshold
-constexpr double kLargestShare = 0.15;  // of all cells: where more of them are edges the picture is full, not stable
+constexpr std::size_t kSortedPart = 4;  // share of all cells, a fourth: more are not sorted
+constexpr double kStableShare = 0.8;    // share of the edges that must remain at the end of a plateau
+constexpr double kSmallestShare = 0.05; // share of the edges at the first threshold
+constexpr double kLargestShare = 0.15;  // share of all cells: with more edges the image is full, not stable
 
 EDGESCAN_SIMD void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
 }
 
-// How a swept threshold becomes a threshold of the gradient, and roughly back.
+// Converts a swept threshold to a threshold of the gradient, and approximately back.
 struct Sweep {
     std::function<double(double)> toGradient;
     std::function<double(double)> fromGradient;
 };
 
-// Both conditions of cv::Canny as the highest swept threshold at which a suppressed magnitude meets them.
+// Both conditions of cv::Canny, as the highest swept threshold at which a suppressed magnitude meets them.
 class Limits {
 public:
     Limits(const Gradient& gradient, const Settings& settings, Sweep sweep)
@@ -124,7 +124,7 @@ Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask) {
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < beams; ++j) raise(i, j, 1);
     }
-    std::vector<std::size_t> waiting; // what is left after one pass each way goes through a queue
+    std::vector<std::size_t> waiting; // the cells that remain after one pass in each direction are processed by a queue
     for (int i = lines - 1; i >= 0; --i) {
         for (int j = beams - 1; j >= 0; --j) {
             raise(i, j, -1);
@@ -170,7 +170,7 @@ ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
 
 namespace {
 
-// Chains that grow while cells join them. Those that are too short for an edge keep their cells in a ring, until they are taken out.
+// Chains that grow while cells join them. The cells of a chain that is too short for an edge are in a ring, until they are taken out.
 class Chains {
 public:
     explicit Chains(std::size_t cells) : parent_(cells, kNone), size_(cells, 1), next_(cells), last_(cells) {}
@@ -190,10 +190,10 @@ public:
         parent_[b] = a;
         size_[a] += size_[b];
         if (last_[b] == kNone) return;
-        if (last_[a] != kNone) std::swap(next_[last_[a]], next_[last_[b]]); // one ring of two
+        if (last_[a] != kNone) std::swap(next_[last_[a]], next_[last_[b]]); // merges two rings
         last_[a] = last_[b];
     }
-    // Calls take(cell) for what the chain of this root still keeps.
+    // Calls take(cell) for each cell in the ring of this root's chain.
     template <class Take>
     void takeOut(std::uint32_t rootCell, Take take) {
         const std::uint32_t last = last_[rootCell];
@@ -206,10 +206,10 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-    std::vector<std::uint32_t> parent_, size_, next_, last_; // by cell; the last two: of a ring, and where it ends, by root
+    std::vector<std::uint32_t> parent_, size_, next_, last_; // by cell; the last two: the next cell in the ring, and the ring's end by root
 };
 
-// Area opening: what a cell's chain is too short for is put off until enough cells have joined it.
+// Area opening: if a cell's chain is too short, its threshold is lowered until enough cells have joined the chain.
 void putOffShortChains(ThresholdMap& map, int minimumLength) {
     Grid<double>& highest = map.highest;
     struct Placed {
@@ -244,7 +244,8 @@ void putOffShortChains(ThresholdMap& map, int minimumLength) {
     }
 }
 
-// The largest threshold that is rounded to this float and not to the next: their middle, where it goes to the even one, or just below.
+// The largest threshold that is rounded to this float and not to the next: their middle if that is rounded to the even one, otherwise the
+// number below it.
 double largestRoundedTo(float value) {
     const double middle = 0.5 * (static_cast<double>(value) + static_cast<double>(std::nextafter(value, kFloatBeyondAll)));
     return static_cast<float>(middle) == value ? middle : std::nextafter(middle, 0.0);
@@ -253,7 +254,7 @@ double largestRoundedTo(float value) {
 // largestThreshold() of here > float(threshold) x share, for here > 0 and share >= 0, without a search.
 double largestLinked(float here, float share) {
     if (here > static_cast<float>(kBeyondAll) * share) return kAlways;
-    float highest = here / share; // at most a few floats off
+    float highest = here / share; // wrong by a few floats at most
     while (highest > 0 && !(here > highest * share)) highest = std::nextafter(highest, 0.0F);
     for (float next = std::nextafter(highest, kFloatBeyondAll); here > next * share; next = std::nextafter(next, kFloatBeyondAll))
         highest = next;
@@ -273,7 +274,7 @@ ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, in
     }
     ThresholdMap map{reconstructed(std::move(strong), weak)};
     if (minimumLength > 1) {
-        weak = {}; // its memory is wanted
+        weak = {}; // frees its memory
         putOffShortChains(map, minimumLength);
     }
     return map;
@@ -309,13 +310,13 @@ SweptEdges::SweptEdges(ThresholdMap map) : map_(std::move(map)), lines_(map_.hig
     };
     std::vector<std::uint32_t> places;
     places.reserve(cells.size());
-    counts_.assign(values_.size() + 1, 0); // the last: of no value at all
+    counts_.assign(values_.size() + 1, 0); // the last one: cells that are never an edge
     for (const std::uint32_t k : cells) {
         places.push_back(static_cast<std::uint32_t>(placeOf(k)));
         ++counts_[places.back()];
     }
     for (std::size_t n = values_.size(); n > 0; --n) counts_[n - 1] += counts_[n];
-    std::vector<std::size_t> next(counts_.begin() + 1, counts_.end()); // where the next cell of a value goes
+    std::vector<std::size_t> next(counts_.begin() + 1, counts_.end()); // position of the next cell of each value
     cells_.resize(cells.size());
     for (std::size_t n = 0; n < cells.size(); ++n) cells_[next[places[n]]++] = cells[n];
     map_.highest = {};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kReachInSigmas = 4.0;
 
-// Laplacian of a Gaussian sampled on 5 x 5 cells, as the text books print it.
+// Laplacian of a Gaussian sampled on 5 x 5 cells, as in text books.
 constexpr std::array<std::array<int, 5>, 5> kFiveByFive{
     {{0, 0, -1, 0, 0}, {0, -1, -2, -1, 0}, {-1, -2, 16, -2, -1}, {0, -1, -2, -1, 0}, {0, 0, -1, 0, 0}}};
 
@@ -46,7 +46,7 @@ std::vector<double> gaussian(double sigma) {
     return weights;
 }
 
-// One pass of the Gaussian along beams (stride 1) or lines (stride = beams); what lies outside repeats the border.
+// One pass of the Gaussian along beams (stride 1) or lines (stride = beams); the border is repeated outside.
 std::vector<double> blurredAlong(const std::vector<double>& from, int runs, std::size_t runStep, int length, std::size_t stride,
                                  const std::vector<double>& weights) {
     std::vector<double> to(from.size());
@@ -64,7 +64,7 @@ std::vector<double> blurredAlong(const std::vector<double>& from, int runs, std:
     return to;
 }
 
-// Gaussian of the levels in which missing cells have no weight.
+// Gaussian of the levels in which missing cells have weight 0.
 std::vector<double> blurred(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, double sigma) {
     const std::vector<double> weights = gaussian(sigma);
     const auto beams = static_cast<std::size_t>(levels.beams);
@@ -119,7 +119,7 @@ Grid<float> laplacianOfGaussian(const Grid<std::uint8_t>& levels, const Grid<std
 }
 
 Grid<float> zeroCrossingSlope(const Grid<float>& laplacian, const Grid<std::uint8_t>* missing) {
-    // What double sums leave of nothing is no sign.
+    // Rounding errors of sums of doubles do not count as a sign.
     constexpr float kNothing = 1e-6F;
     Grid<float> slope(laplacian.lines, laplacian.beams);
     const auto sign = [&](std::size_t k) { return laplacian[k] > kNothing ? 1 : laplacian[k] < -kNothing ? -1 : 0; };

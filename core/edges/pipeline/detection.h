@@ -1,4 +1,4 @@
-// Everything that one run of the method produced for one scan and one set of settings. Made once, never changed.
+// The results of one run of the method for one scan and one set of settings. Immutable after construction.
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -19,30 +19,30 @@ struct StageTime {
     double cpuMilliseconds = 0.0; ///< of the thread that ran it
     Stage of = Stage::Edges;
 };
-/// Of this thread, for differences.
+/// CPU time of this thread, for differences.
 [[nodiscard]] double threadCpuMilliseconds();
 
 struct Detection {
     std::shared_ptr<const Scan> scan;
     Settings settings;
     std::shared_ptr<const GrayImage> gray;
-    std::shared_ptr<const Grid<std::uint8_t>> masked;   ///< lines x beams, 255 = takes no part in a method on gray levels; null: all do
-    std::shared_ptr<const Grid<std::uint8_t>> smoothed; ///< lines x beams, what the gradient saw; null where the method has none
-    std::shared_ptr<const Grid<std::uint8_t>> mask;     ///< lines x beams, 255 = edge
-    std::shared_ptr<const Grid<DepthEdge>> classes;     ///< lines x beams; null where the method tells no classes apart
-    std::shared_ptr<const GapFilling> filled;           ///< gaps that were filled; null unless that was asked for
-    std::shared_ptr<const DepthSurface> surface;        ///< the sweep as EdgeScan+ cleaned it; null for other methods
-    std::shared_ptr<const DepthCracks> cracks;          ///< what lies between its edges; null unless the pipeline keeps it
-    std::shared_ptr<const DepthResponses> responses;    ///< what EdgeScan+ measured; null for other methods
+    std::shared_ptr<const Grid<std::uint8_t>> masked; ///< lines x beams, 255 = ignored by methods on gray levels; null: they use all cells
+    std::shared_ptr<const Grid<std::uint8_t>> smoothed;      ///< lines x beams, the input of the gradient; null if the method has none
+    std::shared_ptr<const Grid<std::uint8_t>> mask;          ///< lines x beams, 255 = edge
+    std::shared_ptr<const Grid<DepthEdge>> classes;          ///< lines x beams; null if the method does not distinguish classes
+    std::shared_ptr<const GapFilling> filled;                ///< filled gaps; null unless the settings fill gaps
+    std::shared_ptr<const DepthSurface> surface;             ///< the sweep after EdgeScan+'s cleaning; null for other methods
+    std::shared_ptr<const DepthCracks> cracks;               ///< the surface and its cracks; null unless the pipeline stores them
+    std::shared_ptr<const DepthResponses> responses;         ///< EdgeScan+'s responses; null for other methods
     std::shared_ptr<const std::vector<std::uint32_t>> edges; ///< indices of the edge cells, ascending
-    std::vector<StageTime> timings;                          ///< only the stages that were run again
+    std::vector<StageTime> timings;                          ///< only of the stages that were run again
     double totalMs = 0.0;
 };
 
-/// What the automatic values came out as.
+/// The values of automatic settings on this scan.
 [[nodiscard]] Measured measuredOf(const Detection& detection);
 
-/// Edge cells by DepthEdge; all 0 where the method tells no classes apart.
+/// Number of edge cells by DepthEdge; all 0 if the method does not distinguish classes.
 [[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection);
 
 } // namespace edgescan

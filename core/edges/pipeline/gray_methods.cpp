@@ -1,4 +1,4 @@
-// The methods on gray levels, and Canny on log range: how they decide, and what they say of one cell.
+// The methods on gray levels, and Canny on log range: their decisions, and their values at one cell.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gradient.h"
 #include "core/edges/gray/log_range.h"
@@ -62,7 +62,7 @@ Judgement judgeCanny(const Detection& detection, std::size_t k) {
     return found;
 }
 
-// From gradients of the logarithm to steps in percent of the range, which is what the threshold is in.
+// Converts gradients of the logarithm to steps in percent of the range, the unit of the threshold.
 double inPercent(double gradient, const Settings& settings) {
     return std::copysign(logRangeStepOfGradient(std::abs(gradient), settings), gradient);
 }

@@ -1,4 +1,4 @@
-// What a method measured at one cell, and the thresholds that it compares it with.
+// A method's measurements at one cell, and the thresholds that it compares them with.
 #pragma once
 
 #include "core/base/grid.h"
@@ -10,19 +10,21 @@
 namespace edgescan {
 
 struct Judgement {
-    bool takesPart = true;              ///< false: no range, or masked: no edge whatever the thresholds
-    std::optional<double> alongBeams;   ///< gradient, in units of the thresholds; where the method has one
-    std::optional<double> alongLines;   ///< likewise
+    bool takesPart = true;              ///< false: no range, or masked: not an edge at any threshold
+    std::optional<double> alongBeams;   ///< gradient in units of the thresholds, if the method has one
+    std::optional<double> alongLines;   ///< the same
     std::optional<double> directionDeg; ///< of the gradient: 0 along increasing beams, 90 along increasing lines
-    double strength = 0.0;              ///< before suppression: gradient, response of the detector, or of jump or fold over its limit
-    double lower = 0.0;                 ///< thresholds; equal where there is only one
+    /// before suppression: gradient, response of the detector, or the larger of jump and fold divided by their limits
+    double strength = 0.0;
+    double lower = 0.0; ///< thresholds; equal if there is only one
     double upper = 0.0;
-    std::optional<CellStrength> suppressedBy; ///< the neighbour across the edge that is stronger
-    std::optional<DepthProbe> depth;          ///< what was measured; EdgeScan+ and its parts only
-    bool roundGap = false;                    ///< the response is that of a cell without a range beside it
-    DepthEdge kind = DepthEdge::None;         ///< class of the strongest response that counts, edge or not
-    Grid<float> linked;                       ///< lines x beams: suppressed strengths, linked by the thresholds; empty: only one threshold
-    double (*shown)(double, const Settings&) = nullptr; ///< strengths and thresholds in the unit of the settings; null: they are
+    std::optional<CellStrength> suppressedBy; ///< the stronger neighbour across the edge
+    std::optional<DepthProbe> depth;          ///< measurements of EdgeScan+ and its parts only
+    bool roundGap = false;                    ///< the response was moved here from a cell without a range next to it
+    DepthEdge kind = DepthEdge::None;         ///< class of the strongest response among the requested classes, edge or not
+    Grid<float> linked; ///< lines x beams: suppressed strengths, linked by the thresholds; empty if there is only one threshold
+    /// converts strengths and thresholds to the unit of the settings; null: they already have it
+    double (*shown)(double, const Settings&) = nullptr;
 };
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// The one table of methods: what each of them does. What it is called and which settings it reads: core/edges/settings/method_traits.h.
+// The table of methods: the functions of each method. Names and settings are in core/edges/settings/method_traits.h.
 #pragma once
 
 #include "core/edges/gray/gradient_masks.h"
@@ -10,14 +10,14 @@ namespace edgescan {
 
 struct FoundEdges {
     Grid<std::uint8_t> mask;   ///< lines x beams, 255 = edge
-    Grid<DepthEdge> classes{}; ///< lines x beams; empty where the method tells no classes apart
+    Grid<DepthEdge> classes{}; ///< lines x beams; empty if the method does not distinguish classes
 };
 
-/// How edges are decided. Of the detection the scan, the settings and what the stages before Stage::Edges made is there.
+/// How a method decides on edges. The detection holds the scan, the settings and the results of the stages before Stage::Edges.
 struct Decision {
-    const char* stage; ///< name of its time
+    const char* stage; ///< name of the stage in the timings
     FoundEdges (*edges)(const Detection& detection);
-    /// Every value of sweptParameter() at once, all other settings as they are. As costly as the edges.
+    /// The map for all values of sweptParameter(), with all other settings unchanged. Costs as much as the edges.
     ThresholdMap (*thresholds)(const Detection& detection);
     Judgement (*judge)(const Detection& detection, std::size_t k);
 };
@@ -25,20 +25,20 @@ struct Decision {
 struct MethodRow {
     Method method;
     const Decision& decision;
-    /// To gray levels, in units of the thresholds: lines x beams. Null for a method without gray levels. `missing` may be null.
+    /// Response to gray levels, in units of the thresholds: lines x beams. Null for a method without gray levels. `missing` may be null.
     Grid<float> (*response)(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
-    MaskDirection (*direction)(const Neighbours& at); ///< null where the response has none of its own
+    MaskDirection (*direction)(const Neighbours& at); ///< null if the response has no direction of its own
 };
 
 [[nodiscard]] const MethodRow& rowOf(Method method);
 
-/// The rows' decisions: gray_methods.cpp, surface_methods.cpp.
+/// The decisions of the rows: gray_methods.cpp, surface_methods.cpp.
 extern const Decision kCannyDecision, kLogRangeDecision, kDetectorDecision, kSurfaceDecision;
 
-/// The gradient that Canny suppresses, as a response.
+/// The gradient to which Canny applies suppression, as a response.
 [[nodiscard]] Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 
-/// Every threshold of a detection's method at once, all other settings as they are. As costly as a run of the method.
+/// The threshold map of a detection's method, with all other settings unchanged. Costs as much as a run of the method.
 [[nodiscard]] inline ThresholdMap thresholdMapOf(const Detection& detection) {
     return rowOf(detection.settings.method).decision.thresholds(detection);
 }

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
-// Runs one stage and notes its times.
+// Runs one stage and stores its times.
 template <class Run>
 void timed(Detection& detection, Stage stage, const char* name, Run run) {
     const auto start = Clock::now();
@@ -40,7 +40,7 @@ double threadCpuMilliseconds() {
 
 Pipeline::Pipeline(KeepFor keep) : keep_(keep) { cv::setNumThreads(0); }
 
-// Made again only where a setting was turned that the stage, or one before it, takes notice of.
+// Runs the stage again only if a setting changed that affects this stage or one before it.
 template <class T, class Make>
 std::shared_ptr<const T> Pipeline::upToDate(Kept<T>& kept, Stage stage, const char* name, Detection& detection, Make make) {
     if (kept.made && sameUpTo(stage, kept.with, detection.settings)) return kept.made;
@@ -49,10 +49,10 @@ std::shared_ptr<const T> Pipeline::upToDate(Kept<T>& kept, Stage stage, const ch
     return kept.made;
 }
 
-// What the method reads, up to the decision.
+// Runs the stages before the decision.
 void Pipeline::runStages(Detection& d) {
     const Settings& settings = d.settings;
-    // The gray image is what the edges are seen on, whatever the method.
+    // The window shows the edges on the gray image, whatever the method.
     d.gray = upToDate(gray_, Stage::Gray, "gray", d, [&] { return grayImage(*d.scan, settings); });
     if (reads(settings.method, kReadsGray) && settings.maskMissing)
         d.masked = upToDate(masked_, Stage::Mask, "mask", d, [&] { return maskedCells(*d.scan, settings); });
@@ -77,7 +77,7 @@ void Pipeline::runStages(Detection& d) {
     d.cracks = cracks_;
 }
 
-// A hand on the threshold's slider: one map, and then a compare per cell. Classes need the decision itself.
+// If only the threshold changed since the last run: one map, and then one comparison per cell. Classes need the decision itself.
 void Pipeline::decide(Detection& d) {
     const Decision& decision = rowOf(d.settings.method).decision;
     const bool onlyThreshold = last_ && !last_->classes && sameUpTo(Stage::Edges, last_->settings, d.settings);

@@ -1,4 +1,4 @@
-// Runs the method and redoes only the stages whose inputs changed since the last run.
+// Runs the method. Repeats only the stages whose inputs changed since the last run.
 #pragma once
 
 #include "core/edges/gray/threshold_map.h"
@@ -6,23 +6,23 @@
 
 namespace edgescan {
 
-/// What a pipeline keeps for others beside the edges.
+/// The results that a pipeline stores in addition to the edges.
 enum class KeepFor : std::uint8_t {
-    Edges, ///< nothing
+    Edges, ///< no others
     Rocks, ///< Detection::cracks, 20 bytes per cell
 };
 
-/// Not for several threads at once; the detections it returns are.
+/// Not for several threads at once, but the detections that it returns are.
 class Pipeline {
 public:
-    /// Switches OpenCV's thread pool off for the process: one worker thread is enough, and a pool makes its times jumpy.
+    /// Switches off OpenCV's thread pool for the process: one worker thread is enough, and the pool makes run times vary.
     explicit Pipeline(KeepFor keep = KeepFor::Edges);
 
-    /// The same scan pointer and settings give the last detection again. `scan` must not be null.
+    /// The same scan pointer and settings return the last detection again. `scan` must not be null.
     std::shared_ptr<const Detection> run(const std::shared_ptr<const Scan>& scan, const Settings& settings);
 
 private:
-    /// What a stage made of the scan of last_, and with which settings; null until wanted.
+    /// The result of a stage for the scan of last_, and the settings used for it; null until it is needed.
     template <class T>
     struct Kept {
         std::shared_ptr<const T> made;
@@ -41,10 +41,10 @@ private:
     Kept<DepthSurface> surface_;
     Kept<DepthResponses> responses_;
     std::shared_ptr<const DepthCracks> cracks_; // of responses_
-    Kept<SweptEdges> thresholds_;               // while nothing but the threshold is turned
+    Kept<SweptEdges> thresholds_;               // used while only the threshold changes
 };
 
-/// One run from nothing.
+/// One run without earlier results.
 [[nodiscard]] std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings,
                                                            KeepFor keep = KeepFor::Edges);
 

@@ -1,4 +1,4 @@
-// What a threshold stands for.
+// The meaning of a threshold as a step in depth.
 #include "core/edges/pipeline/step_meaning.h"
 
 #include "core/base/number_text.h"
@@ -14,23 +14,23 @@
 namespace edgescan {
 namespace {
 
-constexpr int kStep = 240; // levels; a multiple of 16, so that the 3 x 3 Gaussian rounds nothing
+constexpr int kStep = 240; // levels; a multiple of 16, so that the 3 x 3 Gaussian rounds no value
 constexpr int kDark = 8;
 
 bool smoothsFirst(const Settings& settings) { return reads(settings.method, kReadsKernel); }
 
-// Response of every cell of a picture.
+// Response of every cell of an image.
 Grid<float> responseOf(const Grid<std::uint8_t>& picture, const Settings& settings) {
     return rowOf(settings.method).response(smoothsFirst(settings) ? smooth(picture, settings) : picture, nullptr, settings);
 }
 
-// How far from a cell its response is decided, at most.
+// The largest distance of a cell that influences the response.
 int reachOf(const Settings& settings) {
     if (smoothsFirst(settings)) return settings.kernel + settings.aperture + 4;
     return static_cast<int>(std::ceil(4 * (std::isnan(settings.sigma) ? automaticSigma(settings) : settings.sigma))) + 4;
 }
 
-// Strongest answer near the middle of a square picture of a step.
+// Strongest response near the middle of a square image of a step.
 double answer(const Grid<std::uint8_t>& picture, const Settings& settings) {
     const Grid<float> response = responseOf(picture, settings);
     const int middle = picture.lines / 2;
@@ -152,9 +152,9 @@ Result<double> lowerOfStep(const TypedStep& step, const Settings& settings, cons
 
 double answerToRounding(const Settings& settings) {
     if (!hasGrayLevels(settings)) return 0.0;
-    constexpr int kParts = 8; // of a level
+    constexpr int kParts = 8; // parts of a level
     const int reach = reachOf(settings);
-    const int size = 2 * (reach + kParts) + 1; // the pattern of the rounding repeats after so many cells
+    const int size = 2 * (reach + kParts) + 1; // the pattern of the rounding repeats after this many cells
     double strongest = 0;
     for (int alongLines = 0; alongLines <= kParts / 4; ++alongLines) {
         for (int alongBeams = 0; alongBeams <= kParts / 4; ++alongBeams) {
@@ -177,10 +177,10 @@ double lowerWithSameStep(const Settings& before, const Settings& settings) {
     const double to = stepGain(settings).straight;
     if (from <= 0 || to <= 0) return settings.lower;
     const bool bothTwo = !hasOneThreshold(before.method) && !hasOneThreshold(settings.method);
-    // What the lower threshold is multiplied by to compare the two.
+    // The factor of the lower threshold that makes the two comparable.
     const auto compared = [&](const Settings& s) { return hasOneThreshold(s.method) ? 1.0 : bothTwo ? s.ratio : 0.5 * (1.0 + s.ratio); };
     const double lower = before.lower * compared(before) / from * to / compared(settings);
-    const bool changed = before.method != settings.method; // else the threshold was chosen for this very method
+    const bool changed = before.method != settings.method; // otherwise the threshold was chosen for this method
     const double least = changed && hasOneThreshold(settings.method) ? answerToRounding(settings) : 0.0;
     return snapped(*findParameter("lower"), std::max(lower, least));
 }

@@ -1,4 +1,4 @@
-// EdgeScan+ and its parts: how they decide, and what they say of one cell.
+// EdgeScan+ and its parts: their decisions, and their values at one cell.
 #include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/pipeline/methods.h"
@@ -41,7 +41,7 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
     const ThinnedStrength& jump = found.depth->jump;
     const ThinnedStrength& crease = found.depth->crease;
-    // What is left of either decides where it is enough; else the larger of what was there before a neighbour took it.
+    // The response after suppression decides if it is strong enough; otherwise the larger of the responses before suppression.
     const auto jumpCounts = [&](float response) { return settings.jumps ? response : 0.0F; };
     const auto foldCounts = [&](float response) { return (response > 0 ? settings.convex : settings.concave) ? std::abs(response) : 0.0F; };
     const float strength = found.linked[k];

@@ -1,4 +1,4 @@
-// What turning one parameter does to the others.
+// The effect of changing one parameter on the others.
 #include "core/edges/pipeline/turned.h"
 
 #include "core/edges/pipeline/step_meaning.h"

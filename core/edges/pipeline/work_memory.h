@@ -1,4 +1,4 @@
-// Whether the memory suffices for what is done with a scan that was opened.
+// Checks whether the free memory is enough for work on an open scan.
 #pragma once
 
 #include "core/base/result.h"
@@ -10,7 +10,7 @@ namespace edgescan {
 
 enum class Work : std::uint8_t { Detect, Explain, Compare, Rocks };
 
-/// Asked before the work begins. Error: the scan has too many cells for the memory that is free.
+/// Call it before the work begins. Error: the scan has too many cells for the free memory.
 Result<Done> checkMemoryFor(Work work, const Scan& scan);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// One run for each of the nearby settings, the threshold turned innermost: it is a compare.
+// One run for each nearby setting. The innermost loop changes the threshold, because that needs only comparisons.
 #include "core/edges/tuning/confidence.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -12,18 +12,18 @@
 namespace edgescan {
 namespace {
 
-constexpr std::string_view kOfGaps = "fill"; // turns what is there, not what is an edge of it
+constexpr std::string_view kOfGaps = "fill"; // changes the cells themselves, not the decision which of them are edges
 
-/// What the method is turned by: numbers that shape smoothing, responses or edges, and sizes (choices that have a unit).
-bool isTurned(const Parameter& parameter, const Settings& settings) {
+/// The parameters that are varied: numbers that change smoothing, responses or edges, and sizes (choices with a unit).
+bool isVaried(const Parameter& parameter, const Settings& settings) {
     const Stage feeds = parameter.feeds;
     const bool shapes = feeds == Stage::Smoothing || feeds == Stage::Responses || feeds == Stage::Edges;
     const bool ordered = !parameter.several && (parameter.choices.empty() || *parameter.unit != '\0');
     return shapes && ordered && !parameter.advanced && parameter.key != kOfGaps && parameter.usedBy(settings);
 }
 
-/// Down and up; what the parameter cannot take is left out.
-std::vector<double> turnedValues(const Parameter& parameter, const Settings& settings, const Measured& measured) {
+/// One value below and one above; values that the parameter cannot take are left out.
+std::vector<double> variedValues(const Parameter& parameter, const Settings& settings, const Measured& measured) {
     double now = parameter.get(settings);
     if (std::isnan(now) && parameter.automatic != nullptr) now = parameter.automatic(settings, measured);
     if (std::isnan(now)) return {};
@@ -43,7 +43,7 @@ Settings with(Settings settings, const Parameter& parameter, double value) {
     return settings;
 }
 
-/// 255 where the mask has an edge in the cell or one of the eight round it.
+/// 255 where the mask has an edge in the cell or in one of its eight neighbours.
 void addNear(const Grid<std::uint8_t>& mask, const std::vector<std::uint32_t>& edges, std::vector<std::uint16_t>& times) {
     for (std::size_t n = 0; n < edges.size(); ++n) {
         const int line = static_cast<int>(edges[n]) / mask.beams, beam = static_cast<int>(edges[n]) % mask.beams;
@@ -62,14 +62,14 @@ std::vector<Settings> nearbySettings(const Detection& detection) {
     const Measured measured = measuredOf(detection);
     std::vector<Settings> shaped{now};
     for (const Parameter& parameter : parameters()) {
-        if (!isTurned(parameter, now)) continue;
-        for (const double value : turnedValues(parameter, now, measured)) shaped.push_back(with(now, parameter, value));
+        if (!isVaried(parameter, now)) continue;
+        for (const double value : variedValues(parameter, now, measured)) shaped.push_back(with(now, parameter, value));
     }
     const Parameter& threshold = sweptParameter(now.method);
     std::vector<Settings> all;
     for (const Settings& one : shaped) {
         all.push_back(one);
-        for (const double value : turnedValues(threshold, now, measured)) all.push_back(with(one, threshold, value));
+        for (const double value : variedValues(threshold, now, measured)) all.push_back(with(one, threshold, value));
     }
     return all;
 }

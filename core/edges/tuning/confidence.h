@@ -1,5 +1,5 @@
-// How well each edge holds when the settings are turned a little: what is an edge at one setting only is told from what is one at all of
-// them.
+// How robust each edge is against small changes of the settings. It distinguishes edges that appear at one setting only from those that
+// appear at all of them.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -13,25 +13,26 @@
 
 namespace edgescan {
 
-inline constexpr double kTurnedBy = 1.1; ///< what the threshold and each other number is multiplied and divided by
+inline constexpr double kTurnedBy = 1.1; ///< factor by which the threshold and each other number is multiplied and divided
 
-/// Those of the detection first, then what lies near them: each number that the method finds edges by multiplied and divided by kTurnedBy
-/// (automatic ones from where they came out), or turned by one step of its slider where that is more, each size one larger and one smaller;
-/// and the threshold turned likewise with each of these.
+/// The settings of the detection first, then those near them. Each number that affects the edges is multiplied and divided by kTurnedBy
+/// (automatic ones start from their value on this scan), or changed by one step of its slider if that is more. Each size is taken one
+/// larger and one smaller. With each of these settings the threshold is also multiplied and divided.
 [[nodiscard]] std::vector<Settings> nearbySettings(const Detection& detection);
 
-/// Never changed after it is made.
+/// Immutable after construction.
 struct EdgeConfidence {
-    Grid<std::uint8_t> percent; ///< lines x beams: of the settings tried, rounded down, those with an edge in the cell or next to it;
-                                ///< 0 where the detection has no edge
-    int settings = 0;           ///< how many were tried
+    /// lines x beams: percentage of the tried settings, rounded down, with an edge in the cell or next to it; 0 where the detection has no
+    /// edge
+    Grid<std::uint8_t> percent;
+    int settings = 0; ///< number of settings tried
 };
 
-/// Of the edges of a detection, all of whose settings are worked out again. Empty when `goOn`, which is told how much is done (0 to 1),
-/// says false.
+/// The confidence of the edges of a detection; computes the edges for all nearby settings. `goOn` is called with the share done (0 to 1).
+/// Empty if it returns false.
 [[nodiscard]] std::optional<EdgeConfidence> edgeConfidence(const Detection& detection, const std::function<bool(double done)>& goOn = {});
 
-/// The same percentages everywhere: an edge belongs to the first of these that it reaches.
+/// Bands of percentages, the same everywhere: an edge belongs to the first of these that it reaches.
 inline constexpr std::array<int, 5> kConfidenceBands{100, 90, 70, 50, 0};
 [[nodiscard]] std::size_t confidenceBand(int percent);
 

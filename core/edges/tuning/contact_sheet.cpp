@@ -1,4 +1,4 @@
-// Many values of one setting.
+// Runs the method at many values of one setting.
 #include "core/edges/tuning/contact_sheet.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -9,8 +9,8 @@
 namespace edgescan {
 namespace {
 
-constexpr double kSpread = 4.0;     // from a fourth of the value to four times it
-constexpr double kSteadyLoss = 0.2; // of the edge cells, over a whole run
+constexpr double kSpread = 4.0;     // from a fourth of the value to four times the value
+constexpr double kSteadyLoss = 0.2; // share of the edge cells, over a whole run of values
 
 } // namespace
 
@@ -30,7 +30,7 @@ std::vector<double> sheetValues(const Parameter& p, double now, std::size_t most
         const double value = now > 0.0 && !std::isnan(now) ? now * std::pow(kSpread, 2.0 * share - 1.0) : from + share * (to - from);
         values.push_back(snapped(p, std::clamp(value, from, to)));
     }
-    if (!std::isnan(now)) { // the nearest makes room for it
+    if (!std::isnan(now)) { // the current value replaces the nearest one
         const auto nearest = std::ranges::min_element(values, {}, [now](double value) { return std::abs(value - now); });
         *nearest = now;
     }

@@ -1,4 +1,4 @@
-// One threshold map for each candidate; after it every threshold is a compare.
+// Computes one threshold map for each candidate. With it, every threshold is a comparison.
 #include "core/edges/tuning/marked_edges.h"
 
 #include "core/base/number_text.h"
@@ -15,7 +15,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kRoom = 1.1; // where nothing is unwanted: so far below the largest threshold that keeps all
+constexpr double kRoom = 1.1; // if there are no unwanted marks: distance of the threshold from the largest one that satisfies all marks
 
 /// The highest threshold at which a cell within reach is an edge.
 double highestNear(const ThresholdMap& map, std::uint32_t k) {
@@ -38,7 +38,7 @@ std::vector<double> highestOf(const ThresholdMap& map, const std::vector<std::ui
     return values;
 }
 
-/// To a value that the slider has, and within its limits.
+/// The nearest value on the slider's scale, within its limits.
 double onSlider(const Parameter& parameter, double value) {
     const double digits = std::pow(10.0, parameter.decimals);
     return std::clamp(std::round(value * digits) / digits, parameter.minimum, parameter.maximum);
@@ -53,7 +53,7 @@ Right rightAt(double threshold, const std::vector<double>& wanted, const std::ve
             static_cast<int>(std::ranges::count_if(unwanted, [&](double v) { return v < threshold; }))};
 }
 
-/// Between the values of all marks, and beyond them.
+/// Thresholds between the values of all marks, and beyond them.
 std::vector<double> thresholdsToTry(const Parameter& parameter, const std::vector<double>& wanted, const std::vector<double>& unwanted) {
     std::vector<double> values = wanted;
     values.insert(values.end(), unwanted.begin(), unwanted.end());
@@ -66,7 +66,7 @@ std::vector<double> thresholdsToTry(const Parameter& parameter, const std::vecto
     return tries;
 }
 
-/// By how much the threshold may change with all marks still right; below 1 when one is wrong.
+/// The factor by which the threshold may change with all marks still satisfied; below 1 if a mark is not satisfied.
 double marginOf(double threshold, const std::vector<double>& wanted, const std::vector<double>& unwanted) {
     double margin = std::numeric_limits<double>::infinity();
     if (!wanted.empty()) margin = std::min(margin, threshold > 0.0 ? wanted.front() / threshold : std::numeric_limits<double>::infinity());

@@ -1,4 +1,4 @@
-// Settings that agree with cells that somebody marked as edge or as none.
+// Finds settings that agree with cells that the operator marked as edge or as not an edge.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -13,30 +13,31 @@
 
 namespace edgescan {
 
-/// A mark stands for the cells round it too: nobody clicks a line one cell wide.
+/// A mark also covers the cells around it, because a line one cell wide is hard to click.
 inline constexpr int kMarkReachCells = 2;
 
-inline constexpr std::size_t kMostMarks = 1000; ///< of either kind
+inline constexpr std::size_t kMostMarks = 1000; ///< of each kind
 
 struct EdgeMarks {
-    std::vector<std::uint32_t> wanted;   ///< an edge lies at the cell or within kMarkReachCells
-    std::vector<std::uint32_t> unwanted; ///< none does
+    std::vector<std::uint32_t> wanted;   ///< there is an edge at the cell or within kMarkReachCells
+    std::vector<std::uint32_t> unwanted; ///< there is no edge within kMarkReachCells
     [[nodiscard]] bool empty() const { return wanted.empty() && unwanted.empty(); }
     bool operator==(const EdgeMarks&) const = default;
 };
 
 struct EdgeProposal {
-    Settings settings; ///< with the threshold that suits the marks best
-    int kept = 0;      ///< of the marks that are wanted
-    int leftOut = 0;   ///< of those that are not
-    double margin = 0; ///< the threshold may be multiplied or divided by so much with all marks still right; below 1: some are wrong
+    Settings settings; ///< with the threshold that fits the marks best
+    int kept = 0;      ///< number of satisfied wanted marks
+    int leftOut = 0;   ///< number of satisfied unwanted marks
+    /// the threshold may be multiplied or divided by this with all marks still satisfied; below 1: some are not satisfied
+    double margin = 0;
     std::size_t edges = 0;
     [[nodiscard]] bool separates() const { return margin >= 1.0; }
 };
 
-/// Of the method set now with all of its other settings, and of every other method with its usual ones: what separates the marks first,
-/// by margin, then what gets most of them right. Of a method without a threshold that suits, the best one it has. Needs a mark; cells that
-/// do not exist are passed over. False from `goOn` ends it with what is known.
+/// Proposals for the current method with all of its other settings, and for every other method with its default settings. First those that
+/// satisfy all marks, by margin, then those that satisfy the most. For a method without such a threshold, its best one. Needs a mark; cells
+/// outside of the grid are ignored. If `goOn` returns false, the proposals so far are returned.
 [[nodiscard]] std::vector<EdgeProposal> edgeProposals(const std::shared_ptr<const Scan>& scan, const Settings& now, const EdgeMarks& marks,
                                                       const std::function<bool()>& goOn = {});
 

@@ -12,11 +12,11 @@
 namespace edgescan {
 namespace {
 
-constexpr float kLeastParity = 0.15F; // index steps
+constexpr float kLeastParity = 0.15F; // smallest displacement that is reported, index steps
 constexpr int kFewestLines = 10;
 constexpr int kSampledLines = 64;
 
-// From the lines before and after.
+// Slants at each beam, from the lines before and after.
 EDGESCAN_SIMD void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
                                 std::uint8_t* __restrict slanted) {
     for (int j = 1; j < beams - 1; ++j) {
@@ -28,7 +28,7 @@ EDGESCAN_SIMD void slantsAround(const float* u, std::ptrdiff_t stride, int beams
     }
 }
 
-// Odd beams against even ones on one line.
+// Compares odd beams with even beams on one line.
 void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::vector<SlipVote>& slips) {
     const float* u = inverse.u.line(line);
     slantsAround(u, inverse.u.beams, inverse.u.beams, slants.slant.data(), slants.slanted.data());
@@ -39,20 +39,20 @@ void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::v
     });
 }
 
-// The smaller one where the slants on both sides agree in sign; 0 at an edge.
+// The slant with the smaller size if those on both sides agree in sign; 0 at an edge.
 float slantAt(const InverseRange& inverse, int line, int beam) {
     const Grid<float>& u = inverse.u;
     if (line == 0 || line + 1 == u.lines || !inverse.isMeasured(line - 1, beam) || !inverse.isMeasured(line + 1, beam)) return 0;
     const float before = u.at(line, beam) - u.at(line - 1, beam);
     const float after = u.at(line + 1, beam) - u.at(line, beam);
     if (before * after <= 0) return 0;
-    // Much unlike: one of them crosses a jump.
+    // If they differ much, one of them crosses a jump.
     const float smaller = std::abs(before) < std::abs(after) ? before : after;
     const float larger = std::abs(before) < std::abs(after) ? after : before;
     return std::abs(larger) > 3 * std::abs(smaller) ? smaller : 0.5F * (before + after);
 }
 
-// How far odd beams are ahead on every so many lines; all 0 unless most of these tell of it.
+// How far odd beams are ahead, measured on every `every`-th line; all 0 unless most of these lines show it.
 std::vector<float> parities(const InverseRange& inverse, int every) {
     std::vector<float> parity(static_cast<std::size_t>(inverse.u.lines));
     int told = 0;
@@ -97,7 +97,7 @@ SweepSlips noSlips(int lines) {
 
 SweepSlips straighten(InverseRange& inverse, int threads) {
     const int lines = inverse.u.lines;
-    // A sample of the lines tells whether it is worth looking at all of them.
+    // A sample of the lines shows whether measuring all of them is worth the time.
     SweepSlips result{parities(inverse, std::max(1, lines / kSampledLines)), {}, {}, false, 0};
     result.interlaced = std::any_of(result.parity.begin(), result.parity.end(), [](float steps) { return steps != 0; });
     if (result.interlaced) {

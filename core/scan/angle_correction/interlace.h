@@ -1,4 +1,4 @@
-// Lines and beams that are not where their angles say: beams interlaced from two passes, and lines at which the stepper
+// Finds lines and beams that were measured at other angles than recorded: beams interlaced from two passes, and lines at which the stepper
 // slipped (docs/method.md, "Interlaced beams and slips").
 #pragma once
 
@@ -9,22 +9,24 @@
 
 namespace edgescan {
 
-/// All in index steps across the lines. A displacement is the same number on every slanted surface of a line: the distance of a cell from
-/// the straight line of its neighbours, over the slope of the surface across the lines.
+/// Displacements of lines and beams, in index steps across the lines (1 = the angle between two lines). On every slanted surface of a line
+/// a displacement has the same size: the distance of a cell from the straight line through its neighbours, divided by the slope of the
+/// surface across the lines.
 struct SweepSlips {
-    std::vector<float> parity; ///< lines values: how far odd beams were measured ahead of even ones
-    LineSteps extra;           ///< slips that remain after the cells were brought to their lines
-    LineSteps measured;        ///< all slips
-    bool interlaced = false;   ///< most lines show it; else parity is all 0
-    int slipCount = 0;         ///< values of `measured` that are not 0
+    std::vector<float> parity; ///< `lines` values: how far odd beams were measured ahead of even ones, index steps
+    LineSteps extra;    ///< what is left of each slip after straighten() moved the cells of stalled lines to their true angles, index steps
+    LineSteps measured; ///< all slips as measured, index steps
+    bool interlaced = false; ///< true if most lines show interlaced beams; otherwise parity is all 0
+    int slipCount = 0;       ///< values of `measured` that are not 0
 };
 
-/// Every line and beam is where its angle says.
+/// The result for a sweep in which every line and beam is at its recorded angle.
 [[nodiscard]] SweepSlips noSlips(int lines);
 
-/// Measures the displacements as weighted medians over the slanted cells of each line. Brings interlaced beams to the angle of their line,
-/// odd and even ones by half of the displacement each, and slipped lines to their places; never across a jump. Where the cells of a line do
-/// not agree, nothing is reported or moved. The same with any number of threads (0: as many as pay).
+/// Measures the displacements as weighted medians over the slanted cells of each line, and corrects `inverse`. Odd and even interlaced
+/// beams are each moved by half of the displacement to the angle of their line. Slipped lines are moved to their places. No value is
+/// interpolated across a jump. Lines whose cells disagree are neither reported nor moved. The result is the same for any number of threads
+/// (0: as many as make it faster).
 [[nodiscard]] SweepSlips straighten(InverseRange& inverse, int threads = 0);
 
 } // namespace edgescan

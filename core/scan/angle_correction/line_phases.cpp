@@ -1,4 +1,4 @@
-// Phases of lines from the slopes along them.
+// Phases of lines, from the slopes along the lines.
 #include "core/scan/angle_correction/line_phases.h"
 
 #include "core/base/order_statistic.h"
@@ -16,21 +16,21 @@ namespace edgescan {
 namespace {
 
 constexpr int kMostPhases = 8;
-constexpr std::size_t kFewestVotes = 40; // of a line
+constexpr std::size_t kFewestVotes = 40; // fewest votes of a line
 constexpr int kFewestTurns = 5;
 constexpr int kFewestPhasedLines = 20;
-constexpr double kLeastOff = 0.15; // beam steps, of the line that is farthest off the mean of its neighbours
+constexpr double kLeastOff = 0.15; // beam steps: the least offset, from the mean of its neighbours, of the line with the largest offset
 constexpr double kLinesAgree = 0.12;
-constexpr double kMostLines = 0.85; // that must agree
-constexpr double kRound = 0.25;     // of an even division
-constexpr float kNear = 0.07F;      // below half of kLeastOff: medians of such lines cannot differ by it
+constexpr double kMostLines = 0.85; // share of the lines that must agree
+constexpr double kRound = 0.25;     // largest deviation from phases that divide a beam step evenly
+constexpr float kNear = 0.07F;      // less than half of kLeastOff, so that the medians of such lines cannot differ by kLeastOff
 
 struct LineOff {
     int line;
     double steps;
 };
 
-/// Slants along the beams, of a line and both beside it.
+/// Slants along the beams, of a line and its two neighbouring lines.
 EDGESCAN_SIMD void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
                                     std::uint8_t* __restrict slanted) {
     for (int j = 1; j < beams - 1; ++j) {
@@ -42,7 +42,7 @@ EDGESCAN_SIMD void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int b
     }
 }
 
-/// How far the beams of a line lie ahead of the mean of both neighbours, beam steps: what each of its cells says.
+/// How far the beams of a line are ahead of the mean of both neighbouring lines, in beam steps: one vote per cell.
 void voteOnNeighbours(const InverseRange& inverse, int line, LineSlants& slants, std::vector<SlipVote>& votes) {
     const Grid<float>& u = inverse.u;
     votes.clear();
@@ -56,22 +56,22 @@ void voteOnNeighbours(const InverseRange& inverse, int line, LineSlants& slants,
 
 struct LineNear {
     int line;
-    bool isNear; // less than kNear off its neighbours
+    bool isNear; // less than kNear from the mean of its neighbours
 };
 
-/// Whether more than half of the lines at each place of a turn are near their neighbours, for turns of 2 to `most` lines: then
-/// offsInTurn() finds nothing in any of them, and no line need be told exactly.
+/// Whether more than half of the lines at each position of a cycle are near their neighbours, for cycles of 2 to `most` lines. If so,
+/// offsInTurn() finds nothing in any of them, and the exact offsets need not be computed.
 bool areMostNear(const std::vector<LineNear>& lines, int most) {
     for (int phases = 2; phases <= most; ++phases) {
-        std::vector<int> surplus(static_cast<std::size_t>(phases)); // of near ones
+        std::vector<int> surplus(static_cast<std::size_t>(phases)); // surplus of near lines over the others
         for (const LineNear& line : lines) surplus[static_cast<std::size_t>(line.line % phases)] += line.isNear ? 1 : -1;
         if (std::ranges::any_of(surplus, [](int near) { return near <= 0; })) return false;
     }
     return true;
 }
 
-/// The medians of the lines that have the same place in a turn, without their common part, which is the curvature of the scene.
-/// Empty unless nearly all lines agree with them and one place is off by more than chance explains. `steps` are those offsets.
+/// The medians of the lines at the same position of a cycle, without their common part, which is the curvature of the scene. Empty unless
+/// nearly all lines agree with these medians and one position is off by more than chance explains. `steps` are these offsets.
 LinePhases offsInTurn(const std::vector<LineOff>& lines, int phases) {
     std::vector<std::vector<double>> places(static_cast<std::size_t>(phases));
     for (const LineOff& line : lines) places[static_cast<std::size_t>(line.line % phases)].push_back(line.steps);
@@ -94,7 +94,7 @@ LinePhases offsInTurn(const std::vector<LineOff>& lines, int phases) {
     return most >= kLeastOff && surest >= kSignificant ? LinePhases{std::move(offs), surest} : LinePhases{};
 }
 
-/// From how far each is off the mean of its neighbours in a ring to how far it is ahead of the one that is last.
+/// Converts the offset of each line from the mean of its neighbours (in a ring) to its lead over the line that is farthest behind.
 std::vector<double> phasesOf(const std::vector<double>& offs) {
     const std::size_t count = offs.size();
     // With g(k) = phase(k + 1) - phase(k): off(k) = (g(k - 1) - g(k)) / 2, and all g add up to 0.
@@ -117,7 +117,7 @@ std::vector<double> phasesOf(const std::vector<double>& offs) {
     return phases;
 }
 
-/// Beams of all phases lie between a beam and the next, no two on one another.
+/// Whether the phases of a cycle fit between one beam and the next, and no two of them coincide.
 bool areApart(std::vector<double> phases) {
     std::ranges::sort(phases);
     for (std::size_t k = 0; k + 1 < phases.size(); ++k) {
@@ -129,7 +129,7 @@ bool areApart(std::vector<double> phases) {
 } // namespace
 
 LinePhases linePhases(const InverseRange& inverse) {
-    constexpr int kBlock = 96; // lines in one go that are looked at, in three places of a large sweep
+    constexpr int kBlock = 96; // consecutive lines that are examined, in three places of a large sweep
     std::vector<LineNear> telling;
     const int lines = inverse.u.lines;
     LineSlants slants(inverse.u.beams);
@@ -165,7 +165,7 @@ Scan withPhasesFolded(const Scan& scan, const std::vector<double>& phases) {
     const int count = static_cast<int>(phases.size());
     const int rows = (scan.lines() + count - 1) / count;
     const int beams = scan.beams();
-    std::vector<int> order(phases.size()); // of the lines of a turn, by their phase
+    std::vector<int> order(phases.size()); // the lines of a cycle, ordered by phase
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, {}, [&](int k) { return phases[static_cast<std::size_t>(k)]; });
     const double stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);

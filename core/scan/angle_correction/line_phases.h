@@ -1,4 +1,4 @@
-// Lines that were measured with beams of different phases, one after the other in turn (docs/method.md, "Interlaced beams and slips").
+// Finds sweeps whose lines were measured with different beam phases in a repeating cycle (docs/method.md, "Interlaced beams and slips").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"
@@ -8,18 +8,20 @@
 namespace edgescan {
 
 struct LinePhases {
-    std::vector<double>
-        steps;         ///< of line i steps[i % steps.size()], at least 0; empty: all lines have the same phase, or it cannot be told
-    double surest = 0; ///< the largest difference of a place from its neighbours, over its own standard deviation; 6 or more
+    /// beam steps by which line i is ahead: steps[i % steps.size()], 0 or more; empty: all lines have the same phase, or it cannot be
+    /// measured
+    std::vector<double> steps;
+    double surest = 0; ///< the largest offset of a position from its neighbours, divided by its own standard deviation; 6 or more
 };
 
-/// By how many beam steps the beams of line i lie ahead of their angles. Of every line its cells on slanted surfaces are compared with the
-/// lines before and after it; nearly all lines must agree with the others of their turn. Up to eight phases.
+/// Measures by how many beam steps the beams of line i are ahead of their recorded angles. The cells of each line on slanted surfaces are
+/// compared with the lines before and after it. Nearly all lines must agree with the lines at the same position of the cycle. Cycles have
+/// at most eight phases.
 [[nodiscard]] LinePhases linePhases(const InverseRange& inverse);
 
-/// The lines of a turn side by side as one line: beams in the order of their angles, each with the angle of its line as its skew. Ranges
-/// and states stay; cells of a last turn that is not whole are lost ones. `phases` as linePhases(), their beams all between a beam and the
-/// next.
+/// Merges the lines of a cycle into one line: its beams are in the order of their angles, each with the angle of its original line as its
+/// skew. Ranges and states are unchanged. Missing lines of an incomplete last cycle become lost cells. `phases` are those of linePhases();
+/// all of them must be less than one beam step.
 [[nodiscard]] Scan withPhasesFolded(const Scan& scan, const std::vector<double>& phases);
 
 } // namespace edgescan

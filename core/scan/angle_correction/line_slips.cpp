@@ -1,4 +1,4 @@
-// Stalls and leaps of the stepper.
+// Finds stalls and leaps of the stepper.
 #include "core/scan/angle_correction/line_slips.h"
 
 #include "core/base/bands.h"
@@ -16,21 +16,21 @@
 namespace edgescan {
 namespace {
 
-constexpr int kFarthest = 8; // lines to each side that tell the slope
+constexpr int kFarthest = 8; // lines to each side from which the slope is measured
 constexpr int kNearest = 3;
-constexpr float kAlike = 0.4F;      // of the steeper slope
-constexpr float kLeastExtra = 0.5F; // at the first look
+constexpr float kAlike = 0.4F;      // largest difference between slopes, as a share of the steeper one
+constexpr float kLeastExtra = 0.5F; // index steps, in the first pass
 constexpr float kSureExtra = 0.7F;
-constexpr float kMostExtra = 20;   // index steps; what jumps farther is an edge
-constexpr float kExplained = 0.5F; // of the deviations on a line
-constexpr int kPause = 3;          // lines without a slip that end a stall
-constexpr float kMadeUp = 1.0F;    // index steps from where the stepper should be
+constexpr float kMostExtra = 20;   // index steps; a larger displacement is an edge
+constexpr float kExplained = 0.5F; // share of the deviations on a line that a slip must explain
+constexpr int kPause = 3;          // number of lines without a slip that ends a stall
+constexpr float kMadeUp = 1.0F;    // index steps from the stepper's intended position
 
-// The lines that tell the slope of a step from a line to the next; fewer at both ends of the sweep.
+// The number of lines on each side from which the slope at the step from `line` to the next is measured; fewer at both ends of the sweep.
 int reachAt(int line, int lines) { return std::min({kFarthest, line, lines - 2 - line}); }
 
-// The slant at the step to the next line, from the lines before and after it: the steeper of the two slopes, because the stepper may have
-// stalled on one side.
+// The slant at the step to the next line, from the lines before and after it. The steeper of the two slopes counts, because the stepper may
+// have stalled on one side.
 EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
                                    std::uint8_t* __restrict slanted) {
     const std::ptrdiff_t far = reach * stride;
@@ -47,13 +47,14 @@ EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int re
     }
 }
 
-// The votes of a line, summed quickly: cells that are as many lanes apart share a sum, so each lane is of one parity.
+// Sums the votes of a line quickly: cells whose distance is a multiple of the number of lanes share a sum, so each lane holds beams of one
+// parity.
 constexpr int kVoteLanes = 64;
 struct QuickVotes {
     std::array<float, kVoteLanes> weight{}, below{}, upTo{};
 };
 
-// By kFarthest lines the division is a product, with the same bits.
+// For kFarthest lines the division becomes a multiplication, with the same bits.
 template <bool kFar, class Count>
 inline __attribute__((always_inline)) void addQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, Count cells,
                                                       float limit, float* __restrict weights, float* __restrict below,
@@ -94,10 +95,10 @@ EDGESCAN_SIMD void voteQuickly(const float* u, const Support* support, std::ptrd
         addQuickly<false>(u + j, support + j, stride, reach, std::min(beams - j, kVoteLanes), limit, weight, below, upTo);
 }
 
-// Whether the weighted middle of both parities lies so far within the limit that rounding of the quick sums cannot matter. On most lines
-// it does, and no vote need be looked at again.
+// Whether the weighted median of both parities is so far within the limit that rounding errors of the quick sums cannot matter. This is so
+// on most lines, and then the votes need no second pass.
 bool isSurelyNoSlip(const InverseRange& inverse, int line, int reach, float limit) {
-    constexpr float kClear = 0.01F; // of the weight; the sums are good to a ten-thousandth
+    constexpr float kClear = 0.01F; // share of the weight; the sums are exact to a ten-thousandth
     QuickVotes votes;
     voteQuickly(inverse.u.line(line), inverse.support.line(line), inverse.u.beams, reach, inverse.u.beams, limit, votes);
     for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -112,17 +113,17 @@ bool isSurelyNoSlip(const InverseRange& inverse, int line, int reach, float limi
     return true;
 }
 
-// Shares of u between kLeastSlant and kMostSlant are whole multiples of this: as whole numbers they add up the same in any order.
+// Shares of u between kLeastSlant and kMostSlant are whole multiples of this value. As whole numbers they give the same sum in any order.
 constexpr float kUnitOfWeight = 0x1p-31F;
 static_assert(kLeastSlant >= 0x1p-8F && kMostSlant < 1);
 
-// The votes of a line as their weighted middle counts them.
+// The votes of a line, as weights for the weighted median.
 struct StepVotes {
     explicit StepVotes(int beams)
         : weight(static_cast<std::size_t>(beams)), below(static_cast<std::size_t>(beams)), upTo(static_cast<std::size_t>(beams)) {}
-    std::vector<std::int32_t> weight; // in units; 0 where the cell has no vote
-    std::vector<std::int32_t> below;  // of these, votes for a step at most -limit ...
-    std::vector<std::int32_t> upTo;   // ... and less than limit
+    std::vector<std::int32_t> weight; // in units of kUnitOfWeight; 0 if the cell has no vote
+    std::vector<std::int32_t> below;  // weight of votes for a step of -limit or less ...
+    std::vector<std::int32_t> upTo;   // ... and of votes for less than limit
 };
 
 EDGESCAN_SIMD void weigh(const float* u, const Support* support, const LineSlants& slants, std::ptrdiff_t stride, int reach, float limit,
@@ -162,7 +163,7 @@ EDGESCAN_SIMD Sum sumOfParity(const StepVotes& votes, std::size_t parity) {
 
 bool areEnough(std::size_t votes, int beams) { return votes >= std::max<std::size_t>(kFewestCells, static_cast<std::size_t>(beams) / 25); }
 
-// Whether the weighted middle of either parity may be beyond the limit.
+// Whether the weighted median of either parity may exceed the limit.
 bool canBeSlip(const StepVotes& votes, int beams) {
     for (std::size_t parity = 0; parity < 2; ++parity) {
         const Sum sum = sumOfParity(votes, parity);
@@ -190,8 +191,8 @@ void addSteps(const InverseRange& inverse, int line, const LineSlants& slants, S
     });
 }
 
-// The change of u from line to line: the mean of the middle half over some lines, which stalls, a leap, one jump or ranges in whole
-// centimetres do not disturb. 0 where a range is missing or where the surface is too steep or not slanted.
+// The change of u from line to line: the mean of the middle half over several lines. A stall, a leap, one jump, or ranges rounded to
+// centimetres do not disturb it. 0 where a range is missing, and where the surface is too steep or not slanted.
 float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
     std::array<float, 2 * kFarthest + 1> changes{};
     for (int i = first; i <= last; ++i) {
@@ -207,7 +208,7 @@ float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
     return share >= kLeastSlant && share <= kMostSlant ? slant : 0;
 }
 
-// The same cells again, with slants that are measured with more care.
+// Measures the same cells again, with the slants of middleSlant().
 void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slants, StepSlips& slips) {
     for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
     const int reach = reachAt(line, inverse.u.lines);
@@ -217,7 +218,7 @@ void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slan
     });
 }
 
-// The slip that beams of one parity show; 0 when none explains what is seen.
+// The slip that the beams of one parity show; 0 if a slip does not explain the deviations.
 float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     if (!areEnough(slips.size(), beams)) return 0;
     if (isMiddleWithin(least, slips)) return 0;
@@ -226,7 +227,7 @@ float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     return explained(slips, steps) < kExplained ? 0 : steps;
 }
 
-// Memory for the work on a line.
+// Buffers for the work on one line.
 struct LineWork {
     explicit LineWork(int beams) : slants(beams), votes(beams) {}
     LineSlants slants;
@@ -234,7 +235,7 @@ struct LineWork {
     StepSlips slips;
 };
 
-// The slip from this line to the next, as beams of both parities show it.
+// The slip from this line to the next, as the beams of both parities show it.
 void findSlip(const InverseRange& inverse, int line, LineWork& work, LineSteps& steps) {
     const int reach = reachAt(line, inverse.u.lines);
     const int beams = inverse.u.beams;
@@ -253,10 +254,10 @@ void findSlip(const InverseRange& inverse, int line, LineWork& work, LineSteps& 
     }
 }
 
-// Slips that follow each other closely, of even or odd beams.
+// Slips of even or odd beams that follow each other closely.
 struct Stall {
-    int first, last; // steps
-    int leap;        // the longest of them
+    int first, last; // the first and the last step
+    int leap;        // the step of the largest slip
 };
 
 float sizeAt(const LineSteps& extra, int step) {
@@ -273,14 +274,14 @@ Stall stallFrom(const LineSteps& extra, int first) {
     return stall;
 }
 
-// Works out how far the lines of a stall lie ahead of their places, in index steps. They are counted from both ends, so that what the
-// stepper did not make up for stays as one longer step, the same for even and odd beams; where it made up for all, nothing stays.
+// Computes how far the lines of a stall are ahead of their places, in index steps. The slips are added from both ends. What the stepper did
+// not make up for remains as one longer step, the same for even and odd beams. If it made up for everything, nothing remains.
 void straightenStall(const Stall& stall, std::vector<float>& extra, std::vector<float>& ahead) {
     const auto at = [](std::vector<float>& steps, int i) -> float& { return steps[static_cast<std::size_t>(i)]; };
     float total = 0;
     for (int i = stall.first; i <= stall.last; ++i) total += at(extra, i);
     const bool madeUp = std::abs(total) < kMadeUp;
-    const float over = madeUp ? total / static_cast<float>(stall.last + 1 - stall.first) : 0; // spread evenly over the lines
+    const float over = madeUp ? total / static_cast<float>(stall.last + 1 - stall.first) : 0; // divided evenly among the lines
     float sum = 0;
     for (int i = stall.first; i <= stall.last; ++i) {
         sum += at(extra, i) - over;
@@ -304,7 +305,7 @@ LineSteps straightenStalls(LineSteps& extra) {
     return ahead;
 }
 
-// What remains of a slip, measured with the slopes right beside it: crackJumps() takes it off with these.
+// The rest of a slip, measured with the slopes next to it: crackJumps() removes it with the same slopes.
 float leftOver(const InverseRange& inverse, int line, int parity, float otherwise) {
     std::vector<SlipVote> slips;
     for (int j = parity; j < inverse.u.beams; j += 2) {

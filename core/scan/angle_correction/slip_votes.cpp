@@ -40,7 +40,7 @@ bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips) {
     return 2 * below < total && 2 * upTo >= total;
 }
 
-// Sums of so few bits are exact in double, so that the order in which they are added does not matter.
+// Sums of numbers with so few bits are exact in double, so their order does not matter.
 float weightedMiddle(std::vector<SlipVote> slips) {
     const auto add = [](double sum, const SlipVote& slip) { return sum + static_cast<double>(slip.weight); };
     const double total = std::accumulate(slips.begin(), slips.end(), 0.0, add);

@@ -1,4 +1,4 @@
-// From displacements in index steps to angles.
+// Converts displacements in index steps to angles.
 #include "core/scan/angle_correction/straighten_scan.h"
 
 #include "core/base/number_text.h"
@@ -17,17 +17,17 @@ namespace edgescan {
 namespace {
 
 struct Parity {
-    double steps = 0;  // median of the lines that tell of a displacement, index steps; 0 when none does, or chance explains it
-    double surest = 0; // over its standard deviation
+    double steps = 0;  // index steps: median of the lines that show a displacement; 0 if no line shows one, or if chance explains it
+    double surest = 0; // divided by its standard deviation
 };
 
 Parity parityOf(const std::vector<float>& parity) {
-    std::vector<double> told;
-    std::copy_if(parity.begin(), parity.end(), std::back_inserter(told), [](float steps) { return steps != 0; });
-    const double middle = median(told);
-    const std::size_t lines = told.size();
-    for (double& steps : told) steps -= middle;
-    const double surest = std::abs(middle) / sdOfMedian(std::move(told), lines);
+    std::vector<double> shown;
+    std::copy_if(parity.begin(), parity.end(), std::back_inserter(shown), [](float steps) { return steps != 0; });
+    const double middle = median(shown);
+    const std::size_t lines = shown.size();
+    for (double& steps : shown) steps -= middle;
+    const double surest = std::abs(middle) / sdOfMedian(std::move(shown), lines);
     return surest >= kSignificant ? Parity{middle, surest} : Parity{};
 }
 
@@ -44,22 +44,24 @@ void moveLines(PolarGeometry& polar, const std::vector<double>& slipSteps, doubl
     }
 }
 
-// How far the surfaces of a sweep show its angles to be wrong.
+// How wrong the angles of a sweep are, according to its surfaces.
 struct Displacement {
     double stepDeg = 0;            // from line to line
     double oddAheadDeg = 0;        // odd beams against even ones
-    double oddSurest = 0;          // over its standard deviation
-    std::vector<double> slipSteps; // lines values: what the step to the next line is too long by, index steps
-    int slipCount = 0;             // how many of these are not 0
-    double uneven = 0;             // what the steps differ by anyway, index steps
+    double oddSurest = 0;          // divided by its standard deviation
+    std::vector<double> slipSteps; // `lines` values: excess of the step to the next line, index steps
+    int slipCount = 0;             // number of values of slipSteps that are not 0
+    double uneven = 0;             // normal difference between steps, index steps
     double surest = 0;             // the largest slip, index steps
-    int left = 0;                  // slips on which even and odd beams do not agree
+    int left = 0;                  // slips on which even and odd beams disagree
 };
 
-// A measured displacement less what the angles allow for already; 0 where both agree as well as can be measured.
-double beyond(double measured, double told, double agree) { return told != 0 && std::abs(measured - told) < agree ? 0.0 : measured - told; }
+// A measured displacement minus what the angles already contain; 0 where both agree within the accuracy of the measurement.
+double beyond(double measured, double allowed, double agree) {
+    return allowed != 0 && std::abs(measured - allowed) < agree ? 0.0 : measured - allowed;
+}
 
-// How far the angles have odd beams ahead of even ones.
+// By how many degrees the recorded angles have odd beams ahead of even ones.
 double oddSkewDeg(const PolarGeometry& polar) {
     const std::size_t pairs = polar.lineSkewDeg.size() / 2;
     double sum = 0;
@@ -73,7 +75,8 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
     return median(std::move(steps));
 }
 
-// Slips hang together, a stall with the leap that makes up for it: the largest of a sweep proves them, or none is told of.
+// A stall and the leap that makes up for it belong together. The largest slip of a sweep proves all of them; without such proof EdgeScan
+// reports no slip.
 void dropUnproved(Displacement& found) {
     for (const double steps : found.slipSteps) found.surest = std::max(found.surest, std::abs(steps));
     if (found.surest < kSignificant * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
@@ -100,8 +103,8 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
             found.left += even != 0 || odd != 0 ? 1 : 0;
             continue;
         }
-        const double told = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
-        found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(told) < 0.1 ? 0.0 : told, kAgreeLines);
+        const double allowed = usualDeg == 0 ? 0.0 : (polar.lineDeg[i + 1] - polar.lineDeg[i]) / usualDeg - 1;
+        found.slipSteps[i] = beyond(0.5 * (even + odd), std::abs(allowed) < 0.1 ? 0.0 : allowed, kAgreeLines);
     }
     dropUnproved(found);
     found.slipCount = static_cast<int>(std::ranges::count_if(found.slipSteps, [](double steps) { return steps != 0; }));
@@ -115,7 +118,7 @@ const PolarGeometry* anglesOf(const Scan& scan) {
 
 std::string degreesText(double deg) { return (deg < 0.1 ? significantText(deg, 2) : fixedText(deg, 2)) + " degrees"; }
 
-// ", 40 times what that is uncertain by"
+// ", 40 times its uncertainty"
 std::string sureText(double surest) { return ", " + fixedText(std::floor(surest), 0) + " times what that is uncertain by"; }
 
 // "odd beams lie 0.12 degrees ahead of even ones"
@@ -135,7 +138,7 @@ std::string slipText(const Displacement& found) {
            std::to_string(first + 1) + ", by up to " + degreesText(most) + sure + ")";
 }
 
-// Empty where nothing is displaced.
+// Empty if nothing is displaced.
 std::string displacementText(const Displacement& found) {
     std::string text;
     if (found.oddAheadDeg != 0) text = interlaceText(found.oddAheadDeg, found.oddSurest);
@@ -143,7 +146,8 @@ std::string displacementText(const Displacement& found) {
     return text;
 }
 
-/// Phases of the lines in turn; none where a place per line or points behind others would not come along.
+/// Phases of the lines of a cycle. Empty for scans with a pose per line or with points behind other points: these could not be merged along
+/// with the lines.
 LinePhases phasesIn(const Scan& scan, const InverseRange& inverse) {
     if ((scan.placement && scan.placement->poses.size() > 1) || !scan.attached.empty()) return {};
     return linePhases(inverse);

@@ -1,4 +1,4 @@
-// How sure a median is (docs/method.md, "Interlaced beams and slips").
+// The uncertainty of a median (docs/method.md, "Interlaced beams and slips").
 #pragma once
 
 #include "core/base/order_statistic.h"
@@ -9,13 +9,14 @@
 
 namespace edgescan {
 
-/// What is told of a sweep lies this many of its own standard deviations off nothing.
+/// A displacement is reported if it is at least this many of its standard deviations away from 0.
 inline constexpr double kSignificant = 6;
 
-/// Standard deviation of the median of `count` values that lie `offMedian` off it, by their median size; never quite 0.
+/// Standard deviation of the median of `count` values, estimated from the median size of `offMedian`, their deviations from the median;
+/// always more than 0.
 [[nodiscard]] inline double sdOfMedian(std::vector<double> offMedian, std::size_t count) {
-    constexpr double kOfNormal = 1.4826;     // from the median size to the standard deviation
-    constexpr double kMedianOfMean = 1.2533; // a median is that much less sure than a mean
+    constexpr double kOfNormal = 1.4826;     // converts the median size to the standard deviation
+    constexpr double kMedianOfMean = 1.2533; // the standard deviation of a median is this many times that of a mean
     constexpr double kLeast = 1e-3;
     for (double& off : offMedian) off = std::abs(off);
     return std::max(kLeast, kOfNormal * kMedianOfMean * median(std::move(offMedian)) /

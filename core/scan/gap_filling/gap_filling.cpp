@@ -1,4 +1,4 @@
-// Gap by gap: who belongs to it, what surrounds it, and what that says.
+// For each gap: finds its cells and the measured cells around it, and decides how to fill it.
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include "core/scan/gap_filling/plane_in_u.h"
@@ -12,18 +12,18 @@
 namespace edgescan {
 namespace {
 
-constexpr int kRing = 2;              // cells round a gap that are looked at
-constexpr int kLongSides = 4;         // times the short one
-constexpr double kTwoSurfacesMm = 40; // ranges round a gap that leave so much between them are of two surfaces ...
-constexpr double kTwoSurfaces = 0.01; // ... or this share of the range
+constexpr int kRing = 2;              // width of the ring around a gap, in cells
+constexpr int kLongSides = 4;         // the longest side, in units of the short one
+constexpr double kTwoSurfacesMm = 40; // if the ranges around a gap leave a step of this size between them, they belong to two surfaces ...
+constexpr double kTwoSurfaces = 0.01; // ... or of this share of the range
 constexpr std::size_t kFewestOfSurface = 3;
-constexpr double kSmallestSurface = 0.04; // of the ring
-constexpr double kOnPlane = 0.8;          // of the ring must have weight
+constexpr double kSmallestSurface = 0.04; // share of the ring
+constexpr double kOnPlane = 0.8;          // share of the ring that must have weight
 constexpr double kFlatMm = 12, kFlat = 0.002;
 constexpr double kEndsApartMm = 80, kEndsApart = 0.02;
-constexpr double kLineSdMm = 13;     // 68 % of the ranges between two ends
-constexpr double kOwnScatter = 0.15; // of a cell's variance: what relief adds between the cells
-constexpr double kBend = 0.2;        // of a cell's width, per cell from what was measured
+constexpr double kLineSdMm = 13;     // half-width that contains 68 % of the ranges between two ends, mm
+constexpr double kOwnScatter = 0.15; // share of a cell's variance: the relief between the cells
+constexpr double kBend = 0.2;        // share of a cell's width, per cell of distance from the measured cells
 
 enum Cell : std::uint8_t { kMeasured, kDust, kMissing, kKeptOut, kSeen };
 
@@ -32,9 +32,9 @@ struct Place {
 };
 
 struct Gap {
-    std::vector<Place> cells; // those to be filled come first to last as they were found
+    std::vector<Place> cells; // the cells to fill come first, in the order in which they were found
     Place least{}, most{};
-    bool closed = true; // not at the border of the grid, nothing kept out by somebody
+    bool closed = true; // not at the border of the grid, and without cells that the operator masked or gated
 };
 
 class Filler {
@@ -61,7 +61,7 @@ private:
         return state == CellState::Masked || state == CellState::OutOfWindow ? kKeptOut : kMissing;
     }
 
-    // Everything connected with the cell that was not measured. Dust in it belongs to it and is not filled.
+    // All missing cells connected with the seed cell. Dust inside the gap belongs to it and is not filled.
     Gap gapAt(Place seed) {
         Gap gap;
         gap.least = gap.most = seed;
@@ -108,7 +108,7 @@ private:
 
     [[nodiscard]] double rangeAt(int line, int beam) const { return static_cast<double>(scan_.rangeMm.at(line, beam)); }
 
-    // Measured cells within two cells of the gap, each once.
+    // Measured cells at most two cells away from the gap, each once.
     [[nodiscard]] std::vector<Place> ringOf(const Gap& gap) const {
         const Place from{gap.least.line - kRing, gap.least.beam - kRing};
         const int beams = gap.most.beam - from.beam + kRing + 1;
@@ -129,7 +129,7 @@ private:
         return ring;
     }
 
-    // The ring without single cells far off; empty where two surfaces are left, one behind the other.
+    // The ring without single outliers; empty if two surfaces remain, one behind the other.
     [[nodiscard]] std::vector<Place> oneSurface(std::vector<Place> ring) const {
         std::ranges::stable_sort(ring, {}, [&](Place at) { return rangeAt(at.line, at.beam); });
         const std::size_t fewest =
@@ -167,7 +167,7 @@ private:
         const double flatMm = 1000 * plane->sdU / (meanU * meanU);
         if (flatMm > kFlatMm + kFlat * 1000 / meanU) return false;
         for (const Place at : gap.cells) {
-            // A plane that meets the horizon is none.
+            // A plane that reaches the horizon is not a fit.
             if (!(plane->at(at.beam - middleBeam, at.line - middleLine) > 0.5 * meanU)) return false;
         }
         for (const Place at : gap.cells) {
@@ -182,14 +182,15 @@ private:
         return true;
     }
 
-    // Cells to the nearest one of the ring.
+    // Distance in cells to the nearest cell of the ring.
     static int fromMeasured(Place at, const std::vector<Place>& ring) {
         int least = INT32_MAX;
         for (const Place there : ring) least = std::min(least, std::max(std::abs(there.line - at.line), std::abs(there.beam - at.beam)));
         return least;
     }
 
-    // The straight line between the ends of the gap along one way; empty where there are none or they are too far apart.
+    // The straight line between the two ends of the gap in one direction; empty if an end is missing or the ends are too far apart in
+    // range.
     struct Between {
         double rangeMm, apartMm;
     };
@@ -197,7 +198,7 @@ private:
         const auto end = [&](int sign) {
             for (int n = 1; n <= longest_; ++n) {
                 const int i = at.line + sign * n * lines, j = at.beam + sign * n * beams;
-                if (!cells_.contains(i, j)) break; // dust beside the gap may reach the border
+                if (!cells_.contains(i, j)) break; // dust next to the gap may reach the border
                 if (cells_.at(i, j) == kMeasured) return n;
             }
             return longest_ + 1;

@@ -1,4 +1,4 @@
-// Small gaps of a scan filled from what surrounds them, with an uncertainty (docs/method.md, "Gaps").
+// Fills small gaps of a scan from the cells around them, with an uncertainty (docs/method.md, "Gaps").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"
@@ -9,42 +9,43 @@
 
 namespace edgescan {
 
-/// Where a filled range comes from.
+/// How a filled range was computed.
 enum class FilledBy : std::uint8_t {
-    Plane, ///< one plane through all that was measured within two cells of the gap
-    Line,  ///< the straight line between the two ends of the gap, along the beams or along the lines
+    Plane, ///< from one plane through all measured cells at most two cells away from the gap
+    Line,  ///< from the straight line between the two ends of the gap, along the beams or along the lines
 };
 
-/// A range that nobody measured.
+/// A range that was computed, not measured.
 struct FilledCell {
     std::uint32_t cell = 0; ///< line * beams + beam
     float rangeMm = 0;
-    float sdMm = 0; ///< standard deviation to be expected, noise of the device not included
+    float sdMm = 0; ///< expected standard deviation, without the noise of the scanner
     FilledBy by = FilledBy::Plane;
 
     bool operator==(const FilledCell&) const = default;
 };
 
 struct GapFilling {
-    std::vector<FilledCell> cells; ///< ascending by cell; each of a cell that has no range in the scan
-    std::size_t byPlane = 0;       ///< of these
-    std::size_t gaps = 0;          ///< connected groups of missing cells of which at least one was filled
+    std::vector<FilledCell> cells; ///< ascending by cell; these cells have no range in the scan
+    std::size_t byPlane = 0;       ///< number of cells filled from a plane
+    std::size_t gaps = 0;          ///< connected groups of missing cells in which at least one cell was filled
 
-    /// Null where the cell was not filled.
+    /// Null if the cell was not filled.
     [[nodiscard]] const FilledCell* at(std::size_t cell) const;
 };
 
-/// Gaps (8 neighbours) of up to `longest` + 2 cells one way and four times that the other, not at the border of the grid and without cells
-/// that somebody masked or gated, are filled: by a plane in inverse range where all around lies on one, else cell by cell along the way
-/// whose ends differ less, if they differ by less than 80 mm + 2 % of the range. All others stay gaps. `longest` below 1: nothing is
-/// filled. `noise` is that of the measured cells. Needs angles, or points, for the uncertainty. The same on every machine.
+/// Fills gaps (connected over 8 neighbours) of up to `longest` + 2 cells in one direction and four times that in the other. Gaps at the
+/// border of the grid and gaps with cells that the operator masked or gated are not filled. If all cells around the gap are on one plane,
+/// the plane in inverse range fills it. Otherwise each cell is filled along the direction whose two ends differ less, if they differ by
+/// less than 80 mm + 2 % of the range. All other gaps stay. `longest` below 1: nothing is filled. `noise` is the range noise of the
+/// measured cells. The uncertainty needs angles or points. The result is the same on every machine.
 [[nodiscard]] GapFilling fillGaps(const Scan& scan, const RangeNoise& noise, int longest);
 
-/// The same with the noise measured in the scan.
+/// The same, with the noise measured in the scan.
 [[nodiscard]] GapFilling fillGaps(const Scan& scan, int longest);
 
-/// A copy of the scan in which the filled cells count as measured, and their uncertainty: mm, 0 at cells that were measured. For exports
-/// that ask for it. Cells of a cloud without known rays stay without a range.
+/// A copy of the scan in which filled cells count as measured, and their uncertainty in mm (0 at measured cells). For exports with filled
+/// gaps. Cells of a cloud without known rays stay without a range.
 struct ScanWithFilled {
     Scan scan;
     Grid<float> sdMm; ///< lines x beams

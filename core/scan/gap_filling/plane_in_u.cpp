@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kFewestCells = 7;
 constexpr int kRounds = 3;
-constexpr double kReach = 3;          // medians, made standard deviations
-constexpr double kSdPerMedian = 1.48; // of a normal distribution
-constexpr double kLeastSpread = 1e-9; // determinant over the product of the diagonal
+constexpr double kReach = 3;          // in median deviations converted to standard deviations
+constexpr double kSdPerMedian = 1.48; // for a normal distribution
+constexpr double kLeastSpread = 1e-9; // determinant divided by the product of the diagonal
 
 struct Sums {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, u = 0, ux = 0, uy = 0;
@@ -38,7 +38,7 @@ Sums summed(std::span<const RingCell> ring, const std::vector<double>& weights) 
     return s;
 }
 
-// False where the cells lie on one line.
+// False if the cells are on one straight line.
 bool solve(const Sums& s, PlaneInU& plane) {
     const double c00 = s.xx * s.yy - s.xy * s.xy;
     const double c01 = s.xy * s.y - s.x * s.yy;

@@ -1,4 +1,4 @@
-// The assembly in the terms of a calibration file.
+// Converts the assembly errors to the terms of a calibration file.
 #include "core/scan/georef/assembly.h"
 
 #include "core/scan/georef/chain.h"

@@ -1,4 +1,4 @@
-// How far the scanner's assembly on the stepper is off the nominal one (docs/calibration.md).
+// Errors of the scanner's mounting on the stepper, relative to the nominal mounting (docs/calibration.md).
 #pragma once
 
 #include "core/scan/georef/calibration.h"
@@ -9,8 +9,8 @@
 
 namespace edgescan {
 
-/// What surfaces seen twice in one turn can tell; every other error of the assembly is gauge or stays invisible in one scan. A plain array
-/// lies behind it, for the solver.
+/// The errors that can be estimated from surfaces seen twice in one sweep. All other mounting errors are gauge, or cannot be seen in one
+/// scan. The values are a plain array for the solver.
 ///
 /// | member | spin, axis z | sweep, axis x |
 /// |---|---|---|
@@ -34,7 +34,7 @@ struct AssemblyErrors {
     [[nodiscard]] double indexDeg() const { return values[3]; }
     [[nodiscard]] double turnDeg() const { return values[4]; }
 
-    /// Of the stepper's true angle to the recorded one.
+    /// The stepper's true angle divided by the recorded one.
     [[nodiscard]] double turnFactor() const { return 1.0 + turnDeg() / 180.0; }
 
     bool operator==(const AssemblyErrors&) const = default;
@@ -43,7 +43,7 @@ struct AssemblyErrors {
 /// T_MS with these errors.
 [[nodiscard]] RigidTransform sensorInMover(Axis axis, const AssemblyErrors& errors);
 
-/// The calibration with what `errors` say of its stepper; all else as it is.
+/// The calibration with its stepper's values taken from `errors`; all else is unchanged.
 [[nodiscard]] Calibration withAssembly(Calibration calibration, Axis axis, const AssemblyErrors& errors);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// The robot's settings file.
+// Reads the robot's calibration file.
 #include "core/scan/georef/calibration.h"
 
 #include "core/base/inputs.h"
@@ -37,7 +37,7 @@ void readStepper(JsonFields stepper, Calibration& c) {
 
 void readInclinometer(JsonFields inclinometer, Calibration& c) {
     c.viewing = static_cast<Viewing>(inclinometer.choice("viewing", kViewings));
-    // Numbers that would not be used are refused: they would mislead whoever reads the file.
+    // Numbers that would not be used are refused, because they would mislead the reader of the file.
     if (c.viewing == Viewing::Rpy)
         c.viewingRpyDeg = inclinometer.neededVector("rpy_deg", kAngle);
     else if (inclinometer.has("rpy_deg"))
@@ -87,7 +87,7 @@ Result<Calibration> parseCalibration(std::string_view json, const std::string& w
     c.tiltChangeLimitDeg = limits.number("tilt_change_deg", c.tiltChangeLimitDeg, {0, 90});
     c.poseAgeLimitS = limits.number("pose_age_s", c.poseAgeLimitS, {0, 1e9});
     limits.done();
-    static_cast<void>(fields.value("estimated")); // how the stepper's numbers were found: for people, no number of it is used
+    static_cast<void>(fields.value("estimated")); // says how the stepper's numbers were estimated: information for people, not used here
     fields.done();
     if (fields.problem()) return *fields.problem();
     return c;
@@ -111,7 +111,7 @@ StepperMount stepperMount(const Calibration& c) { return {moverFromSensor(c.moun
 
 std::optional<Boom> boomOf(const Calibration& c) {
     if (c.armM.isZero(0.0)) return std::nullopt;
-    const RigidTransform fromInclinometer = inverse(inclinometerFromAxisBase(c)); // whose origin is the head
+    const RigidTransform fromInclinometer = inverse(inclinometerFromAxisBase(c)); // the origin of this frame is the head
     return Boom{fromInclinometer * Eigen::Vector3d(-c.armM), fromInclinometer.translationM};
 }
 

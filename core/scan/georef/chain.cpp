@@ -1,4 +1,4 @@
-// The steps of the chain.
+// The steps of the chain of frames.
 #include "core/scan/georef/chain.h"
 
 #include "core/base/number_text.h"
@@ -51,7 +51,7 @@ Matrix3d robotFromLevelled(const PitchRoll& robot, double boomAzimuthDeg) {
 Result<double> boomAzimuthOfSlew(const PitchRoll& robot, double slewDeg, double boomElevationDeg) {
     const Matrix3d level = levelling(radians(robot.pitchDeg), radians(robot.rollDeg));
     const Vector3d up = level.row(2).transpose();
-    // Height of Rz(slew) Ry(-eps) e_x = (along cos eps + across sin eps); eps is the boom's elevation against the robot.
+    // The height of Rz(slew) Ry(-eps) e_x is along cos eps + across sin eps; eps is the boom's elevation relative to the robot.
     const Vector3d forward = rotationZ(radians(slewDeg)).col(0);
     const double along = up.dot(forward);
     const double across = up.z();

@@ -1,4 +1,4 @@
-// From calibration and readings to the place of a scan, and what is doubtful about it.
+// Computes the place of a scan from calibration and readings, and warns about doubtful values.
 #include "core/scan/georef/poses.h"
 
 #include "core/base/number_text.h"
@@ -17,7 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMountingToleranceDeg = 10.0; // more between calibrated and ideal axis is another mounting, not a misalignment
+// a larger difference between calibrated and ideal axis means another mounting, not a misalignment
+constexpr double kMountingToleranceDeg = 10.0;
 
 std::string shortNumber(double value) { return significantText(value, 3); }
 
@@ -39,7 +40,7 @@ Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, con
                    "open the scan with the right --axis or correct \"stepper.axis\" of the calibration");
 }
 
-/// One moment's readings to the transform of the whole chain. Angles that exclude each other are an Error.
+/// Converts the readings of one moment to the transform of the whole chain. Error: angles that exclude each other.
 Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, const InclinometerReading& tilt, const TalinReading& talin,
                               const Vector3d& originEnhM) {
     Result<PitchRoll> head = PitchRoll{tilt.tiltXDeg, tilt.tiltYDeg};
@@ -62,7 +63,7 @@ Result<RigidTransform> poseAt(const Calibration& c, const PoseTrack& poses, cons
     return pose;
 }
 
-/// When each line was measured; empty when it is not known.
+/// The time of each line; empty if unknown.
 Result<std::vector<double>> timesOfLines(const Scan& scan, const PoseTrack& poses, std::span<const double> given) {
     const auto lines = static_cast<std::size_t>(scan.lines());
     if (!given.empty() && given.size() != lines) {
@@ -82,7 +83,7 @@ void warn(Placement& placement, bool outOfSpec, const std::string& sentence) {
     placement.outOfSpec = placement.outOfSpec || outOfSpec;
 }
 
-/// The older of the two newest readings counts.
+/// The older one of the newest inclinometer reading and the newest TALIN reading.
 double newestTime(const PoseTrack& poses) {
     const double a = poses.inclinometer.back().timeS;
     const double b = poses.talin.back().timeS;
@@ -113,7 +114,7 @@ void judgeStillness(Placement& placement, const Calibration& calibration, const 
              shortNumber(calibration.tiltChangeLimitDeg) + ".");
 }
 
-/// Lines measured before the first or after the last reading stand on a guess.
+/// Warns about lines measured before the first or after the last reading: their pose is a guess.
 void judgeCover(Placement& placement, const PoseTrack& poses, const std::vector<double>& times) {
     const double first = std::max(poses.inclinometer.front().timeS, poses.talin.front().timeS);
     const double last = newestTime(poses);

@@ -1,4 +1,4 @@
-// Scanner frame -> axis base -> pose -> grid scale -> origin, in that order and in double.
+// Scanner frame -> axis base -> pose -> grid scale -> origin, in this order and in double.
 #include "core/scan/georef/placed_points.h"
 
 #include "core/scan/georef/rotations.h"
@@ -8,9 +8,9 @@ namespace edgescan {
 
 namespace {
 
-/// Rotation of the ideal stepper by a line angle of the scan.
+/// The rotation of the ideal stepper for a line angle of the scan.
 Eigen::Matrix3d idealTurn(const PolarGeometry* polar, double deg) {
-    if (polar == nullptr) return Eigen::Matrix3d::Identity(); // points without angles: the sensor stood at the stepper's zero
+    if (polar == nullptr) return Eigen::Matrix3d::Identity(); // points without angles: the stepper was at its zero position
     return polar->axis == Axis::Sweep ? rotationX(radians(deg)) : rotationZ(radians(deg));
 }
 
@@ -22,7 +22,8 @@ double turnOfLine(const PolarGeometry* polar, int line) {
     return polar == nullptr ? 0.0 : polar->lineDeg[static_cast<std::size_t>(line)] * polar->lineDirection;
 }
 
-/// Fan -> mover. While the stepper turns on by `skewDeg` the fan is turned back by the same ideally and forth as mounted.
+/// Fan -> mover. While the stepper moves on by `skewDeg`, the fan is rotated back by this angle about the ideal axis and forward about the
+/// mounted axis.
 RigidTransform mountAfter(const Placement& placement, const PolarGeometry* polar, double skewDeg) {
     const StepperMount& mount = placement.mount;
     const RigidTransform turn{rotationAbout(mount.axis, radians(mount.direction * skewDeg)), Eigen::Vector3d::Zero()};

@@ -1,4 +1,4 @@
-// Transforms are twelve numbers: three rows of the rotation, then the translation.
+// A transform is twelve numbers: the three rows of the rotation, then the translation.
 #include "core/scan/georef/placement_json.h"
 
 #include "core/base/json_fields.h"

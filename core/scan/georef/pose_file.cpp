@@ -1,4 +1,4 @@
-// Reading pose files.
+// Reads pose files.
 #include "core/scan/georef/poses.h"
 
 #include "core/base/inputs.h"
@@ -18,7 +18,7 @@ constexpr NumberLimits kPlace = physical::kPlaceM.limits;
 constexpr NumberLimits kPoseAngle = physical::kBeamDeg.limits;
 constexpr double kDegPerMil = 360.0 / 6400.0;
 
-/// NAME_deg, or NAME_mil with 6400 to the turn as TALIN may be set to.
+/// NAME_deg, or NAME_mil with 6400 mils to the full turn, a unit that TALIN can be set to.
 double angle(JsonFields& fields, const std::string& name, NumberLimits limits) {
     const std::string deg = name + "_deg";
     const std::string mil = name + "_mil";

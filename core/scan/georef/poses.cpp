@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Quaterniond;
 
-/// Two neighbours and how far between them.
+/// Two neighbouring readings, and the position between them (0 to 1).
 struct Between {
     std::size_t before = 0;
     std::size_t after = 0;
@@ -35,7 +35,7 @@ double blend(double a, double b, double fraction) { return a + (b - a) * fractio
 
 Quaterniond attitudeOf(const TalinReading& r) { return Quaterniond(nedFromVehicle(r.headingDeg, r.pitchDeg, r.rollDeg)); }
 
-/// Heading, pitch and roll back from an attitude.
+/// Sets heading, pitch and roll from an attitude.
 TalinReading withAttitude(TalinReading reading, const Quaterniond& attitude) {
     const Eigen::Matrix3d m = attitude.normalized().toRotationMatrix();
     reading.headingDeg = degrees(std::atan2(m(1, 0), m(0, 0)));
@@ -80,7 +80,7 @@ InclinometerReading averageInclinometer(std::span<const InclinometerReading> rea
 TalinReading averageTalin(std::span<const TalinReading> readings) {
     TalinReading mean = readings.back();
     if (readings.size() == 1) return mean;
-    // About the first reading, so that nothing is lost in the sum of numbers in the millions.
+    // Relative to the first reading, so that a sum of numbers in the millions loses no digits.
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     Eigen::Vector4d sum = Eigen::Vector4d::Zero();
     const Quaterniond first = attitudeOf(readings.front());

@@ -1,4 +1,4 @@
-// Rotation matrices written out, without library functions that round in other ways.
+// Rotation matrices written out: library functions would round differently.
 #include "core/scan/georef/rotations.h"
 
 #include <Eigen/Dense>

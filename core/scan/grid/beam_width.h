@@ -1,9 +1,10 @@
-// How wide the beam of the scanner is: what is smaller than it and the way to the next beam is not seen reliably.
+// The width of the scanner's beam. Objects smaller than the beam and the distance to the next beam are not detected reliably.
 #pragma once
 
 namespace edgescan {
 
-/// Of an LMS511 in high resolution; in its standard mode the beam grows by 0.011 (docs/operator.md, "S15").
+/// Width in metres at the exit, and growth in radians, of an LMS511 in high resolution; in its standard mode the beam grows by 0.011
+/// (docs/operator.md, "S15").
 struct BeamWidth {
     double atExitM = 0.013;
     double growthRad = 0.0046;

@@ -24,7 +24,7 @@ double cosineDeg(double deg) {
     return std::cos(turn * std::numbers::pi / 180.0);
 }
 
-// Unit direction of a beam from the cosine and sine of its two angles.
+// Unit direction of a beam, from the cosine and sine of its two angles.
 Eigen::Vector3d beamDirection(Axis axis, double cosBeam, double sinBeam, double cosLine, double sinLine) {
     if (axis == Axis::Spin) return {cosBeam * cosLine, cosBeam * sinLine, sinBeam};
     return {cosBeam, -sinBeam * sinLine, sinBeam * cosLine};
@@ -32,10 +32,10 @@ Eigen::Vector3d beamDirection(Axis axis, double cosBeam, double sinBeam, double 
 
 Eigen::Vector3d missing() { return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
-// What a line of cells is multiplied with. x = range * alongX, and so on: the products of beamDirection() in the same order.
+// The factors for a line of cells: x = range * alongX, and so on. These are the products of beamDirection() in the same order.
 struct LineTables {
     const double *cosBeam, *sinBeam; // per beam
-    const double *cosLine, *sinLine; // per beam where kSkewed, else one
+    const double *cosLine, *sinLine; // one value per beam if kSkewed, otherwise one
     const float* rangeMm;
     const CellState* states;
     int beams;
@@ -45,7 +45,7 @@ template <bool kSpin, bool kSkewed, class Number>
 inline __attribute__((always_inline)) void multiplyLine(const LineTables& of, Number* __restrict x, Number* __restrict y,
                                                         Number* __restrict z) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    // Read before the loop: what is written cannot change them.
+    // Copied before the loop, so that the writes in the loop cannot change these pointers.
     const double *const cosBeam = of.cosBeam, *const sinBeam = of.sinBeam, *const cosLines = of.cosLine, *const sinLines = of.sinLine;
     const double oneCosLine = *cosLines, oneSinLine = *sinLines;
     const float* const rangeMm = of.rangeMm;

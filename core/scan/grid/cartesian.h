@@ -5,8 +5,8 @@
 
 namespace edgescan {
 
-/// Ready to turn any cell of one scan into a point, metres, scanner frame. Costs one sine per line and beam, not per cell.
-/// The scan must outlive it.
+/// Converts any cell of one scan into a point, in metres, scanner frame. The constructor computes one sine per line and beam, not per cell.
+/// The scan must outlive this object.
 class CartesianTables {
 public:
     explicit CartesianTables(const Scan& scan);
@@ -15,14 +15,15 @@ public:
     [[nodiscard]] Eigen::Vector3d point(int line, int beam) const;
     [[nodiscard]] Eigen::Vector3d point(std::size_t k) const;
 
-    /// Points of all cells of a line, the same numbers as point(): x, y and z apart, beams values each. For loops over many cells.
+    /// The points of all cells of a line, the same numbers as point(). x, y and z are separate arrays of `beams` values. For loops over
+    /// many cells.
     void pointsOfLine(int line, double* x, double* y, double* z) const;
     void pointsOfLine(int line, float* x, float* y, float* z) const; ///< rounded to the nearest float
 
-    /// Unit direction of the beam, also where there is no return; NaN where an organised cloud holds no point.
+    /// Unit direction of the beam, also where there is no return; NaN where an organised cloud has no point.
     [[nodiscard]] Eigen::Vector3d direction(int line, int beam) const;
 
-    /// Where the beams start, metres.
+    /// The origin of the beams, metres.
     [[nodiscard]] Eigen::Vector3d sensor() const;
 
 private:
@@ -35,7 +36,7 @@ private:
     std::vector<double> cosSkew_, sinSkew_; // per beam; empty = the line angle holds for all beams
 };
 
-/// One point without tables: for a probe, not for a loop.
+/// One point without tables: for a single cell, not for a loop.
 [[nodiscard]] Eigen::Vector3d pointOfCell(const Scan& scan, std::size_t k);
 
 } // namespace edgescan

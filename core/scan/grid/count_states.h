@@ -1,4 +1,4 @@
-// What each raw count of 16 bits means, as a table: a look-up per cell, however many codes there are.
+// The meaning of each raw 16-bit count as a table: one look-up per cell, for any number of codes.
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -11,7 +11,7 @@ namespace edgescan {
 
 inline constexpr std::size_t kCounts = 65536;
 
-/// Valid where neither list names the count; no return wins over a status. Codes that 16 bits cannot hold mean nothing here.
+/// Valid for counts in neither list. A count in both lists is NoReturn. Codes that do not fit into 16 bits are ignored.
 using CountStates = std::array<CellState, kCounts>;
 [[nodiscard]] inline CountStates countStates(std::span<const std::uint32_t> noReturnCodes, std::span<const std::uint32_t> statusCodes) {
     CountStates states{};

@@ -1,4 +1,4 @@
-// Angles and mounting that were given.
+// Applies angles and mounting given by the operator.
 #include "core/scan/grid/given_angles.h"
 
 namespace edgescan {

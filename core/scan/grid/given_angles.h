@@ -1,11 +1,11 @@
-// Angles and mounting that whoever opens a scan gives: they win over what the file says or what was recognised.
+// Angles and mounting that the operator gives when opening a scan. They override values from the file and values that EdgeScan recognised.
 #pragma once
 
 #include "core/scan/grid/reading_options.h"
 
 namespace edgescan {
 
-/// Lines and beams at the angles given, as far as they are; nothing happens to an organised cloud.
+/// Sets lines and beams to the given angles, as far as they are given; does nothing for an organised cloud.
 void useGivenAngles(Scan& scan, const ReadingOptions& options);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// The sweep in inverse range.
+// Converts the sweep to inverse range.
 #include "core/scan/grid/inverse_range.h"
 
 #include "core/base/bands.h"
@@ -18,18 +18,18 @@ namespace edgescan {
 namespace {
 
 constexpr float kVoidU = 1.0F / 60.0F;
-constexpr float kLeastRangeMm = 0.001F; // nearer there is nothing to measure, and 1 / r stays a number
+constexpr float kLeastRangeMm = 0.001F; // smaller ranges are not measurements, and 1 / r stays finite
 constexpr int kLongestGap = 4;
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kQuantile = 0.40;
-constexpr double kQuantileOfNormal = 0.524; // 40 % of |N(0, 1)| lie below
+constexpr double kQuantileOfNormal = 0.524; // the quantile of |N(0, 1)| at 40 %
 constexpr std::size_t kFewestPerBin = 400;
 constexpr double kBinM = 1.0;
 constexpr std::size_t kBins = 60;
 constexpr std::size_t kCellsForNoise = 250000;
 constexpr std::size_t kCellsForSpacing = 50000;
 
-// What was measured becomes inverse range; `isolated`: 255 where a cell stands alone.
+// Converts measured ranges to inverse range; `isolated`: 255 at isolated cells.
 EDGESCAN_SIMD void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams, float* __restrict u,
                                 Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
@@ -39,10 +39,11 @@ EDGESCAN_SIMD void takeMeasured(const float* rangeMm, const CellState* state, co
     }
 }
 
-// 1 at measured cells that end a gap of 1 to 4 cells, `step` apart, of which the first is `cells` before: five where there are.
+// 1 at measured cells that end a gap of 1 to 4 cells. Cells are `step` apart, `cells` of them come before the first one; the search needs
+// five of these where they exist.
 EDGESCAN_SIMD void findGapEnds(const Support* support, std::ptrdiff_t step, int cells, int beams, std::uint8_t* __restrict ends) {
     static_assert(kLongestGap == 4);
-    // Where there are fewer before, the last of them is looked at again.
+    // If there are fewer cells before, the last of them is used again.
     const std::ptrdiff_t three = std::min(3, cells) * step, four = std::min(4, cells) * step, five = std::min(5, cells) * step;
     for (int j = 0; j < beams; ++j) {
         const bool before = (support[j - 2 * step] == Support::Measured) | (support[j - three] == Support::Measured) |
@@ -51,7 +52,7 @@ EDGESCAN_SIMD void findGapEnds(const Support* support, std::ptrdiff_t step, int 
     }
 }
 
-// How far apart the two ends of a filled gap along the beams are, 1/m.
+// The difference between the two ends of a filled gap along the beams, 1/m.
 float apartAlongBeams(const InverseRange& inverse, std::size_t hole) {
     std::size_t before = hole;
     std::size_t after = hole;
@@ -60,8 +61,8 @@ float apartAlongBeams(const InverseRange& inverse, std::size_t hole) {
     return std::abs(inverse.u[after] - inverse.u[before]);
 }
 
-// Fills the gap before cell `end`; cells are `step` apart. A hole that was filled along the beams already keeps the filling whose ends are
-// more alike.
+// Fills the gap before cell `end`; cells are `step` apart. If a cell can be filled in both directions, the filling whose ends are more
+// alike is used.
 void fillGap(InverseRange& inverse, std::size_t end, std::size_t step) {
     std::size_t gap = 1;
     while (inverse.support[end - (gap + 1) * step] != Support::Measured) ++gap;
@@ -77,8 +78,8 @@ void fillGap(InverseRange& inverse, std::size_t end, std::size_t step) {
     }
 }
 
-// Finds the gaps that end on a line and fills them. Those along the beams do not look at other lines; each hole lies in one gap along the
-// lines, so the order of the lines does not matter.
+// Finds the gaps that end on a line and fills them. Gaps along the beams do not depend on other lines. Each missing cell belongs to one gap
+// along the lines. So the order of the lines does not matter.
 class GapEnds {
 public:
     explicit GapEnds(int beams) : ends_(static_cast<std::size_t>(beams)) {}
@@ -93,7 +94,7 @@ public:
     }
 
 private:
-    // Of so many beams from one on, with so many cells before them.
+    // Searches `beams` beams from `beam` on, with `before` cells before them.
     void find(InverseRange& inverse, int line, int beam, int beams, int step, int before) {
         findGapEnds(inverse.support.line(line) + beam, step, before, beams, ends_.data());
         forEachMarked(std::span(ends_.data(), static_cast<std::size_t>(beams)),
@@ -119,8 +120,8 @@ AngularSteps polarSteps(const PolarGeometry& polar) {
     return steps;
 }
 
-// How far the inner cells of a line lie off the straight line of their neighbours, metres, and the bin of their range: the one after the
-// last where one of the three was not measured or is too far.
+// The distance of the inner cells of a line from the straight line through their neighbours, in metres, and the bin of their range. The bin
+// is the one behind the last if one of the three cells was not measured or is too far.
 EDGESCAN_SIMD void offStraight(const float* u, const Support* support, int beams, float* __restrict off, std::uint8_t* __restrict bin) {
     static_assert(kBinM == 1 && kBins < 256);
     for (int j = 1; j < beams - 1; ++j) {
@@ -133,7 +134,7 @@ EDGESCAN_SIMD void offStraight(const float* u, const Support* support, int beams
     }
 }
 
-// The end of the run of cells that begins at `from`, all of one bin.
+// The end of the run of cells of one bin that begins at `from`.
 std::size_t endOfRun(const std::vector<std::uint8_t>& bins, std::size_t from, std::size_t end) {
     std::uint64_t eight = 0;
     const std::uint64_t all = bins[from] * 0x0101010101010101U;
@@ -148,7 +149,7 @@ std::size_t endOfRun(const std::vector<std::uint8_t>& bins, std::size_t from, st
 
 float medianAngle(std::vector<float>& angles) { return std::max(median(std::move(angles), static_cast<float>(0.5 * kRadPerDeg)), 1e-6F); }
 
-// A camera's rays are nearly evenly apart: one angle per direction does.
+// A camera's rays are almost evenly spaced, so one angle per direction is enough.
 AngularSteps cameraSteps(const Scan& scan) {
     const CartesianTables tables(scan);
     std::vector<float> alongBeams;
@@ -192,7 +193,7 @@ InverseRange inverseRange(const Scan& scan, int threads) {
         }
     });
     if (bands == 1) return inverse;
-    // The first ends of a band look at lines of the band before, and may close gaps there.
+    // The first gap ends of a band read lines of the band before, and may close gaps there.
     constexpr int kLooksBack = kLongestGap + 1;
     const auto start = [&](int band) { return firstOfBand(lines, bands, band); };
     shareOut(bands, [&](int band) {
@@ -215,7 +216,7 @@ AngularSteps angularSteps(const Scan& scan) {
 
 RangeNoise rangeNoise(const InverseRange& inverse) {
     std::vector<std::vector<float>> bins(kBins);
-    // A quarter of a million cells tell it well enough.
+    // A quarter of a million cells are enough for the estimate.
     const int every = std::max(1, static_cast<int>(inverse.u.size() / kCellsForNoise));
     const auto beams = static_cast<std::size_t>(inverse.u.beams);
     std::vector<float> off(beams);

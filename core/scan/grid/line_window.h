@@ -1,4 +1,4 @@
-// The few lines of a grid that are worked on, so that what one stage passes on to the next stays in the cache.
+// The few lines of a grid in work at a time, so that the output of one stage is still in the cache for the next.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace edgescan {
 
-/// Lines come one after the other; at least the newest `held` are there, `stride` cells from each other. There is a margin on the left and
-/// on the right, and before the first line lie lines of the margin's value, so that a filter can look a few cells in any direction without
-/// asking where the sweep ends.
+/// Lines are written one after the other. At least the newest `held` lines are available, `stride` cells apart. There is a margin on the
+/// left and on the right, and lines of the margin's value precede the first line, so that a filter can read a few cells in any direction
+/// without bounds checks.
 template <class T>
 class LineWindow {
 public:
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] T* line(int i) { return cells_.data() + (i - oldest_) * stride + kMargin; }
     [[nodiscard]] const T* line(int i) const { return cells_.data() + (i - oldest_) * stride + kMargin; }
 
-    /// The line after the newest one, to be written; its margin is there already.
+    /// The line after the newest one, to be written; its margin is already set.
     T* next() {
         if (end_ - oldest_ == held_ + kRoom) {
             std::copy(cells_.begin() + kRoom * stride, cells_.begin() + (held_ + kRoom) * stride, cells_.begin());
@@ -31,22 +31,22 @@ public:
         }
         return line(end_++);
     }
-    /// A line of the margin's value, for what lies after the last line of the sweep.
+    /// Adds a line of the margin's value, for the area behind the last line of the sweep.
     void nextEmpty() {
         T* cells = next();
         std::fill(cells, cells + beams, fill_);
     }
 
     int beams = 0;
-    std::ptrdiff_t stride = 0; ///< from a cell to the one on the next line
+    std::ptrdiff_t stride = 0; ///< cells from a cell to the one on the next line
 
 private:
-    static constexpr int kBeyond = 64; // cells after the last line, for loops that work on whole lanes
-    static constexpr int kRoom = 32;   // lines that come before the newest ones are moved to the front again
+    static constexpr int kBeyond = 64; // cells behind the last line, for loops that process whole lanes
+    static constexpr int kRoom = 32;   // number of lines that are written before the newest lines are moved to the front of the buffer
     T fill_;
     int held_;
-    int end_;    // line after the newest one
-    int oldest_; // line at the front
+    int end_;    // the line after the newest one
+    int oldest_; // the line at the front of the buffer
     std::vector<T> cells_;
 };
 

@@ -1,4 +1,4 @@
-// Cells of a line that a first look over all of them has marked for a closer one.
+// Iterates over cells of a line that a first pass has marked for a closer check.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace edgescan {
 
-/// Calls visit(place) for each value that is 1, in order. Fast where only few are.
+/// Calls visit(place) for each value that is 1, in order. Fast if few are marked.
 template <class Visit>
 void forEachMarked(std::span<const std::uint8_t> marked, Visit visit) {
     for (std::size_t place = 0; place < marked.size(); ++place) {

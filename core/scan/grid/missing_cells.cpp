@@ -1,4 +1,4 @@
-// Missing cells.
+// Finds missing and isolated cells.
 #include "core/scan/grid/missing_cells.h"
 
 #include "core/base/simd.h"
@@ -17,7 +17,7 @@ constexpr int kNeighboursWanted = 2;
 constexpr float kAgreeShare = 0.08F;
 constexpr float kAgreeMm = 60.0F;
 
-// The ranges of a line with a cell on either side; what is no range agrees with nothing.
+// Copies the ranges of a line with one cell on either side. A missing range becomes a value that agrees with nothing.
 EDGESCAN_SIMD void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) out[j] = states[j] == CellState::Valid ? ranges[j] : std::numeric_limits<float>::quiet_NaN();
 }
@@ -27,13 +27,13 @@ void takeRanges(std::vector<float>& out, const Scan& scan, int line) {
     if (line >= 0 && line < scan.lines()) takeValid(scan.rangeMm.line(line), scan.state.line(line), scan.beams(), out.data() + 1);
 }
 
-// 255 where too few agree, of lines with a cell on either side.
+// 255 where too few neighbours agree. The lines have one cell on either side.
 EDGESCAN_SIMD void isolatedOfLine(const float* before, const float* line, const float* after, int beams, std::uint8_t* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float here = line[j];
         const float allowed = kAgreeShare * here + kAgreeMm;
         const auto agrees = [&](float there) { return std::abs(there - here) <= allowed ? 1 : 0; };
-        // The cell itself agrees too, unless it has no range.
+        // The cell agrees with itself, unless it has no range.
         const int agreeing = agrees(before[j - 1]) + agrees(before[j]) + agrees(before[j + 1]) + agrees(line[j - 1]) + agrees(here) +
                              agrees(line[j + 1]) + agrees(after[j - 1]) + agrees(after[j]) + agrees(after[j + 1]);
         out[j] = static_cast<std::uint8_t>((agreeing > 0) & (agreeing <= kNeighboursWanted) ? 255 : 0);

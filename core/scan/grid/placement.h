@@ -1,4 +1,4 @@
-// Where a scan stands in the mine: from the scanner's frame to local east, north, up about an origin that is kept in double.
+// The place of a scan in the mine: transforms from the scanner's frame to local east, north, up about an origin that is stored in double.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,44 +29,44 @@ struct RigidTransform {
     return {t.rotation.transpose(), -(t.rotation.transpose() * t.translationM)};
 }
 
-/// How the sensor sits on the stepper (docs/coordinates.md, "Step 1"). A scan's own points are those of the ideal mounting.
+/// How the sensor is mounted on the stepper (docs/coordinates.md, "Step 1"). A scan's own points assume the ideal mounting.
 struct StepperMount {
     RigidTransform sensorInMover; ///< M from S
     Eigen::Vector3d axis{0, 0, 1};
     double zeroDeg = 0.0;   ///< phi0: stepper angle of the scan's line angle 0
-    double direction = 1.0; ///< +1 or -1: how the stepper turns with the scan's line angle
+    double direction = 1.0; ///< +1 or -1: direction of the stepper relative to the scan's line angle
 
     bool operator==(const StepperMount&) const = default;
 };
 
-/// The boom that carries the head, metres in the axis base A: it does not turn with the stepper (docs/coordinates.md, "Step 3").
+/// The boom that carries the head, metres in the axis base A. It does not rotate with the stepper (docs/coordinates.md, "Step 3").
 struct Boom {
     Eigen::Vector3d pivotM = Eigen::Vector3d::Zero();
-    Eigen::Vector3d headM = Eigen::Vector3d::UnitX(); ///< never the pivot
+    Eigen::Vector3d headM = Eigen::Vector3d::UnitX(); ///< always different from the pivot
 
     bool operator==(const Boom&) const = default;
 };
 
-/// Which numbers an export carries.
+/// The frame of an export's coordinates.
 enum class CoordinateFrame : std::uint8_t {
     Scanner,   ///< as measured, origin at the scanner
-    MineLocal, ///< east, north, up from the origin, which stands in the header: small numbers
+    MineLocal, ///< east, north, up from the origin, which is written in the header: small numbers
     Mine,      ///< Easting, Northing, Elevation; never in 4-byte floats
 };
 
-/// Made once, never changed.
+/// Immutable after construction.
 struct Placement {
     StepperMount mount;
-    std::vector<RigidTransform> poses{1};                 ///< axis base A -> metres from the origin; one, or one per line
-    Eigen::Vector3d originEnhM = Eigen::Vector3d::Zero(); ///< Easting, Northing, Elevation of the local zero, whole metres
+    std::vector<RigidTransform> poses{1};                 ///< axis base A -> metres from the origin; one for all lines, or one per line
+    Eigen::Vector3d originEnhM = Eigen::Vector3d::Zero(); ///< Easting, Northing, Elevation of the local origin, whole metres
     double gridScale = 1.0;                               ///< grid metres per metre, horizontally (docs/coordinates.md, "Step 5")
-    std::string grid;                                     ///< "UTM 17N, WGS84" as the pose says; may be empty
-    std::string source;                                   ///< the files it was made from
-    std::string timeUtc;                                  ///< of the (last) pose, ISO 8601; empty when unknown
-    double ageSeconds = 0.0;                              ///< start of the scan minus time of its pose; NaN when unknown
-    bool outOfSpec = false;                               ///< pose older than the scan, tilt moved: warnings say why
+    std::string grid;                                     ///< "UTM 17N, WGS84" as the pose file gives it; may be empty
+    std::string source;                                   ///< the files that it was computed from
+    std::string timeUtc;                                  ///< of the (last) pose, ISO 8601; empty if unknown
+    double ageSeconds = 0.0;                              ///< start of the scan minus time of its pose; NaN if unknown
+    bool outOfSpec = false;                               ///< the pose is older than allowed, or the tilt changed; the warnings say why
     std::vector<std::string> warnings;
-    std::optional<Boom> boom; ///< empty: the calibration knows of none, or the pose said itself where the head was
+    std::optional<Boom> boom; ///< empty if the calibration has no boom, or if the pose file gives the position of the head
 };
 
 } // namespace edgescan

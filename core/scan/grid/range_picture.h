@@ -5,7 +5,7 @@
 
 namespace edgescan {
 
-/// lines x beams, whole millimetres; 0 where there is no valid range, 65535 for all that is farther.
+/// lines x beams, whole millimetres; 0 where there is no valid range, 65535 for all larger ranges.
 [[nodiscard]] Grid<std::uint16_t> rangePicture(const Scan& scan);
 
 } // namespace edgescan

@@ -29,7 +29,7 @@ std::string textOf(std::size_t value) { return value == 0 ? std::string() : std:
 std::string textOf(bool value) { return value ? "on" : ""; }
 std::string textOf(const std::string& value) { return value; }
 
-// Finite numbers separated by commas; empty where there is anything else.
+// Finite numbers separated by commas; empty for any other text.
 std::vector<double> numbersOf(std::string_view text) {
     std::vector<double> numbers;
     const char* at = text.data();
@@ -117,7 +117,7 @@ double limited(const ReadingOption& option, JsonFields& fields) {
     return number;
 }
 
-// What a record says; the first thing wrong is kept by `fields`.
+// The option's text from a record; `fields` stores the first fault.
 std::string textOf(const ReadingOption& option, JsonFields& fields) {
     switch (option.kind) {
     case Kind::Number:

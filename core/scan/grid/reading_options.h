@@ -1,4 +1,4 @@
-// What the user says on opening a file. One table feeds command line, records and "Copy as command".
+// The options that the operator gives when opening a file. One table is used by the command line, by records and by "Copy as command".
 #pragma once
 
 #include "core/base/physical_limits.h"
@@ -15,61 +15,62 @@
 
 namespace edgescan {
 
-/// What to do with points that lie on no grid of lines and beams.
+/// What to do with points that are not on a grid of lines and beams.
 enum class Projection : std::uint8_t {
-    Auto,   ///< project them when no grid is found
-    Always, ///< project them about the sensor without looking for a grid
+    Auto,   ///< project them if EdgeScan finds no grid
+    Always, ///< project them about the sensor without searching for a grid
     Never,  ///< refuse them
 };
 
-/// An option that is empty is taken from the file, or found out and told in Scan::warnings.
+/// The value of an empty option comes from the file, or EdgeScan detects it and reports it in Scan::warnings.
 struct ReadingOptions {
-    std::optional<double> beamStartDeg;     ///< angle of the first beam
-    std::optional<double> beamStepDeg;      ///< from beam to beam
-    std::optional<double> lineStartDeg;     ///< angle of the first line
-    std::optional<double> lineStepDeg;      ///< from line to line
-    std::optional<Axis> axis;               ///< how the stepper turns; decides range CSV and point lists that fit both
-    std::optional<double> unitMm;           ///< millimetres per number in the file, instead of what it says or what is detected
-    std::optional<Eigen::Vector3d> sensorM; ///< where a cloud was taken from, metres, in the frame of its points
+    std::optional<double> beamStartDeg; ///< angle of the first beam
+    std::optional<double> beamStepDeg;  ///< from beam to beam
+    std::optional<double> lineStartDeg; ///< angle of the first line
+    std::optional<double> lineStepDeg;  ///< how the stepper turns; decides between the two for range CSV and point lists that fit both
+    std::optional<Axis> axis;     ///< millimetres per number in the file; overrides the unit that the file states or that EdgeScan detects
+    std::optional<double> unitMm; ///< position of the sensor, metres, in the frame of the cloud's points
+    std::optional<Eigen::Vector3d> sensorM; ///< cell size of a projected cloud; empty = from the spacing of its points
     std::optional<double> gridStepDeg;      ///< cells of a projected cloud; empty = from the spacing of its points
     Projection projection = Projection::Auto;
-    std::string pose;          ///< pose file; with the calibration it gives the scan its place in the mine
+    std::string pose;          ///< pose file; together with the calibration it gives the scan its place in the mine
     std::string calibration;   ///< the robot's calibration file
-    bool straighten = false;   ///< correct the angles of interlaced beams and slipped lines: openAsAsked() does, openScan() does not
-    std::size_t scanIndex = 0; ///< which scan of a file that holds several, from 0
+    bool straighten = false;   ///< correct the angles of interlaced beams and slipped lines; openAsAsked() does this, openScan() does not
+    std::size_t scanIndex = 0; ///< index, from 0, of the scan in a file that holds several
 
-    /// Told the stage and how much of it is done (0..1), from the thread that opens; false cancels: Error "cancelled".
+    /// Called by the opening thread with the stage and the share of it that is done (0..1). If it returns false, opening ends with the
+    /// Error "cancelled".
     std::function<bool(const char* stage, double fraction)> progress;
 };
 
-/// One row of the table. A new option is a row and a member.
+/// One row of the table. A new option needs a row and a member.
 struct ReadingOption {
     enum class Kind : std::uint8_t { Number, ThreeNumbers, Whole, Word, Switch, Path };
     enum Use : std::uint8_t { kFlag = 1, kRecord = 2 };
 
     const char* key; ///< flag without "--", and key in records
-    int uses;        ///< Use: typed on the command line, kept in records, or both
+    int uses;        ///< Use flags: whether the option is accepted on the command line, stored in records, or both
     Kind kind;
     const char* help;
-    std::vector<std::string> words;                   ///< the only values of a Word
-    std::string (*get)(const ReadingOptions&);        ///< as typed ("1,2,3" for three numbers, "on" for a switch); empty: not said
-    void (*set)(ReadingOptions&, const std::string&); ///< of a text that checked() accepts
-    const PhysicalLimit* limit = nullptr;             ///< of its numbers; null: it takes none
+    std::vector<std::string> words;                   ///< the allowed values of a Word
+    std::string (*get)(const ReadingOptions&);        ///< as typed ("1,2,3" for three numbers, "on" for a switch); empty if not given
+    void (*set)(ReadingOptions&, const std::string&); ///< the text must be one that checked() accepts
+    const PhysicalLimit* limit = nullptr;             ///< limit of its numbers; null if it has no numbers
 };
 
 [[nodiscard]] std::span<const ReadingOption> readingOptionTable();
 
-/// A typed value, with an option that it suits. Error: not so many numbers within the limit, none of the words.
+/// Checks a typed value for an option. Error: a wrong count of numbers, a number outside its limit, a word that the option does not allow.
 Result<Done> checked(const ReadingOption& option, const std::string& text);
 
-/// "--axis spin --line-start -30": the flags that give these options; empty when nothing was said. Paths are quoted for a POSIX shell.
+/// "--axis spin --line-start -30": the flags that give these options; empty if no option is set. Paths are quoted for a POSIX shell.
 [[nodiscard]] std::string readingFlags(const ReadingOptions& options);
 
-/// What was said as JSON, {"unit-mm": 10.0, "axis": "sweep", ...}, without the paths of pose and calibration, which a record holds itself;
-/// empty when that is nothing. With it the scan can be opened the same way again.
+/// The given options as JSON, {"unit-mm": 10.0, "axis": "sweep", ...}; empty if there are none. Without the paths of pose and calibration,
+/// which a record stores itself. With this text the scan can be opened the same way again.
 [[nodiscard]] std::string readingOptionsText(const ReadingOptions& options);
 
-/// The options back; an empty text gives the defaults. Error: damaged, or an unknown key. `where` goes into it.
+/// Reads the options back; an empty text gives the defaults. Error: damaged text or an unknown key. The error names `where`.
 Result<ReadingOptions> parseReadingOptions(const std::string& json, const std::string& where);
 
 } // namespace edgescan

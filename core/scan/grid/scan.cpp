@@ -1,4 +1,4 @@
-// Names and counts of a scan's cells.
+// Names and counts of cell states, and range limits.
 #include "core/scan/grid/scan.h"
 
 #include "core/base/simd.h"
@@ -15,7 +15,8 @@ EDGESCAN_SIMD std::size_t countOf(CellState state, const CellState* states, int 
     return static_cast<std::size_t>(count);
 }
 
-// Limits of every 64th cell: of one limit the compiler makes a vector only if it may reorder, and 16 it takes one by one.
+// Limits of every 64th cell. For a single limit the compiler could vectorise only if it may reorder, and it processes an array of 16 one by
+// one.
 struct LimitsOfLane {
     static constexpr int kLaneCount = 64;
     std::array<float, kLaneCount> least, most;
@@ -27,7 +28,7 @@ struct LimitsOfLane {
 
 EDGESCAN_SIMD void takeLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
     constexpr int kLaneCount = LimitsOfLane::kLaneCount;
-    LimitsOfLane found = lanes; // on the stack: nothing that is read can change it
+    LimitsOfLane found = lanes; // on the stack, so that reading the grid cannot change it
     int j = 0;
     for (; j + kLaneCount <= beams; j += kLaneCount) {
         for (int n = 0; n < kLaneCount; ++n) {

@@ -14,13 +14,13 @@ namespace {
 constexpr float kLeastM = 0.020F;
 constexpr float kDeviations = 6;
 
-// How far a range must be off, as a share of it.
+// The least deviation of a spike's range, as a share of the range.
 struct Height {
     float offsetM, perMetre;
     [[nodiscard]] float at(float u) const { return std::max(kLeastM * u, offsetM * u + perMetre); }
 };
 
-// Compared with the four beside it: only few cells are left for the closer look.
+// First pass: compares each cell with its four neighbours, so that few cells remain for the full check.
 EDGESCAN_SIMD void takeFirstLook(const float* u, std::ptrdiff_t stride, int beams, const Height& height, std::uint8_t* __restrict marked) {
     for (int j = 1; j < beams - 1; ++j) {
         const float nearest = std::max(std::max(u[j - 1], u[j + 1]), std::max(u[j - stride], u[j + stride]));
@@ -55,7 +55,7 @@ void flattenSpikes(InverseRange& inverse, const RangeNoise& noise) {
     const Height height{kDeviations * 0.001F * static_cast<float>(noise.offsetMm),
                         kDeviations * 0.001F * static_cast<float>(noise.perMetreMm)};
     std::vector<std::uint8_t> marked(static_cast<std::size_t>(u.beams));
-    // No two spikes touch, so the order does not matter.
+    // Spikes never touch each other, so their order does not matter.
     for (int i = 1; i + 1 < u.lines; ++i) {
         takeFirstLook(u.line(i), u.beams, u.beams, height, marked.data());
         forEachMarked(marked, [&](std::size_t beam) {

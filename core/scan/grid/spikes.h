@@ -1,12 +1,13 @@
-// Echoes of dust close to a surface, which the look for lone cells does not see (docs/method.md, "Step 1").
+// Removes echoes of dust close to a surface, which isolatedCells() does not find (docs/method.md, "Step 1").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"
 
 namespace edgescan {
 
-/// A cell that lies in front of all eight around it, or behind all of them, by 20 mm and six standard deviations at least and by more than
-/// the eight lie apart, becomes a filled cell: the mean of the four beside it. Cells at the margin and beside a void stay.
+/// A cell in front of all eight cells around it, or behind all of them, becomes a filled cell: the mean of its four direct neighbours. The
+/// distance must be at least 20 mm, at least six standard deviations, and more than the spread of the eight. Cells at the margin and next
+/// to a void are unchanged.
 void flattenSpikes(InverseRange& inverse, const RangeNoise& noise);
 
 } // namespace edgescan

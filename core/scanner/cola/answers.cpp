@@ -1,4 +1,4 @@
-// What the arguments of a scanner's answers say.
+// Reads the arguments of a scanner's answers.
 #include "core/scanner/cola/commands.h"
 
 #include "core/scanner/cola/fields.h"
@@ -7,7 +7,7 @@ namespace edgescan {
 
 namespace {
 
-/// Reads one value with `read`; the sentence says which answer could not be understood.
+/// Reads one value with `read`; the error's sentence names the answer that could not be read.
 template <class Read>
 auto parsed(const ColaAnswer& answer, Read read) -> Result<decltype(read(std::declval<ColaReader&>()))> {
     if (answer.kind == AnswerKind::Refused) return Error{refusalText(answer.refusal), "the scanner", {}};

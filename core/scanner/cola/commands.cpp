@@ -1,4 +1,4 @@
-// Requests to a scanner as bytes, and the form of its answers.
+// Encodes requests to a scanner and parses its answers.
 #include "core/scanner/cola/commands.h"
 
 #include "core/scanner/cola/fields.h"
@@ -11,7 +11,7 @@ namespace edgescan {
 namespace {
 
 struct Form {
-    std::string_view letters; ///< first word of the answer
+    std::string_view letters; ///< the first word of the answer
     AnswerKind kind;
 };
 constexpr std::array<Form, 6> kForms{{{"sRA", AnswerKind::Read},
@@ -24,7 +24,7 @@ constexpr std::array<Form, 6> kForms{{{"sRA", AnswerKind::Read},
 std::string_view characters(ByteView bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 Result<ColaAnswer> parseRefusal(ByteView payload, Dialect dialect) {
-    // CoLa B puts the code behind the letters without a blank.
+    // CoLa B puts the code directly behind the letters, without a blank.
     ColaReader reader(payload.subspan(std::min<std::size_t>(payload.size(), dialect == Dialect::A ? 4 : 3)), dialect);
     ColaAnswer answer;
     answer.kind = AnswerKind::Refused;

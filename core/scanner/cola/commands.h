@@ -1,4 +1,4 @@
-// What is asked of a scanner and what it answers, as values alike in both dialects (docs/protocol.md, "Requests and answers").
+// Requests to a scanner and its answers, as values that are the same for both dialects (docs/protocol.md, "Requests and answers").
 #pragma once
 
 #include "core/base/result.h"
@@ -10,7 +10,7 @@
 
 namespace edgescan {
 
-/// All that is ever sent: reading a variable, and subscribing to one. Neither changes anything in the scanner.
+/// EdgeScan sends only two kinds of request: reading a variable, and subscribing to one. Neither changes anything in the scanner.
 struct ColaRequest {
     enum class Kind : std::uint8_t { Read, Subscribe };
     Kind kind = Kind::Read;
@@ -19,7 +19,7 @@ struct ColaRequest {
 
 [[nodiscard]] Bytes encodeRequest(const ColaRequest& request, Dialect dialect);
 
-/// As CoLa A has it: "sRN FirmwareVersion", "sEN LMDscandata 1".
+/// The request as CoLa A text: "sRN FirmwareVersion", "sEN LMDscandata 1".
 [[nodiscard]] std::string requestText(const ColaRequest& request);
 
 /// LMPscancfg. Angles and steps in 1/10000 degree.
@@ -33,7 +33,7 @@ struct ScanConfiguration {
     bool operator==(const ScanConfiguration&) const = default;
 };
 
-/// LMPoutputRange.
+/// LMPoutputRange. Angles and steps in 1/10000 degree.
 struct OutputRange {
     std::uint16_t sectors = 1;
     std::uint32_t step = 1667;
@@ -43,15 +43,15 @@ struct OutputRange {
     bool operator==(const OutputRange&) const = default;
 };
 
-/// LMDscandatacfg: what a telegram carries.
+/// LMDscandatacfg: the content of a telegram.
 struct TelegramContent {
-    std::uint8_t channels = 1, channelsHigh = 0; ///< mask; the LMS5xx goes by the echo filter instead
+    std::uint8_t channels = 1, channelsHigh = 0; ///< mask; the LMS5xx uses the echo filter instead
     bool remission = true;
     bool remission16 = false; ///< not on LMS5xx
     std::uint8_t unit = 0;
-    std::uint8_t encoder = 0, encoderHigh = 0; ///< 0 none, 1 channel 1
+    std::uint8_t encoder = 0, encoderHigh = 0; ///< 0 no encoder, 1 channel 1
     bool position = false, deviceName = false, comment = false, time = true;
-    std::uint16_t everyNth = 1; ///< scan
+    std::uint16_t everyNth = 1; ///< every n-th scan is sent
 
     bool operator==(const TelegramContent&) const = default;
 };
@@ -61,27 +61,27 @@ enum class AnswerKind : std::uint8_t {
     Subscribed, ///< sEA
     Telegram,   ///< sSN: sent by a subscription
     Refused,    ///< sFA
-    Other,      ///< sWA, sAN, sMA: answers to what is never sent; a recording of other origin may hold them
+    Other,      ///< sWA, sAN, sMA: answers to requests that EdgeScan never sends; recordings of other programs may contain them
 };
 
 struct ColaAnswer {
     AnswerKind kind = AnswerKind::Read;
-    std::string name; ///< empty when refused: the scanner does not say what it refuses
-    Bytes arguments;  ///< what follows the name and at most one blank
+    std::string name; ///< empty if refused: the scanner does not name the refused variable
+    Bytes arguments;  ///< the bytes behind the name and at most one blank
     int refusal = 0;  ///< code of sFA
     Dialect dialect = Dialect::B;
 };
 
-/// Error: this is no answer of a scanner.
+/// Error: the payload is not an answer of a scanner.
 [[nodiscard]] Result<ColaAnswer> parseAnswer(ByteView payload, Dialect dialect);
 
-/// Whether this answers that: kind and name, or a refusal (requests go one at a time).
+/// Whether the answer belongs to the request: same kind and name, or a refusal (only one request is open at a time).
 [[nodiscard]] bool answers(const ColaAnswer& answer, const ColaRequest& request);
 
-/// A code of sFA in words, "the variable is not known".
+/// The meaning of a code of sFA, for example "the variable is not known".
 [[nodiscard]] const char* refusalText(int code);
 
-// What the arguments of answers say. Error: cut short or not a number.
+// Read the arguments of answers. Error: too few bytes, or not a number.
 [[nodiscard]] Result<int> parseNumber8(const ColaAnswer& answer);
 [[nodiscard]] Result<std::uint32_t> parseNumber32(const ColaAnswer& answer);
 [[nodiscard]] Result<std::string> parseText(const ColaAnswer& answer);
@@ -96,7 +96,7 @@ struct DeviceIdentity {
 };
 [[nodiscard]] Result<DeviceIdentity> parseDeviceIdentity(const ColaAnswer& answer);
 
-/// STlms: 7 is measuring. Date and time are the scanner's own.
+/// STlms: state 7 means measuring. Date and time are from the scanner's own clock.
 struct MeasuringState {
     int state = 0;
     std::string time, date;

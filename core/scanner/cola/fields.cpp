@@ -1,4 +1,4 @@
-// The fields of a CoLa payload one after another.
+// Reads and writes the fields of a CoLa payload in order.
 #include "core/scanner/cola/fields.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::uint32_t ColaReader::textNumber(unsigned bits, bool isSigned, const char* f
     if (left() == 0) return fail(field, "is cut off");
     const std::string_view rest = characters(at_, left());
     const std::string_view token = rest.substr(0, rest.find(' '));
-    // A sign means decimal, no sign means hexadecimal two's complement.
+    // A sign means decimal; without a sign the number is hexadecimal two's complement.
     const bool decimal = token.starts_with('+') || token.starts_with('-');
     const std::string_view digits = token.starts_with('+') ? token.substr(1) : token;
     std::int64_t value = 0;
@@ -71,7 +71,7 @@ std::string ColaReader::fixed(std::size_t length, const char* field) {
         fail(field, "does not end after " + std::to_string(length) + " characters");
         return {};
     }
-    // Behind an empty text some write its blank, some do not.
+    // Behind an empty text some scanners write its blank, others do not.
     if (!last && payload_[at_ + length] == ' ') ++length;
     at_ += length;
     return text;
@@ -84,9 +84,9 @@ std::string ColaReader::text(const char* field) {
 
 std::vector<std::uint16_t> ColaReader::values(std::size_t count, unsigned bits, const char* field) {
     std::vector<std::uint16_t> values;
-    // A token needs a blank too, but for the last: never reserve more than the bytes can hold.
-    const std::size_t room = dialect_ == Dialect::B ? left() / (bits / 8) : (left() + 1) / 2;
-    if (error_ || count > room) {
+    // Each token but the last also needs a blank: never reserve more values than the bytes can hold.
+    const std::size_t most = dialect_ == Dialect::B ? left() / (bits / 8) : (left() + 1) / 2;
+    if (error_ || count > most) {
         fail(field, "are cut off");
         return values;
     }

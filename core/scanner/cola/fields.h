@@ -1,4 +1,4 @@
-// The fields of a CoLa payload one after another, alike for both dialects (docs/protocol.md, "Numbers").
+// Reads the fields of a CoLa payload in order, in the same way for both dialects (docs/protocol.md, "Numbers").
 #pragma once
 
 #include "core/base/result.h"
@@ -13,13 +13,13 @@
 
 namespace edgescan {
 
-/// Reads forward. After the first field that is not there every read gives zero; ask for error() at the end. `field` is the name of
-/// what is read, for the sentence.
+/// Reads forward. After the first missing field every read returns zero; call error() at the end. `field` is the name of the field for the
+/// error's sentence.
 class ColaReader {
 public:
     ColaReader(ByteView payload, Dialect dialect) : payload_(payload), dialect_(dialect) {}
 
-    /// Up to the next blank: command letters and names are text in both dialects. Empty at the end.
+    /// The text up to the next blank: command letters and names are text in both dialects. Empty at the end.
     std::string_view word();
 
     std::uint8_t u8(const char* field) { return static_cast<std::uint8_t>(number(8, false, field)); }
@@ -30,7 +30,7 @@ public:
     float real(const char* field) { return std::bit_cast<float>(number(32, false, field)); }
     /// Exactly `length` characters.
     std::string fixed(std::size_t length, const char* field);
-    /// A length and as many characters, which may be blanks.
+    /// A length, followed by that many characters, which may be blanks.
     std::string text(const char* field);
     /// `count` numbers of 8 or 16 bits.
     std::vector<std::uint16_t> values(std::size_t count, unsigned bits, const char* field);
@@ -39,7 +39,7 @@ public:
     /// Only when failed(). `where` is "byte 34 of the telegram".
     [[nodiscard]] const Error& error() const { return *error_; }
     [[nodiscard]] std::size_t left() const { return payload_.size() - at_; }
-    /// The bytes not read yet.
+    /// The bytes that were not read yet.
     [[nodiscard]] ByteView rest() const { return payload_.subspan(at_); }
 
 private:
@@ -55,12 +55,12 @@ private:
     std::optional<Error> error_;
 };
 
-/// Writes the same, in the canonical form: upper-case hex without leading zeros, reals with 8 digits.
+/// Writes the same fields in the canonical form: upper-case hex without leading zeros, reals with 8 digits.
 class ColaWriter {
 public:
     explicit ColaWriter(Dialect dialect) : dialect_(dialect) {}
 
-    /// Command letters or a name.
+    /// Writes command letters or a name.
     void word(std::string_view text);
     void u8(std::uint8_t value) { number(value, 8); }
     void u16(std::uint16_t value) { number(value, 16); }
@@ -72,7 +72,7 @@ public:
     void text(std::string_view text);
     void values(const std::vector<std::uint16_t>& values, unsigned bits);
 
-    /// The payload so far. A name that nothing follows has no blank behind it.
+    /// The payload so far. A name at the end is not followed by a blank.
     [[nodiscard]] Bytes done() && { return std::move(bytes_); }
 
 private:
@@ -81,7 +81,7 @@ private:
     void append(std::string_view text);
 
     Dialect dialect_;
-    bool afterWord_ = false; ///< CoLa B: a blank is due as soon as anything follows
+    bool afterWord_ = false; ///< CoLa B: write a blank before the next field
     Bytes bytes_;
 };
 

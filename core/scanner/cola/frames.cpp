@@ -1,5 +1,5 @@
-// CoLa A and B framing over a byte stream. Whatever cannot be a frame is given up one byte at a time, so that a good frame behind a
-// bad one is never lost.
+// CoLa A and B framing over a byte stream. Bytes that cannot be a frame are dropped one at a time, so that a good frame behind a bad one is
+// never lost.
 #include "core/scanner/cola/frames.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint8_t kStx = 0x02;
 constexpr std::uint8_t kEtx = 0x03;
-constexpr std::size_t kMark = 4; ///< STX bytes that start a CoLa B frame
-constexpr std::size_t kHead = 8; ///< with the length
+constexpr std::size_t kMark = 4; ///< number of STX bytes that start a CoLa B frame
+constexpr std::size_t kHead = 8; ///< including the length
 
 std::uint8_t checksum(ByteView payload) { return std::reduce(payload.begin(), payload.end(), std::uint8_t{0}, std::bit_xor<>{}); }
 
@@ -94,7 +94,7 @@ ColaStream::Step ColaStream::tryBinary(ColaFrame& frame) {
         return drop(1);
     }
     if (bytes.size() == kHead) return Step::Wait;
-    // Two ranges of 514 mm look like the start mark, and the next pair like a length: only the 's' tells.
+    // Two ranges of 514 mm look like the start mark, and the next two like a length. Only the 's' shows that it is a frame.
     if (bytes[kHead] != 's') {
         ++counts_.notCola;
         return drop(1);

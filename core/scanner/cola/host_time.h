@@ -1,4 +1,4 @@
-// The moment something reached this computer, on both clocks.
+// A moment on both clocks of this computer: for example when a telegram arrived.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 namespace edgescan {
 
 struct HostTime {
-    std::int64_t monotonicNs = 0; ///< never set back; only differences mean something
+    std::int64_t monotonicNs = 0; ///< never set back; only differences have a meaning
     std::int64_t utcNs = 0;       ///< since 1970-01-01 UTC; may jump when the clock is set
 
     bool operator==(const HostTime&) const = default;

@@ -1,4 +1,4 @@
-// One TCP connection to a scanner (Boost.Asio). Nothing listens here, and nothing is connected to but what connect() is given.
+// One TCP connection to a scanner (Boost.Asio). This file never listens, and connects only to the address given to connect().
 #include "core/scanner/cola/link.h"
 
 #include "core/scanner/cola/name_lookup.h"
@@ -17,9 +17,9 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-constexpr int kReceiveBuffer = 1 << 20; ///< bytes; ten seconds of a scanner in text
+constexpr int kReceiveBuffer = 1 << 20; ///< bytes; ten seconds of data from a scanner that sends text
 
-/// At least 1 MiB, where the system allows it. A smaller fixed buffer would be worse than the one that the system grows by itself.
+/// At least 1 MiB, if the system allows it. A smaller fixed buffer would be worse than the one that the system grows by itself.
 void widenReceiveBuffer(tcp::socket& socket, const tcp& protocol) {
 #ifdef SO_RCVBUFFORCE
     const int wanted = kReceiveBuffer;
@@ -49,7 +49,7 @@ Error connectError(const error_code& problem, bool late, const std::string& wher
 struct ColaLink::Socket {
     explicit Socket(Hooks given) : hooks(std::move(given)) {}
 
-    /// Runs until `done`, the deadline or an interruption. False: not done.
+    /// Runs until `done`, the deadline or an interruption. Returns false if not done.
     bool run(const bool& done, Clock::time_point deadline) {
         while (!done && !stop && Clock::now() < deadline) {
             context.restart();
@@ -57,7 +57,7 @@ struct ColaLink::Socket {
         }
         return done;
     }
-    /// After cancelling: lets the handler come back, as it refers to what is on the stack.
+    /// After a cancellation: waits until the handler has returned, because it refers to variables on the stack.
     void drain(const bool& done) {
         while (!done) {
             context.restart();
@@ -82,7 +82,7 @@ struct ColaLink::Socket {
     ColaStream stream;
     std::array<std::uint8_t, 65536> piece{};
     mutable std::mutex mutex;
-    ColaCounts earlier; ///< of closed connections
+    ColaCounts earlier; ///< counts of closed connections
     ColaCounts all;
 };
 
@@ -144,7 +144,7 @@ Result<Done> ColaLink::connect(const std::string& host, std::uint16_t port, Cloc
         error_code problem;
         const auto literal = asio::ip::make_address(address, problem);
         if (problem) continue;
-        // Each address in turn gets its time; a host has one or two.
+        // Each address is tried for its own time; a host has one or two.
         outcome = s.connect({literal, port}, std::max(deadline, Clock::now() + timeout / 2));
         if (outcome || s.stop) return outcome;
     }

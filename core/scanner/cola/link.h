@@ -1,4 +1,4 @@
-// One TCP connection to a scanner, used by one thread: waits have a deadline and end at once when another thread interrupts.
+// One TCP connection to a scanner, used by one thread. Waits have a deadline, and end at once if another thread interrupts.
 #pragma once
 
 #include "core/base/result.h"
@@ -16,8 +16,8 @@ class ColaLink {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Called on the thread that uses the link: `received` for every frame before anybody looks into it, `sent` for every frame that
-    /// was written. Either may be empty.
+    /// Called on the thread that uses the link: `received` for every frame before it is parsed, `sent` for every frame that was written.
+    /// Either may be empty.
     struct Hooks {
         std::function<void(const ColaFrame&)> received;
         std::function<void(const ColaFrame&)> sent;
@@ -28,25 +28,25 @@ public:
     ColaLink(const ColaLink&) = delete;
     ColaLink& operator=(const ColaLink&) = delete;
 
-    /// Host name, IPv4 or IPv6 address. An earlier connection is closed; the byte stream begins anew.
+    /// Host name, IPv4 or IPv6 address. Closes an earlier connection and starts a new byte stream.
     Result<Done> connect(const std::string& host, std::uint16_t port, Clock::duration timeout);
     Result<Done> send(ByteView payload, Dialect dialect, Clock::duration timeout);
-    /// The frames of the next piece that arrives; none when the deadline passes or somebody interrupts. Error: the connection is gone.
+    /// The frames of the next bytes that arrive; empty if the deadline passes or another thread interrupts. Error: the connection is gone.
     Result<std::vector<ColaFrame>> receive(Clock::time_point deadline);
     void close();
 
-    /// Sleeps; less when interrupted.
+    /// Sleeps; ends early when interrupted.
     void pause(Clock::duration duration);
 
-    /// From any thread, for good: every wait ends now, and every later one at once.
+    /// From any thread, permanently: the current wait ends now, and every later one at once.
     void interrupt();
     [[nodiscard]] bool interrupted() const;
 
-    /// Of all connections of this link together. Any thread.
+    /// Counts of all connections of this link together. Any thread.
     [[nodiscard]] ColaCounts counts() const;
 
 private:
-    struct Socket; // keeps Boost.Asio out of the header
+    struct Socket; // so that this header does not include Boost.Asio
     std::unique_ptr<Socket> socket_;
 };
 

@@ -1,4 +1,4 @@
-// From a host name to addresses.
+// Looks up the addresses of a host name.
 #include "core/scanner/cola/name_lookup.h"
 
 #include <boost/asio/io_context.hpp>
@@ -14,7 +14,7 @@ namespace edgescan {
 
 namespace {
 
-/// Shared with the thread that looks up, which may outlive whoever asked.
+/// Shared with the thread that looks up the name. That thread may outlive the caller.
 struct Lookup {
     std::mutex mutex;
     std::optional<std::vector<std::string>> addresses;

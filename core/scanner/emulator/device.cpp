@@ -1,4 +1,4 @@
-// What an LMS511 answers to a request (docs/protocol.md, "Requests and answers").
+// The answers of an emulated LMS511 to requests (docs/protocol.md, "Requests and answers").
 #include "core/scanner/emulator/device.h"
 
 #include "core/scanner/cola/fields.h"
@@ -24,7 +24,7 @@ Bytes refusal(int code, Dialect dialect) {
     if (dialect == Dialect::A) {
         writer.word("sFA");
     } else {
-        writer.fixed("sFA"); // no blank before the code
+        writer.fixed("sFA"); // the code follows without a blank
     }
     writer.u16(static_cast<std::uint16_t>(code));
     return std::move(writer).done();
@@ -82,7 +82,7 @@ EmulatedDevice::EmulatedDevice(const ScanTelegram& likeThis, std::map<std::strin
     content_.time = likeThis.clock.has_value();
 }
 
-/// False: there is no such variable.
+/// Returns false if the variable does not exist.
 bool EmulatedDevice::writeVariable(ColaWriter& writer, std::string_view name) const {
     constexpr std::uint8_t kReady = 1, kLastEcho = 2;
     if (name == "LMPscancfg") return writeScan(writer, scan_), true;

@@ -1,4 +1,4 @@
-// What an LMS511 answers to a request, without any socket.
+// The answers of an emulated LMS511 to requests, without a socket.
 #pragma once
 
 #include "core/scanner/cola/commands.h"
@@ -13,14 +13,16 @@ class ColaWriter;
 
 namespace edgescan::sim {
 
-/// Settings of the device and its answers. It takes no settings: whatever would change it is refused, as without logging in.
+/// The settings of the device and its answers. The device accepts no new settings: it refuses every change, as a scanner does without a
+/// login.
 class EmulatedDevice {
 public:
-    /// Configured as the telegrams are; `likeThis` is the first of them. `refusals`: name -> code of sFA given whatever is asked.
+    /// The configuration is that of the telegrams; `likeThis` is the first of them. `refusals`: variable name -> code of sFA, which is sent
+    /// for every request of that variable.
     EmulatedDevice(const ScanTelegram& likeThis, std::map<std::string, int> refusals);
 
-    /// The payload of the answer. Empty: this was "sRN LMDscandata", to be answered with a telegram. `subscribed`: whether the client
-    /// that asks gets telegrams, before and after.
+    /// The payload of the answer. Empty if the request was "sRN LMDscandata", which must be answered with a telegram. `subscribed`: whether
+    /// the client receives telegrams, before and after the request.
     [[nodiscard]] Bytes answer(ByteView request, Dialect dialect, bool& subscribed) const;
 
 private:

@@ -1,4 +1,4 @@
-// An emulated LMS511 on a TCP port: one thread, any number of connections, nothing that grows without bounds.
+// An emulated LMS511 on a TCP port: one thread, any number of connections, and bounded memory.
 #include "core/scanner/emulator/emulator.h"
 
 #include "core/scanner/cola/link.h"
@@ -24,11 +24,12 @@ using boost::system::error_code;
 using tcp = asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostWaiting = 4U << 20U;   ///< bytes for a client that does not read; beyond, telegrams are lost
-constexpr std::size_t kEager = 64U << 10U;        ///< as fast as possible: the next line is made when less than this waits
-constexpr std::size_t kMostAnswers = 256U << 10U; ///< bytes of answers for a client that does not read; beyond, it is not listened to
+constexpr std::size_t kMostWaiting = 4U << 20U; ///< bytes queued for a client that does not read; beyond this, telegrams are lost
+constexpr std::size_t kEager = 64U << 10U;      ///< as fast as possible: the next line is made when fewer bytes than this are queued
+/// bytes of answers queued for a client that does not read; beyond this, its requests are not read
+constexpr std::size_t kMostAnswers = 256U << 10U;
 constexpr std::size_t kMostClients = 8;
-constexpr auto kAcceptAgain = std::chrono::milliseconds(200); ///< after the system had no descriptor to give
+constexpr auto kAcceptAgain = std::chrono::milliseconds(200); ///< wait after the system had no free descriptor
 
 } // namespace
 
@@ -42,10 +43,10 @@ struct EmulatedScanner::Server {
         std::array<std::uint8_t, 4096> piece{};
         std::deque<Bytes> queue;
         std::size_t waiting = 0;     ///< bytes in queue
-        Bytes merged;                ///< telegrams that wait for company
-        std::deque<ColaFrame> asked; ///< not answered yet
+        Bytes merged;                ///< telegrams to be sent together with later ones
+        std::deque<ColaFrame> asked; ///< requests that are not answered yet
         bool reading = false;
-        Clock::time_point active = Clock::now(); ///< when it last sent or read something
+        Clock::time_point active = Clock::now(); ///< when the client last sent or read something
         bool open = true;
     };
     using ClientPointer = std::shared_ptr<Client>;
@@ -118,7 +119,7 @@ void EmulatedScanner::Server::accept() {
             welcome(std::move(socket));
             return accept();
         }
-        // No descriptor is free, or no memory: who knocks waits until one is.
+        // The system has no free descriptor or no memory: new clients wait until it has.
         acceptAgain.expires_after(kAcceptAgain);
         acceptAgain.async_wait([this](const error_code& ended) {
             if (!ended) accept();
@@ -126,7 +127,7 @@ void EmulatedScanner::Server::accept() {
     });
 }
 
-/// A full house makes room by closing the connection that was silent for longest.
+/// If all places are taken, the connection that was silent for the longest time is closed.
 void EmulatedScanner::Server::welcome(tcp::socket socket) {
     if (clients.size() >= kMostClients) {
         const auto oldest =
@@ -154,7 +155,7 @@ void EmulatedScanner::Server::read(const ClientPointer& client) {
     });
 }
 
-/// A client that asks and does not read is neither answered nor listened to until it has read.
+/// If a client sends requests and does not read the answers, its requests are neither answered nor read until it has read.
 void EmulatedScanner::Server::answerAll(const ClientPointer& client) {
     while (client->open && !client->asked.empty() && client->waiting < kMostAnswers) {
         const ColaFrame frame = std::move(client->asked.front());
@@ -216,7 +217,7 @@ void EmulatedScanner::Server::closeAll() {
 
 bool EmulatedScanner::Server::eager() const { return settings.linesPerSecond <= 0.0; }
 
-/// Whether a line is to be measured now or at the next tick.
+/// Whether a line must be measured now or at the next tick.
 bool EmulatedScanner::Server::wanted() const {
     if (sweep.finished()) return false;
     bool subscribed = false;
@@ -228,7 +229,7 @@ bool EmulatedScanner::Server::wanted() const {
     return subscribed || (settings.keepTurning && !eager());
 }
 
-/// Sees to it that a tick comes when one is wanted.
+/// Starts the timer for the next tick if a tick is needed.
 void EmulatedScanner::Server::wake() {
     if (timing || !wanted()) return;
     timing = true;
@@ -243,7 +244,7 @@ void EmulatedScanner::Server::tick() {
     timing = false;
     if (wanted()) {
         if (!eager()) due += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / settings.linesPerSecond));
-        // A machine that was asleep does not send in a rush what it missed.
+        // After the computer was asleep, the missed telegrams are not sent all at once.
         due = std::max(due, Clock::now() - std::chrono::seconds(1));
         advance();
     }

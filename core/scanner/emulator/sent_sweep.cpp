@@ -1,4 +1,4 @@
-// The order, counters and mishaps of an emulated scanner's telegrams.
+// The order, counters and faults of an emulated scanner's telegrams.
 #include "core/scanner/emulator/sent_sweep.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ bool EmulatedSweep::finished() const { return atEnd_ == AtEnd::Stop && inList_ >
 bool EmulatedSweep::happens(int every) {
     if (every <= 0) return false;
     if (faults_.byChance) return random_() % static_cast<unsigned>(every) == 0;
-    return told_ % static_cast<std::uint64_t>(every) == static_cast<std::uint64_t>(every) - 1;
+    return counted_ % static_cast<std::uint64_t>(every) == static_cast<std::uint64_t>(every) - 1;
 }
 
 std::size_t EmulatedSweep::listIndex() const {
@@ -26,12 +26,12 @@ std::size_t EmulatedSweep::listIndex() const {
     return static_cast<std::size_t>(turn < size ? turn : 2 * size - 1 - turn);
 }
 
-/// A telegram of the list with counters, clocks and status of now. A list with gaps keeps them in the first pass.
+/// A telegram of the list with the current counters, clocks and status. Gaps in the list appear as gaps in the first pass.
 ScanTelegram EmulatedSweep::stamped() const {
     const ScanTelegram& first = telegrams_->front();
     ScanTelegram telegram = (*telegrams_)[listIndex()];
     const std::uint32_t transmission = telegram.transmittedUs - telegram.sinceStartUs;
-    const std::uint64_t counted = told_ * static_cast<std::uint64_t>(faults_.counterStep);
+    const std::uint64_t counted = counted_ * static_cast<std::uint64_t>(faults_.counterStep);
     telegram.telegramCounter = static_cast<std::uint16_t>(first.telegramCounter + counted);
     telegram.scanCounter = static_cast<std::uint16_t>(first.scanCounter + counted);
     const std::int64_t passedUs = std::llround(clockUs_ * faults_.clockRate);
@@ -64,15 +64,15 @@ std::optional<SweepStep> EmulatedSweep::next() {
             if (step.narrow) channel.values.resize((channel.values.size() + 1) / 2);
         }
     }
-    ++told_;
+    ++counted_;
     ++inList_;
     clockUs_ += periodUs_;
-    // Lines that the list leaves out were measured all the same.
+    // Lines that the list leaves out were measured nevertheless.
     if (inList_ < telegrams_->size()) {
         const auto counted =
             static_cast<std::uint16_t>((*telegrams_)[inList_].telegramCounter - (*telegrams_)[inList_ - 1].telegramCounter);
         const int missing = std::clamp(counted - 1, 0, 60000);
-        told_ += static_cast<std::uint64_t>(missing);
+        counted_ += static_cast<std::uint64_t>(missing);
         clockUs_ += missing * periodUs_;
     }
     return step;

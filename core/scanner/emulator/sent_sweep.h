@@ -1,4 +1,4 @@
-// The order, counters and mishaps of an emulated scanner's telegrams: everything about them that needs no socket.
+// The order, counters and faults of an emulated scanner's telegrams: the part that does not need a socket.
 #pragma once
 
 #include "core/scanner/emulator/emulator.h"
@@ -9,15 +9,15 @@
 
 namespace edgescan::sim {
 
-/// What happens at one tick of the emulated scanner.
+/// The events at one tick of the emulated scanner.
 struct SweepStep {
     bool lost = false;      ///< nothing is sent
     bool duplicate = false; ///< the telegram is sent twice
-    bool garbage = false;   ///< rubbish is sent before it
+    bool garbage = false;   ///< random bytes are sent before it
     bool corrupt = false;   ///< one bit of it is wrong
     bool stall = false;     ///< silence follows
     bool drop = false;      ///< the connections are closed afterwards
-    bool narrow = false;    ///< half of the beams are left out, in the telegram below already
+    bool narrow = false;    ///< half of the beams are left out; already done in `telegram`
     ScanTelegram telegram;
 };
 
@@ -25,13 +25,13 @@ class EmulatedSweep {
 public:
     EmulatedSweep(std::shared_ptr<const std::vector<ScanTelegram>> telegrams, const EmulatedScannerSettings& settings);
 
-    /// The next line, or nothing at the end (AtEnd::Stop).
+    /// The next line; empty at the end (AtEnd::Stop).
     [[nodiscard]] std::optional<SweepStep> next();
     [[nodiscard]] bool finished() const;
 
-    /// Bytes as they might come from a bad cable.
+    /// Random bytes, as from a bad cable.
     [[nodiscard]] Bytes garbage();
-    /// `bytes` with one bit turned over, not in the first one.
+    /// `bytes` with one bit inverted, not in the first byte.
     [[nodiscard]] Bytes corrupted(Bytes bytes);
     /// A piece length from 1 to `most`.
     [[nodiscard]] std::size_t pieceLength(std::size_t most);
@@ -49,9 +49,9 @@ private:
     AtEnd atEnd_;
     ScannerFaults faults_;
     std::mt19937 random_;
-    std::uint64_t told_ = 0;   ///< telegrams counted so far, lost ones included
-    std::uint64_t inList_ = 0; ///< lines taken from the list so far
-    double clockUs_ = 0.0;     ///< since the first line
+    std::uint64_t counted_ = 0; ///< telegrams counted so far, including lost ones
+    std::uint64_t inList_ = 0;  ///< lines taken from the list so far
+    double clockUs_ = 0.0;      ///< microseconds since the first line
     int burstLeft_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// From a scan to the telegrams that an LMS511 would have sent while it was measured.
+// Converts a scan to the telegrams that an LMS511 would have sent while measuring it.
 #include "core/scanner/emulator/telegram.h"
 
 #include <algorithm>
@@ -9,14 +9,14 @@ namespace edgescan {
 namespace {
 
 constexpr float kGreatestRaw = 65535.0F;
-constexpr float kFirstRange = 16.0F; ///< counts below are codes
+constexpr float kFirstRange = 16.0F; ///< smaller counts are codes
 
 struct Fan {
     std::int32_t startAngle = 0;
     std::uint16_t step = 0;
 };
 
-/// The beams as a start and a step of 1/10000 degree, rounded as the scanner rounds them.
+/// The beams as a start and a step of 1/10000 degree, rounded like the scanner's values.
 Result<Fan> fanOf(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || polar->beamDeg.size() < 2)
@@ -40,11 +40,11 @@ std::uint16_t rawOf(const Scan& scan, std::size_t cell, float scale) {
     if (state == CellState::DeviceStatus)
         return static_cast<std::uint16_t>(std::clamp(std::round(mm / static_cast<float>(scan.unitMm)), 1.0F, kFirstRange - 1.0F));
     const float raw = std::round(mm / scale);
-    // Nearer or farther than the scanner can say is no return to it.
+    // A range that the scanner cannot represent is sent as no return.
     return raw < kFirstRange || raw > kGreatestRaw ? std::uint16_t{0} : static_cast<std::uint16_t>(raw);
 }
 
-/// Falls with the range, 0 without a return: something to look at, not a measurement.
+/// Decreases with the range, 0 without a return: for display, not a measurement.
 std::uint16_t remissionOf(std::uint16_t raw, float scale) {
     return raw < 16 ? std::uint16_t{0}
                     : static_cast<std::uint16_t>(std::clamp(254.0F - static_cast<float>(raw) * scale / 200.0F, 1.0F, 254.0F));
@@ -67,7 +67,7 @@ ScanTelegram lineOf(const Scan& scan, int line, const Fan& fan, float scale, con
         dist.values.push_back(raw);
         if (style.remission) rssi.values.push_back(remissionOf(raw, scale));
     }
-    // The last beam's angle decides when the line is complete (docs/protocol.md, "Time of a beam").
+    // The angle of the last beam determines when the line is complete (docs/protocol.md, "Time of a beam").
     const double lastDeg = (fan.startAngle + static_cast<double>(fan.step) * scan.beams()) / 1e4;
     telegram.transmittedUs = telegram.sinceStartUs + static_cast<std::uint32_t>(std::lround((lastDeg + 144.0) / 360.0 * periodUs + 4050.0));
     telegram.channels16.push_back(std::move(dist));
@@ -81,7 +81,7 @@ bool lineLost(const Scan& scan, int line) {
     return scan.beams() > 0 && std::all_of(cells, cells + scan.beams(), [](CellState state) { return state == CellState::Lost; });
 }
 
-/// 1, or 2 when a range does not fit 16 bits of millimetres.
+/// 1, or 2 if a range does not fit into 16 bits of millimetres.
 float telegramScale(const Scan& scan) {
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         const bool hasRange =

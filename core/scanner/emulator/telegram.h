@@ -1,4 +1,4 @@
-// From a scan to the telegrams that an LMS511 would have sent while it was measured.
+// Converts a scan to the telegrams that an LMS511 would have sent while measuring it.
 #pragma once
 
 #include "core/base/result.h"
@@ -16,12 +16,12 @@ struct TelegramStyle {
     std::uint16_t firstTelegram = 10203; ///< counters of line 0
     std::uint16_t firstScan = 10335;
     std::uint32_t firstUs = 1387959194; ///< device clock of line 0
-    bool encoder = true;                ///< one encoder whose count is the line
-    bool remission = false;             ///< RSSI1, made up from the range: scans carry none
+    bool encoder = true;                ///< one encoder whose count is the line number
+    bool remission = false;             ///< RSSI1, computed from the range, because simulated scans have no intensities
 };
 
-/// All lines; those that are Lost from end to end are left out, and the counters show it. Ranges are whole counts; NoReturn is 0,
-/// DeviceStatus its code. Error: beams that no fan of this scanner could be.
+/// All lines. Lines that are completely Lost are left out, and the counters show this. Ranges are whole counts; NoReturn is 0, DeviceStatus
+/// its code. Error: the scanner cannot have such a fan of beams.
 [[nodiscard]] Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramStyle& style = {});
 
 } // namespace edgescan

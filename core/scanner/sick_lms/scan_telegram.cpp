@@ -1,4 +1,4 @@
-// The scan telegram LMDscandata: bytes to fields and back.
+// The scan telegram LMDscandata: converts bytes to fields and fields to bytes.
 #include "core/scanner/sick_lms/scan_telegram.h"
 
 #include "core/base/number_text.h"
@@ -82,7 +82,7 @@ void readBlocks(ColaReader& reader, ScanTelegram& telegram) {
     if (reader.u16("the name flag") != 0) telegram.deviceName = reader.text("the device name");
     if (reader.u16("the comment flag") != 0) telegram.comment = reader.text("the comment");
     if (reader.u16("the time flag") != 0) telegram.clock = readClock(reader);
-    // Old firmware ends here.
+    // Telegrams of old firmware end here.
     if (reader.failed() || reader.left() == 0) return;
     if (reader.u16("the event flag") != 0) telegram.event = readEvent(reader);
     telegram.trailingBytes = reader.left();
@@ -155,7 +155,7 @@ bool startsWith(ByteView payload, std::string_view text) {
     return payload.size() >= text.size() && std::equal(text.begin(), text.end(), payload.begin());
 }
 
-/// A scale or an offset from a broken device would put ranges where nobody measures.
+/// A scale or an offset from a broken device would give impossible ranges.
 Result<Done> checkRangeChannels(const ScanTelegram& telegram) {
     constexpr double kLargestCount = 65535;
     for (const ScanChannel& channel : telegram.channels16) {

@@ -21,7 +21,7 @@ struct ScanEncoder {
     bool operator==(const ScanEncoder&) const = default;
 };
 
-/// One kind of measurement of all beams. `values` are raw, 16 or 8 bits wide by the list the channel is in.
+/// One measured quantity of all beams. `values` are raw; 16 or 8 bits wide, according to the list that holds the channel.
 struct ScanChannel {
     std::string content; ///< 5 characters: DIST1..5, RSSI1..5; others exist on other devices
     float scale = 1.0F;
@@ -41,7 +41,7 @@ struct ScanPosition {
     bool operator==(const ScanPosition&) const = default;
 };
 
-/// The scanner's own calendar; starts at 1970-01-01 with every power-up unless it is set.
+/// The scanner's own calendar. After each power-up it starts at 1970-01-01, unless it is set.
 struct ScanClock {
     std::uint16_t year = 0;
     std::uint8_t month = 0, day = 0, hour = 0, minute = 0, second = 0;
@@ -66,7 +66,7 @@ struct ScanTelegram {
     std::uint32_t serialNumber = 0;
     std::array<std::uint8_t, 2> status{}; ///< see deviceFlags()
     std::uint16_t telegramCounter = 0;    ///< wraps; see LineCounter
-    std::uint16_t scanCounter = 0;        ///< wraps; may start again with a measurement
+    std::uint16_t scanCounter = 0;        ///< wraps; may start again with a new measurement
     std::uint32_t sinceStartUs = 0;       ///< device clock at the line's stamp (docs/protocol.md, "Time of a beam"); wraps
     std::uint32_t transmittedUs = 0;      ///< device clock when the telegram was sent; wraps
     std::array<std::uint8_t, 2> digitalIn{};
@@ -82,7 +82,7 @@ struct ScanTelegram {
     std::optional<std::string> comment;
     std::optional<ScanClock> clock;
     std::optional<ScanEvent> event;
-    std::size_t trailingBytes = 0; ///< after the last field known; tolerated, not kept
+    std::size_t trailingBytes = 0; ///< bytes behind the last known field; accepted, not stored
 
     bool operator==(const ScanTelegram&) const = default;
 };
@@ -90,7 +90,7 @@ struct ScanTelegram {
 /// Whether a payload is "sSN LMDscandata ..." or "sRA LMDscandata ...".
 [[nodiscard]] bool isScanTelegram(ByteView payload);
 
-/// Error: not a scan telegram, cut short, or a token that is no number; `where` names the byte of the payload.
+/// Error: not a scan telegram, too few bytes, or a token that is not a number; `where` names the byte of the payload.
 [[nodiscard]] Result<ScanTelegram> decodeScanTelegram(ByteView payload, Dialect dialect);
 [[nodiscard]] inline Result<ScanTelegram> decodeScanTelegram(const ColaFrame& frame) {
     return decodeScanTelegram(frame.payload(), frame.dialect);
@@ -102,15 +102,15 @@ struct ScanTelegram {
 /// The channel called `content`, or null.
 [[nodiscard]] const ScanChannel* findChannel(const ScanTelegram& telegram, std::string_view content);
 
-/// A line's ranges. A range is meaningful where state is Valid; DeviceStatus cells keep their code times scale.
+/// A line's ranges, mm. A range is valid where state is Valid; DeviceStatus cells hold their code times the scale.
 struct ChannelRanges {
     std::vector<float> rangeMm;
     std::vector<CellState> state; ///< Valid, NoReturn (raw 0) or DeviceStatus (raw 1..15)
 };
 [[nodiscard]] ChannelRanges rangesMm(const ScanChannel& channel);
 
-/// The beams of a channel with the scanner's rounding taken out: start and step lie on the 1/24-degree grid when they round to it
-/// (docs/protocol.md, "Beam angles"). Interlaced modes alternate between grids: compare them, never keep the first.
+/// The beams of a channel without the scanner's rounding: start and step are moved to the 1/24-degree grid if they round to it
+/// (docs/protocol.md, "Beam angles"). Interlaced modes alternate between two grids: compare the grids; do not use the first for all lines.
 struct BeamGrid {
     double startDeg = 0.0;
     double stepDeg = 0.0;
@@ -121,9 +121,9 @@ struct BeamGrid {
 [[nodiscard]] BeamGrid beamGrid(const ScanChannel& channel);
 [[nodiscard]] double snappedDeg(double degrees);
 
-/// The two status bytes in words.
+/// The meaning of the two status bytes.
 struct DeviceFlags {
-    bool error = false; ///< or not ready; the first telegrams after a start have it
+    bool error = false; ///< or not ready; set in the first telegrams after a start
     bool contaminationWarning = false;
     bool contaminationError = false;
 
@@ -132,7 +132,7 @@ struct DeviceFlags {
 [[nodiscard]] DeviceFlags deviceFlags(const ScanTelegram& telegram);
 
 [[nodiscard]] double scanFrequencyHz(const ScanTelegram& telegram);
-/// Seconds that the mirror turns once in; those of the usual 25 Hz where the telegram names a frequency that no mirror turns with.
+/// The period of the mirror in seconds. If the telegram gives an impossible frequency, that of the usual 25 Hz.
 [[nodiscard]] double linePeriodS(const ScanTelegram& telegram);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// What the raw fields of a scan telegram mean: millimetres, degrees, hertz, warnings.
+// Converts the raw fields of a scan telegram to millimetres, degrees, hertz and warnings.
 #include "core/scanner/sick_lms/scan_telegram.h"
 
 #include "core/base/physical_limits.h"
@@ -10,7 +10,7 @@ namespace edgescan {
 
 namespace {
 
-constexpr std::uint16_t kFirstRange = 16; ///< raw values below are codes of the device
+constexpr std::uint16_t kFirstRange = 16; ///< smaller raw values are codes of the device
 
 } // namespace
 
@@ -30,7 +30,7 @@ ChannelRanges rangesMm(const ScanChannel& channel) {
         if (raw == 0) continue;
         const bool isRange = raw >= kFirstRange;
         const float mm = static_cast<float>(raw) * channel.scale + (isRange ? channel.offset : 0.0F);
-        // An offset from a broken device must not put a range behind the scanner, nor farther away than any reaches.
+        // An offset from a broken device must not put a range behind the scanner or beyond the largest possible range.
         if (mm == 0.0F || !physical::kRangeMm.hold(mm)) continue;
         ranges.rangeMm[beam] = mm;
         ranges.state[beam] = isRange ? CellState::Valid : CellState::DeviceStatus;
@@ -39,7 +39,7 @@ ChannelRanges rangesMm(const ScanChannel& channel) {
 }
 
 double snappedDeg(double degrees) {
-    constexpr double kTolerance = 0.6e-4; // half of the last digit sent, and a little
+    constexpr double kTolerance = 0.6e-4; // half of the last digit sent, plus a margin
     const double snapped = std::round(degrees * 24.0) / 24.0;
     return std::abs(snapped - degrees) <= kTolerance ? snapped : degrees;
 }

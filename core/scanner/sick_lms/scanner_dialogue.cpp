@@ -1,4 +1,4 @@
-// Question and answer with a scanner, and finding out who it is.
+// Sends requests to a scanner, waits for answers, and identifies the scanner.
 #include "core/scanner/sick_lms/scanner_dialogue.h"
 
 #include "core/base/number_text.h"
@@ -14,7 +14,7 @@ std::string trimmed(std::string text) {
 
 std::string degrees(double tenThousandths) { return significantText(tenThousandths / 1e4, 4); }
 
-/// Asks for one variable and keeps what it says; a refusal or an answer nobody understands is noted and no error.
+/// Reads one variable and stores its value. A refusal or an unreadable answer is noted; it is not an error.
 template <class Value, class Parse>
 Result<Done> readInto(ScannerDialogue& dialogue, const char* name, Parse parse, std::optional<Value>& value,
                       std::vector<std::string>& refused) {
@@ -67,7 +67,7 @@ Result<int> ScannerDialogue::detect(Dialect first, bool onlyThat) {
         const auto answer = await(request, timeouts_.detect);
         if (!answer) return answer.error();
         if (!*answer) continue;
-        dialect_ = (*answer)->dialect; // a scanner set to A may answer a question in B, but in A
+        dialect_ = (*answer)->dialect; // a scanner set to CoLa A may accept a request in B, but it answers in A
         const auto state = parseNumber8(**answer);
         return state ? *state : -1;
     }

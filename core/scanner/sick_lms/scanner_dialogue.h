@@ -1,4 +1,4 @@
-// Question and answer with a scanner, one at a time, and finding out what it is. Nothing is sent that changes it
+// Requests and answers, one at a time, and identification of the scanner. Nothing that EdgeScan sends changes the scanner
 // (docs/protocol.md, "Dialect", "Requests and answers").
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace edgescan {
 
-/// What a scanner says it is. What it would not tell is empty and listed in `refused`.
+/// The scanner's description of itself. A value that it refused is empty and listed in `refused`.
 struct ScannerIdentity {
     Dialect dialect = Dialect::B;
     std::optional<int> deviceState; ///< SCdevicestate
     std::optional<DeviceIdentity> device;
     std::optional<std::string> firmware;
-    std::optional<std::string> location;          ///< the name the operator gave it
-    std::optional<std::uint32_t> operatingTenths; ///< of an hour
+    std::optional<std::string> location;          ///< the name that the operator gave the scanner
+    std::optional<std::uint32_t> operatingTenths; ///< tenths of an hour
     std::optional<std::uint32_t> powerOns;
     std::optional<MeasuringState> measuring;
     std::optional<ScanConfiguration> scan;
@@ -34,15 +34,15 @@ struct ScannerIdentity {
     [[nodiscard]] std::string words() const;
 };
 
-/// How long to wait for what.
+/// Waiting times.
 struct ScannerTimeouts {
     std::chrono::milliseconds connect{5000};
     std::chrono::milliseconds detect{1000};
     std::chrono::milliseconds answer{2000};
     std::chrono::milliseconds firstScan{5000};
-    std::chrono::milliseconds startUp{30000}; ///< the same of a scanner that is still starting
-    std::chrono::milliseconds silence{1000};  ///< between two scans; at least ten of their periods
-    /// Before connecting again, the last one over and over.
+    std::chrono::milliseconds startUp{30000}; ///< first scan of a scanner that is still starting
+    std::chrono::milliseconds silence{1000};  ///< between two scans; at least ten scan periods
+    /// Pauses before connecting again; the last one is repeated.
     std::vector<std::chrono::milliseconds> rests{std::chrono::milliseconds(500), std::chrono::milliseconds(1000),
                                                  std::chrono::milliseconds(2000), std::chrono::milliseconds(4000),
                                                  std::chrono::milliseconds(5000)};
@@ -50,15 +50,16 @@ struct ScannerTimeouts {
 
 class ScannerDialogue {
 public:
-    /// `onFrame`: every frame that arrives while an answer is awaited; scans keep coming. Must outlive this: `link`.
+    /// `onFrame`: called with every frame that arrives during the wait for an answer, because scans keep arriving. `link` must outlive this
+    /// object.
     ScannerDialogue(ColaLink& link, const ScannerTimeouts& timeouts, std::function<void(const ColaFrame&)> onFrame)
         : link_(link), timeouts_(timeouts), onFrame_(std::move(onFrame)) {}
 
-    /// Finds out in which dialect the scanner answers, trying `first` first. Gives the device state, -1 where that is not to be read.
+    /// Finds the dialect in which the scanner answers, trying `first` first. Returns the device state, or -1 if it cannot be read.
     Result<int> detect(Dialect first, bool onlyThat);
     [[nodiscard]] Dialect dialect() const { return dialect_; }
 
-    /// The answer, which may be a refusal. Error: none came, or the connection is gone.
+    /// The answer, which may be a refusal. Error: no answer came, or the connection is gone.
     Result<ColaAnswer> ask(const ColaRequest& request);
 
 private:
@@ -70,7 +71,7 @@ private:
     Dialect dialect_ = Dialect::B;
 };
 
-/// Reads everything that tells who and how the scanner is. A refused read is no error.
+/// Reads everything that describes the scanner and its configuration. A refused read is not an error.
 [[nodiscard]] Result<ScannerIdentity> identify(ScannerDialogue& dialogue, int deviceState);
 
 } // namespace edgescan

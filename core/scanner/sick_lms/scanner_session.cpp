@@ -1,4 +1,4 @@
-// A scanner kept alive.
+// Connects to a scanner and reconnects after a loss.
 #include "core/scanner/sick_lms/scanner_session.h"
 
 #include "core/base/number_text.h"
@@ -9,7 +9,7 @@ namespace edgescan {
 
 namespace {
 
-/// A scan is counted before its event is called: who asks for statistics() after an event finds it in there.
+/// A scan is counted before its event is called, so that statistics() inside or after the event includes it.
 ColaLink::Hooks hooksOf(const SessionEvents& events, std::atomic<std::uint64_t>& scans) {
     const auto received = [&scans, tell = events.frameReceived](const ColaFrame& frame) {
         if (isScanTelegram(frame.payload())) ++scans;
@@ -94,7 +94,7 @@ Error ScannerSession::connection() {
     return watch();
 }
 
-/// From the first question to the subscription.
+/// From the first request to the subscription.
 Result<Done> ScannerSession::start(ScannerDialogue& dialogue) {
     const auto deviceState = dialogue.detect(dialect_, settings_.dialect.has_value());
     if (!deviceState) return deviceState.error();
@@ -103,7 +103,7 @@ Result<Done> ScannerSession::start(ScannerDialogue& dialogue) {
     if (!who) return who.error();
     if (link_.interrupted()) return Error{"interrupted", where(), {}};
     everyNth_ = who->content ? std::max<std::uint16_t>(who->content->everyNth, 1) : std::uint16_t{1};
-    // A scanner that is still running up is allowed to take its time.
+    // A scanner that is still starting gets more time.
     const bool ready = *deviceState == 1 || (who->measuring && who->measuring->state == 7);
     firstScanTimeout_ = ready ? settings_.timeouts.firstScan : std::max(settings_.timeouts.firstScan, settings_.timeouts.startUp);
     if (events_.identified) events_.identified(*who);
@@ -124,13 +124,13 @@ void ScannerSession::noticeScan(const ColaFrame& frame) {
     ++scansHere_;
     lastScan_ = Clock::now();
     if (scansHere_ > 1) return;
-    // The scan frequency is all that the session itself needs to know.
+    // The session itself needs only the scan frequency.
     const auto telegram = decodeScanTelegram(frame);
     const double hertz = telegram ? scanFrequencyHz(*telegram) : 0.0;
     periodS_ = hertz > 0.0 ? std::min(everyNth_ / hertz, 60.0) : 0.0;
 }
 
-/// Receives until the connection ends or nothing comes any more.
+/// Receives until the connection ends or no more scans arrive.
 Error ScannerSession::watch() {
     const Clock::time_point subscribed = Clock::now();
     if (scansHere_ > 0) enter(SessionPhase::Live, where() + " is sending.");

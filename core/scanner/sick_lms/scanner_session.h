@@ -1,4 +1,4 @@
-// A scanner kept alive: connect, identify, subscribe, watch, reconnect; on a thread of its own. It only reads.
+// A permanent connection to a scanner: connect, identify, subscribe, watch, reconnect; on its own thread. It only reads.
 #pragma once
 
 #include "core/scanner/sick_lms/scanner_dialogue.h"
@@ -16,11 +16,11 @@ namespace edgescan {
 
 enum class SessionPhase : std::uint8_t {
     Connecting,
-    Identifying, ///< asking who it is and subscribing, until the first scan
+    Identifying, ///< identifies and subscribes, until the first scan
     Live,
-    Stale,   ///< connected, but no scan for half of the watchdog's time
-    Lost,    ///< not connected; tries again by itself
-    Stopped, ///< for good, because stop() was called
+    Stale,   ///< connected, but without a scan for half of the watchdog's time
+    Lost,    ///< not connected; reconnects by itself
+    Stopped, ///< permanently, because stop() was called
 };
 [[nodiscard]] const char* sessionPhaseName(SessionPhase phase);
 
@@ -28,32 +28,33 @@ struct SessionState {
     SessionPhase phase = SessionPhase::Connecting;
     std::string sentence; ///< what happened and what to do, for the operator
     HostTime since;
-    std::optional<Error> problem{}; ///< why there is no scan: what ended the last connection, or the try for one; empty while scans come
+    /// why scans are missing: the reason that ended the last connection or attempt; empty while scans arrive
+    std::optional<Error> problem{};
 };
 
-/// What to say where no line has come from `address`.
+/// The error for a scanner at `address` that never sent a line.
 [[nodiscard]] Error withoutLines(const SessionState& state, const std::string& address);
 
 struct SessionSettings {
     std::string host; ///< name, IPv4 or IPv6 address
     std::uint16_t port = 2112;
-    std::optional<Dialect> dialect; ///< empty: find out
+    std::optional<Dialect> dialect; ///< empty: detect it
     ScannerTimeouts timeouts;
 };
 
-/// All are called on the session's thread and hold up receiving while they run; none may be called after stop() returned.
+/// All functions are called on the session's thread and delay receiving while they run. They are not called after stop() has returned.
 struct SessionEvents {
     std::function<void(const SessionState&)> stateChanged;
     std::function<void(const ScannerIdentity&)> identified; ///< at every connection
-    std::function<void(const ColaFrame&)> frameReceived;    ///< every frame as it was on the wire, before anything looks into it
+    std::function<void(const ColaFrame&)> frameReceived;    ///< every frame as it was on the wire, before it is parsed
     std::function<void(const ColaFrame&)> frameSent;        ///< `received` is the time of sending
 };
 
 struct SessionStatistics {
-    ColaCounts stream; ///< bytes, frames, skipped bytes and why, over all connections
+    ColaCounts stream; ///< bytes, frames, skipped bytes and reasons, over all connections
     std::uint64_t scans = 0;
     std::uint64_t connections = 0;
-    std::uint64_t reconnects = 0; ///< connections that were made again after a loss
+    std::uint64_t reconnects = 0; ///< connections made again after a loss
 };
 
 class ScannerSession {
@@ -64,7 +65,7 @@ public:
     ScannerSession(const ScannerSession&) = delete;
     ScannerSession& operator=(const ScannerSession&) = delete;
 
-    /// Ends every wait at once and returns when the thread is done. From within an event it only asks for it.
+    /// Ends every wait at once and returns when the thread has ended. Inside an event it only requests the end.
     void stop();
 
     [[nodiscard]] SessionState state() const;
@@ -84,20 +85,20 @@ private:
 
     const SessionSettings settings_;
     const SessionEvents events_;
-    mutable std::mutex mutex_; ///< of state_
+    mutable std::mutex mutex_; ///< protects state_
     SessionState state_;
     std::atomic<std::uint64_t> scans_{0}, connections_{0};
 
-    // The thread's own.
-    Dialect dialect_;             ///< of the last connection: tried first
-    double periodS_ = 0.0;        ///< between telegrams; 0 while unknown
-    std::uint64_t scansHere_ = 0; ///< on this connection
+    // Used by the thread only.
+    Dialect dialect_;             ///< dialect of the last connection: tried first
+    double periodS_ = 0.0;        ///< between telegrams; 0: unknown
+    std::uint64_t scansHere_ = 0; ///< scans on this connection
     Clock::time_point lastScan_;
     Clock::duration firstScanTimeout_{};
     std::uint16_t everyNth_ = 1;
 
     ColaLink link_;
-    std::thread thread_; // last: starts when all the rest is there
+    std::thread thread_; // last member: the thread starts when all the others exist
 };
 
 } // namespace edgescan

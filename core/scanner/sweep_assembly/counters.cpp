@@ -1,4 +1,4 @@
-// Makes the scanner's wrapping counters and clocks run on.
+// Unwraps the scanner's counters and clocks.
 #include "core/scanner/sweep_assembly/counters.h"
 
 #include <algorithm>
@@ -12,19 +12,19 @@ namespace {
 
 constexpr std::int64_t kCounterTurn = std::int64_t{1} << 16U;
 constexpr std::int64_t kClockTurn = std::int64_t{1} << 32U;
-constexpr std::int64_t kLate = 8;                ///< so many lines behind is late whatever the clock says
-constexpr std::int64_t kOldest = 20000;          ///< a line older than that is none of ours
-constexpr double kPauseUs = 1e6;                 ///< without a line that the counters know of
-constexpr std::int64_t kHostSlackUs = 5'000'000; ///< that the host may be late
+constexpr std::int64_t kLate = 8;                ///< a line this far behind is late, whatever the clock shows
+constexpr std::int64_t kOldest = 20000;          ///< an older line is not of this sequence
+constexpr double kPauseUs = 1e6;                 ///< without a line that the counters account for
+constexpr std::int64_t kHostSlackUs = 5'000'000; ///< allowed delay of the host
 
-/// The value that is `residue` modulo `turn` and nearest to `expected`.
+/// The value that equals `residue` modulo `turn` and is nearest to `expected`.
 std::int64_t nearest(std::int64_t residue, std::int64_t turn, double expected) {
     return residue + turn * std::llround((expected - static_cast<double>(residue)) / static_cast<double>(turn));
 }
 
-/// How far a 16-bit counter went while the clock says `byClock`. More than one turn is believed only when it fits the clock closely:
-/// a scanner that was paused does not count.
-std::int64_t counted(std::uint16_t now, std::uint16_t before, double byClock) {
+/// The advance of a 16-bit counter while the clock shows an advance of `byClock`. More than one wrap is accepted only if it fits the clock
+/// closely: a paused scanner does not count.
+std::int64_t advanced(std::uint16_t now, std::uint16_t before, double byClock) {
     const std::int64_t residue = static_cast<std::uint16_t>(now - before);
     const std::int64_t lifted = nearest(residue, kCounterTurn, byClock);
     const bool fits = std::abs(static_cast<double>(lifted) - byClock) <= 3.0 + 0.02 * byClock;
@@ -41,7 +41,7 @@ bool near(std::int64_t count, double byClock) { return std::abs(static_cast<doub
 
 constexpr std::int64_t kWindowLines = 250; // 10 s at 25 Hz
 constexpr std::int64_t kNsPerUs = 1000;
-constexpr std::int64_t kLatestNs = std::int64_t{1} << 61; // 73 years; beyond, differences would overflow
+constexpr std::int64_t kLatestNs = std::int64_t{1} << 61; // 73 years; larger differences would overflow
 
 std::int64_t bounded(std::int64_t ns) { return std::clamp(ns, -kLatestNs, kLatestNs); }
 std::int64_t nsOf(std::int64_t us) { return bounded(std::clamp(us, -kLatestNs / kNsPerUs, kLatestNs / kNsPerUs) * kNsPerUs); }
@@ -102,16 +102,16 @@ LineCounter::Advance LineCounter::advanceTo(const ScanTelegram& telegram, std::i
 }
 
 void LineCounter::count(Advance& advance, const ScanTelegram& telegram) const {
-    advance.telegrams = counted(telegram.telegramCounter, last_->telegramCounter, advance.scansByClock / static_cast<double>(steps()));
-    advance.scans = counted(telegram.scanCounter, last_->scanCounter, advance.scansByClock);
+    advance.telegrams = advanced(telegram.telegramCounter, last_->telegramCounter, advance.scansByClock / static_cast<double>(steps()));
+    advance.scans = advanced(telegram.scanCounter, last_->scanCounter, advance.scansByClock);
 }
 
-/// Either clock leaves room for so many scans.
+/// Whether either clock allows so many scans.
 bool LineCounter::possible(const Advance& advance, std::int64_t scans) const {
     return plausible(scans, advance.scansByClock) || (advance.scansByHost > 0 && plausible(scans, advance.scansByHost));
 }
 
-/// Counters and clock are all back at where they were some lines ago.
+/// Whether counters and clock all have values of some lines ago.
 bool LineCounter::wasThere(const Advance& advance) const {
     if (reconnected_ || advance.us > 0 || advance.telegrams > 0 || advance.scans > 0) return false;
     const double latest = -2.0 * static_cast<double>(kLate * steps());
@@ -123,10 +123,11 @@ bool LineCounter::wasThere(const Advance& advance) const {
 LineStep LineCounter::judge(Advance& advance, const ScanTelegram& telegram) const {
     if (advance.telegrams == 0 && advance.scans == 0 && advance.us == 0) return LineStep::Duplicate;
     if (wasThere(advance)) return LineStep::Duplicate;
-    // A clock that ran ahead of ours while nobody listened was set, not waited for.
+    // If the device clock ran ahead of the host's while the connection was lost, the clock was set.
     if (reconnected_ && advance.hostUs > 0 && advance.us > 2 * advance.hostUs + kHostSlackUs) return LineStep::Restart;
     if (advance.us < 0) {
-        // Set back alone, or with the counters? Those of a scanner that was switched on again begin anew, and its clock is young.
+        // Was the clock alone set back, or the counters too? After a restart of the scanner its counters start again, and its clock shows a
+        // short time.
         const bool young = static_cast<double>(telegram.sinceStartUs) <= static_cast<double>(advance.hostUs) + kPauseUs;
         advance.clockJumped = true;
         advance.scansByClock = advance.scansByHost;
@@ -136,15 +137,15 @@ LineStep LineCounter::judge(Advance& advance, const ScanTelegram& telegram) cons
         const bool follows = possible(advance, advance.telegrams * steps()) || possible(advance, advance.scans);
         return follows && !young && !reconnected_ ? LineStep::Next : LineStep::Restart;
     }
-    // One counter may begin anew with a measurement while the other runs on, and some devices do not count at all.
+    // With a new measurement one counter may start again while the other continues. Some devices do not count at all.
     const bool counts = advance.telegrams != 0 || advance.scans != 0;
     const bool follows = possible(advance, advance.telegrams * steps()) || possible(advance, advance.scans);
-    // Where the clock ran on as before, nobody switched the scanner off: the counters are at fault.
+    // If the clock continued normally, the scanner was not switched off: the counters are wrong.
     const bool ranOn = !reconnected_ && advance.us > 0 && (advance.hostUs <= 0 || advance.us <= 2 * advance.hostUs + kHostSlackUs);
     return follows || !counts || ranOn ? LineStep::Next : LineStep::Restart;
 }
 
-/// What is missing before a line that follows, and what counters and clock did that they should not.
+/// The lines missing before a following line, and the irregularities of counters and clock.
 void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
     const std::int64_t turn = steps();
     const bool byTelegrams = possible(advance, advance.telegrams * turn);
@@ -153,7 +154,7 @@ void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
     if (byScans) stamp.lostScans = std::max<std::int64_t>((advance.scans + turn / 2) / turn - 1, 0);
     stamp.lost = std::max(stamp.lostTelegrams, stamp.lostScans);
     const bool stood = advance.telegrams == 0 && advance.scans == 0;
-    // Nothing but the clock is left, where it is known every how many scans a telegram is sent.
+    // Only the clock is left, if the number of scans per telegram is known.
     if (!byTelegrams && !byScans && interval_ > 0 && !advance.clockJumped) {
         const double lines = advance.scansByClock / static_cast<double>(turn);
         if (lines > 1.5 && lines < 1e6 && 2.0 * advance.scansByHost >= advance.scansByClock) stamp.lost = std::llround(lines) - 1;
@@ -176,7 +177,7 @@ void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
             advance.hostUs == 0 || 2.0 * static_cast<double>(advance.hostUs) >= unaccounted ? ClockStep::Paused : ClockStep::Jumped;
 }
 
-/// Every how many scans a telegram is sent shows in two neighbours; a smaller step seen later corrects it.
+/// Learns the number of scans per telegram from two neighbouring lines; a smaller step seen later corrects it.
 void LineCounter::learnInterval(const Advance& advance) {
     if (!learning_ || advance.clockJumped || advance.telegrams < 1 || advance.scans % advance.telegrams != 0 ||
         !plausible(advance.scans, advance.scansByClock))

@@ -1,5 +1,5 @@
-// Makes the scanner's wrapping counters and clocks run on, and says per line what was lost or came twice.
-// (docs/protocol.md, "Counters and clocks".)
+// Unwraps the scanner's counters and clocks, and finds for each line what was lost before it or came twice (docs/protocol.md, "Counters and
+// clocks").
 #pragma once
 
 #include "core/scanner/sick_lms/scan_telegram.h"
@@ -11,40 +11,40 @@
 namespace edgescan {
 
 enum class LineStep : std::uint8_t {
-    First,     ///< nothing came before
-    Next,      ///< follows the line before it, after `lost` lost ones
-    Duplicate, ///< by counters and clock it was there already, `behind` lines ago; whether it really was, what it measured tells
-    Restart,   ///< the scanner's counters began anew (power, another device); what is missing in between cannot be counted
+    First,     ///< the first line of all
+    Next,      ///< follows the line before it, after `lost` lost lines
+    Duplicate, ///< according to counters and clock it arrived already, `behind` lines ago; its measurements decide whether it really did
+    Restart,   ///< the scanner's counters started again (power, another device); lines missing before it cannot be counted
 };
 
-/// What the device clock did since the line before.
+/// The device clock's advance since the line before.
 enum class ClockStep : std::uint8_t {
     Ran,
-    Paused, ///< ran on for more than a second longer than the counters account for
+    Paused, ///< advanced by over a second more than the counters account for
     Stood,
-    Jumped, ///< went back, or far ahead of the host's clock, while the counters ran on
+    Jumped, ///< went back, or far ahead of the host's clock, while the counters continued
 };
 
-/// What the counters did beside counting.
+/// Irregularities of the counters.
 enum class CounterStep : std::uint8_t {
     Ran,
-    Jumped, ///< one of them ran further than a clock allows
+    Jumped, ///< one of them advanced further than a clock allows
     Reset,  ///< one of them went back
-    Stood,  ///< neither moved
+    Stood,  ///< neither advanced
 };
 
-/// A line's place in the scanner's history.
+/// A line's position in the scanner's history.
 struct LineStamp {
     LineStep step = LineStep::First;
-    std::int64_t telegram = 0;      ///< telegram counter, unwrapped: first value as sent, then without wrapping
+    std::int64_t telegram = 0;      ///< telegram counter, unwrapped: the first value as sent, then without wrapping
     std::int64_t scan = 0;          ///< scan counter, unwrapped
     std::int64_t deviceUs = 0;      ///< device clock of the line, unwrapped, microseconds
     std::int64_t transmittedUs = 0; ///< device clock of the transmission, on the same scale
-    std::int64_t lost = 0;          ///< lines missing before this one: the greater of the next two
+    std::int64_t lost = 0;          ///< lines missing before this one: the larger of the next two
     std::int64_t lostTelegrams = 0; ///< by the telegram counter
-    std::int64_t lostScans = 0;     ///< by the scan counter, after the output interval is taken out
-    std::int64_t claimed = 0;       ///< lines that a counter named and no clock allows; not in `lost`
-    std::int64_t behind = 0;        ///< of a Duplicate: lines before the newest
+    std::int64_t lostScans = 0;     ///< by the scan counter, divided by the output interval
+    std::int64_t claimed = 0;       ///< lines that a counter claims but the clocks do not allow; not in `lost`
+    std::int64_t behind = 0;        ///< of a Duplicate: number of lines before the newest
     ClockStep clock = ClockStep::Ran;
     CounterStep counters = CounterStep::Ran;
     int epoch = 0; ///< grows by one with every Restart
@@ -52,26 +52,26 @@ struct LineStamp {
     bool operator==(const LineStamp&) const = default;
 };
 
-/// Give it every line of one scanner in order of arrival; a value. The device clock is the referee where a counter alone leaves open
-/// whether it ran far ahead or was set back; the host clock tells how often the device clock itself wrapped (every 71.6 minutes).
+/// Receives every line of one scanner in order of arrival; a value type. If a counter alone leaves open whether it ran far ahead or was set
+/// back, the device clock decides. The host clock shows how often the device clock itself wrapped (every 71.6 minutes).
 class LineCounter {
 public:
-    /// `outputInterval`: every how many scans a telegram is sent (LMDscandatacfg); 0: learn it.
+    /// `outputInterval`: number of scans per telegram (LMDscandatacfg); 0: learn it.
     explicit LineCounter(int outputInterval = 0) : interval_(outputInterval), learning_(outputInterval <= 0) {}
 
-    /// `hostNs`: monotonic host time of the line; only differences are used, and 0 throughout is fine when no silence of an hour is
-    /// to be bridged. A Duplicate is stamped as the line it repeats and changes nothing.
+    /// `hostNs`: monotonic host time of the line. Only differences are used; always 0 is allowed if silences are shorter than an hour. A
+    /// Duplicate gets the stamp of the line that it repeats, and changes nothing.
     LineStamp stamp(const ScanTelegram& telegram, std::int64_t hostNs);
 
-    /// The same for a line that stamp() took for a Duplicate and that is another line under an old number: a Restart.
+    /// The same for a line that stamp() took for a Duplicate, but which is a different line under an old number: a Restart.
     LineStamp restart(const ScanTelegram& telegram, std::int64_t hostNs);
-    /// The same for a line that measured something else than the newest under the newest one's stamp: it follows, and nothing counts.
+    /// The same for a line with the newest line's stamp but other measurements: it follows the newest line, and the counters are ignored.
     LineStamp next(const ScanTelegram& telegram, std::int64_t hostNs);
 
-    /// Some counter or clock of this scanner has moved.
+    /// Whether any counter or clock of this scanner has advanced.
     [[nodiscard]] bool moves() const { return moves_; }
 
-    /// The connection was made anew: counters that are set back now are a Restart, never a late duplicate.
+    /// The connection was made again: counters that go back now mean a Restart, not a late duplicate.
     void reconnected() { reconnected_ = true; }
 
 private:
@@ -83,7 +83,7 @@ private:
     };
     struct Advance {
         std::int64_t us = 0, hostUs = 0, telegrams = 0, scans = 0;
-        double scansByClock = 0.0; ///< by the device clock, or by the host's where that one is not to be believed
+        double scansByClock = 0.0; ///< by the device clock, or by the host's if the device clock is not plausible
         double scansByHost = 0.0;
         double periodUs = 0.0;
         bool clockJumped = false;
@@ -99,23 +99,23 @@ private:
     void learnInterval(const Advance& advance);
     LineStamp keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp);
 
-    std::int64_t interval_; ///< scans per telegram, 0 while unknown
+    std::int64_t interval_; ///< scans per telegram, 0: unknown
     bool learning_;
     bool reconnected_ = false;
     bool moves_ = false;
     std::optional<Last> last_;
 };
 
-/// When something happened by the host's clock, from the device's own clock (docs/protocol.md, "Time of a beam").
-/// A telegram is never received before it was sent: over many lines the shortest delay seen is the delay of the wire, and the rest is
-/// jitter of the host. Drift between the clocks (tens of ppm) is followed because only the last lines count.
+/// Converts times of the device's clock to host times (docs/protocol.md, "Time of a beam"). A telegram cannot be received before it was
+/// sent. So over many lines the shortest delay is the delay of the wire, and the rest is jitter of the host. Only the last lines count, so
+/// that drift between the clocks (tens of ppm) is followed.
 class DeviceClock {
 public:
     /// `transmittedUs`: the unwrapped device time of transmission of a line that was received at `hostNs`.
     void line(std::int64_t transmittedUs, std::int64_t hostNs);
-    /// Host time of a device time; nothing but the device time when no line came yet.
+    /// Host time of a device time; the device time itself before the first line.
     [[nodiscard]] std::int64_t hostNs(std::int64_t deviceUs) const;
-    /// The device started anew.
+    /// The device restarted.
     void restart() { delays_.clear(); }
 
 private:
@@ -123,7 +123,7 @@ private:
         std::int64_t ns = 0; // host minus device
         std::int64_t line = 0;
     };
-    std::deque<Delay> delays_; // rising; the first is the shortest of the last lines
+    std::deque<Delay> delays_; // increasing; the first one is the shortest of the last lines
     std::int64_t lines_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Rows of one sweep.
+// The rows of one sweep.
 #include "core/scanner/sweep_assembly/growing_sweep.h"
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kEarlyLines = 16; // after these it is clear how lines interlace
-constexpr int kAnglesWaitedFor = 8;     // rows that a reading of the stepper may come late
+constexpr std::size_t kEarlyLines = 16; // after this many lines the interlacing of lines is known
+constexpr int kAnglesWaitedFor = 8;     // number of rows that a stepper reading may be late
 constexpr int kMostCells = 50'000'000;  // of one sweep
 
 bool isRange(const ScanChannel& channel) { return std::string_view(channel.content).starts_with("DIST"); }
 
-/// The RSSI of the same echo and beams; null when the telegram has none.
+/// The RSSI of the same echo and beams; null if the telegram has no such channel.
 const ScanChannel* rssiOf(const ScanTelegram& telegram, const ScanChannel& range) {
     if (range.content.size() != 5) return nullptr;
     const ScanChannel* rssi = findChannel(telegram, "RSSI" + range.content.substr(4));
@@ -26,7 +26,7 @@ float intensityIn(const ScanChannel* rssi, std::size_t beam) {
     return rssi != nullptr ? static_cast<float>(rssi->values[beam]) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// The farthest return of each beam over all echoes.
+/// Takes the farthest return of each beam over all echoes.
 void takeLastEcho(SweepLine& line, const ScanTelegram& telegram, const ScanChannel& first) {
     for (const ScanChannel& channel : telegram.channels16) {
         if (&channel == &first || !isRange(channel) || beamGrid(channel) != line.beams) continue;
@@ -72,7 +72,7 @@ int GrowingSweep::rowOf(std::int64_t slot) const {
     return place < 0 ? -1 : static_cast<int>(place / beams_.parts);
 }
 
-/// The slot after `lost` lost ones that this part can have.
+/// The slot for this part, after `lost` lost telegrams.
 std::int64_t GrowingSweep::slotOf(int part, std::int64_t lost) const {
     std::int64_t slot = lastSlot_ + 1 + lost;
     if (!laidOut_ || beams_.parts == 1) return slot;
@@ -136,7 +136,7 @@ bool GrowingSweep::layOut(std::span<const BeamGrid> grids) {
     return true;
 }
 
-/// Places all early lines anew after the beams have changed.
+/// Places all early lines again after the beams have changed.
 void GrowingSweep::rebuild() {
     const auto parts = static_cast<std::size_t>(beams_.parts);
     std::vector<std::int64_t> firstSlot(parts, -1);
@@ -144,7 +144,7 @@ void GrowingSweep::rebuild() {
         std::int64_t& first = firstSlot[static_cast<std::size_t>(beams_.partOf(early.line.beams).value_or(0))];
         if (first < 0) first = early.slot;
     }
-    // A row begins with part 0: what came before the first of them is no whole row and is left out.
+    // A row begins with part 0. Telegrams before the first part 0 are not a whole row and are left out.
     origin_ = firstSlot[0];
     for (std::size_t part = 1; part < parts && origin_ < 0; ++part) {
         if (firstSlot[part] >= 0) origin_ = firstSlot[part] + static_cast<std::int64_t>(parts - part);

@@ -1,4 +1,4 @@
-// One sweep while its lines arrive: which row a line belongs to, what was lost, where the motor turned back.
+// One sweep while its lines arrive: the row of each line, lost lines, and the place where the motor reversed.
 #pragma once
 
 #include "core/scanner/sweep_assembly/interlaced_lines.h"
@@ -10,79 +10,79 @@
 
 namespace edgescan {
 
-/// One telegram as the sweep wants it.
+/// The content of one telegram, as the sweep needs it.
 struct SweepLine {
     BeamGrid beams;
     ChannelRanges ranges;
-    std::vector<float>
-        intensity; ///< RSSI of each beam's echo as the telegram counts it, NaN where that echo has none; empty: it has no RSSI
+    /// RSSI of each beam's echo, as the telegram counts it, NaN where the echo has no RSSI; empty: the telegram has no RSSI
+    std::vector<float> intensity;
     double unitMm = 1.0;
     LineFacts facts;
     DeviceFlags device;
     std::uint32_t serialNumber = 0;
-    std::string echoes; ///< range channels in the telegram: "DIST1 DIST2", "DIST1 (DIST2)" where the second has unlike beams
+    std::string echoes; ///< range channels in the telegram: "DIST1 DIST2", or "DIST1 (DIST2)" if the beams of the second differ
 };
 
-/// The line in a telegram: ranges of the echo wanted, beams, device status. The facts hold nothing but the mirror's period.
+/// The line in a telegram: ranges of the requested echo, beams, device status. Of the facts only the mirror's period is set.
 [[nodiscard]] SweepLine sweepLine(const ScanTelegram& telegram, Echo echo);
 
-/// A value. Lines that arrived before it was clear how they interlace are kept and placed anew.
+/// A value type. Lines that arrived before their interlacing was known are stored and placed again.
 class GrowingSweep {
 public:
     enum class Place : std::uint8_t {
         Taken,
-        Misfit, ///< other beams than this sweep's
-        Full,   ///< belongs behind the last line that the sweep can have
+        Misfit, ///< other beams than those of this sweep
+        Full,   ///< belongs behind the last row that the sweep can have
     };
     /// `lost`: telegrams lost since the last one.
     Place push(const SweepLine& line, std::int64_t lost, const SweepSettings& settings);
 
     enum class Repeat : std::uint8_t {
-        Filled,  ///< it was missing and is in its place now
-        Same,    ///< it is there
-        Other,   ///< something else is there
-        Outside, ///< the sweep has no such place
+        Filled,  ///< it was missing and is now in its place
+        Same,    ///< the same line is already there
+        Other,   ///< another line is there
+        Outside, ///< the sweep does not contain this place
     };
     /// A line whose counters say that it came `behind` telegrams before the newest one.
     Repeat repeat(const SweepLine& line, std::int64_t behind);
 
-    /// Rows that nothing can be added to any more.
+    /// Number of rows that are final.
     [[nodiscard]] int wholeRows() const { return wholeRows_; }
-    /// No more lines will come: the last row is as whole as it gets.
+    /// Call it after the last line: the last row is then final.
     void finish() { wholeRows_ = grid_.rows(); }
 
-    /// The rows up to `rows` that did not come are lost.
+    /// Marks the missing rows up to `rows` as lost.
     void loseRest(int rows);
-    /// So many telegrams behind the last one are lost.
+    /// Marks so many telegrams behind the last one as lost.
     void loseNext(std::int64_t telegrams, const SweepSettings& settings);
 
-    /// First row after the motor turned back, when it did.
+    /// The first row after the motor reversed; empty if it did not.
     [[nodiscard]] std::optional<int> reversal(const SweepSettings& settings);
-    /// The rows from `row` on leave this sweep and are the next one.
+    /// Removes the rows from `row` on; they become the next sweep.
     GrowingSweep cutFrom(int row);
 
     [[nodiscard]] SweepGrid& grid() { return grid_; }
     [[nodiscard]] const SweepGrid& grid() const { return grid_; }
     [[nodiscard]] const InterlacedBeams& beams() const { return beams_; }
-    /// Mirror turns after the row's first part at which each part is measured.
+    /// For each part, the number of mirror rotations after the row's first part at which it is measured.
     [[nodiscard]] const std::vector<int>& turnsOf() const { return turns_; }
     [[nodiscard]] std::span<LineFacts> facts() { return facts_; }
     [[nodiscard]] std::span<const LineFacts> facts() const { return facts_; }
-    /// Telegrams missing per row.
+    /// Number of missing telegrams per row.
     [[nodiscard]] const std::vector<int>& missing() const { return missing_; }
-    /// Something of the row is missing: a telegram, or beams that its telegram did not have.
+    /// Whether a row is incomplete: a telegram is missing, or its telegram had too few beams.
     [[nodiscard]] bool lacks(int row) const { return missing_[static_cast<std::size_t>(row)] != 0 || grid_.lostIn(row) > 0; }
-    /// Telegrams that are in a row; and that belong into none, because they came before the first whole one.
+    /// Number of telegrams in a row, and of those without a row because they came before the first whole row.
     [[nodiscard]] std::int64_t placed() const;
     [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
-    /// Of the newest telegram; -1 before the first.
+    /// Row of the newest telegram; -1 before the first.
     [[nodiscard]] int newestRow() const { return lastSlot_ < 0 ? -1 : rowOf(lastSlot_); }
     [[nodiscard]] double unitMm() const { return unitMm_; }
     [[nodiscard]] const std::vector<std::uint32_t>& statusCodes() const { return statusCodes_; }
     [[nodiscard]] const DeviceFlags& deviceEver() const { return deviceEver_; }
-    /// What the telegrams say the scanner's number is; 0 before the first.
+    /// The scanner's serial number according to the telegrams; 0 before the first.
     [[nodiscard]] std::uint32_t serialNumber() const { return serialNumber_; }
-    /// First row whose telegram had any of the flags; -1 when none had.
+    /// First row whose telegram had any of the flags set; -1: no telegram had.
     [[nodiscard]] int firstFlagged() const { return firstFlagged_; }
 
 private:
@@ -117,7 +117,7 @@ private:
     int firstFlagged_ = -1;
     std::uint32_t serialNumber_ = 0;
 
-    int examined_ = 0; // rows whose angle was looked at for a reversal
+    int examined_ = 0; // number of rows already checked for a reversal
     int direction_ = 0;
     std::optional<double> startDeg_;
     double extremeDeg_ = 0.0;

@@ -1,4 +1,4 @@
-// Laying interlaced lines out.
+// Computes the layout of interlaced lines.
 #include "core/scanner/sweep_assembly/interlaced_lines.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ constexpr int kMostParts = 8;
 constexpr double kSameDeg = 1e-6; // angles are snapped or given in 1/10000 degree
 constexpr double kAlignedPart = 0.01;
 
-/// Which part starts `offset` steps after part 0, or -1.
+/// The part that starts `offset` steps after part 0, or -1.
 int partAt(double offset, int parts) {
     const double part = offset * parts;
     const double nearest = std::round(part);
@@ -31,7 +31,7 @@ std::optional<int> InterlacedBeams::partOf(const BeamGrid& grid) const {
 std::vector<double> InterlacedBeams::beamDeg() const {
     std::vector<double> degrees;
     degrees.reserve(static_cast<std::size_t>(beams));
-    // As in the telegram for part 0, and snapped again for the starts of the others.
+    // As in the telegram for part 0, and snapped to the grid for the starts of the other parts.
     for (int j = 0; j < beams; ++j) {
         const int part = j % parts;
         const double start = part == 0 ? startDeg : snappedDeg(startDeg + stepDeg * part / parts);

@@ -1,4 +1,4 @@
-// Irregularities in words: one row per kind.
+// Sentences about irregularities: one row per kind.
 #include "core/scanner/sweep_assembly/irregularities.h"
 
 namespace edgescan {
@@ -6,10 +6,10 @@ namespace {
 
 struct Words {
     const char* key;
-    const char* one;  ///< of a single one; empty: it is not told
-    const char* many; ///< behind the number
-    const char* so;   ///< what that means, with its punctuation
-    bool doubt;       ///< losses cannot be counted
+    const char* one;  ///< text for a single one; empty: not reported
+    const char* many; ///< text behind the number
+    const char* so;   ///< the consequence, with its punctuation
+    bool doubt;       ///< true: losses cannot be counted
 };
 
 constexpr std::array<Words, kIrregularities> kWords{{

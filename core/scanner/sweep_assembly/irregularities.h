@@ -1,5 +1,5 @@
-// What about a scanner's telegrams was not as it should be: counted by kind, and told in words.
-// (docs/protocol.md, "Counters and clocks", docs/operator.md, "S1", "S2".)
+// Irregularities in a scanner's telegrams, counted by kind and reported as sentences (docs/protocol.md, "Counters and clocks",
+// docs/operator.md, "S1", "S2").
 #pragma once
 
 #include <array>
@@ -12,39 +12,39 @@ namespace edgescan {
 enum class Irregularity : std::uint8_t {
     Duplicate,     ///< came twice; dropped
     Late,          ///< came after a later one; is in its line
-    TooLate,       ///< the same, and its sweep had ended: in no line
-    LeftOut,       ///< half of a line that began before the sweep did: in no line
-    Misfit,        ///< other beams than the sweep's: in no line
-    NoRanges,      ///< no channel with ranges: in no line
-    CounterJump,   ///< a counter ran further than any clock allows
-    CounterReset,  ///< a counter went back while the clock ran on
-    CountersStand, ///< neither counter moved from one line to the next
-    ClockJump,     ///< the device clock went back, or far ahead, while the counters ran on
-    ClockStands,   ///< the device clock did not move from one line to the next
-    Pause,         ///< more than a second without a line that the counters know of
-    Restart,       ///< the scanner's counters and clock began anew
-    OtherEchoes,   ///< other range channels than the sweep's first telegram, or channels of unlike beams
-    OtherScanner,  ///< another serial number than the line before
-    Gap,           ///< so many lines were lost in one go that a new sweep began
+    TooLate,       ///< the same, but its sweep had ended: not in any line
+    LeftOut,       ///< half of a line that began before the sweep: not in any line
+    Misfit,        ///< other beams than those of the sweep: not in any line
+    NoRanges,      ///< without a range channel: not in any line
+    CounterJump,   ///< a counter advanced further than the clocks allow
+    CounterReset,  ///< a counter went back while the clock continued
+    CountersStand, ///< neither counter advanced from one line to the next
+    ClockJump,     ///< the device clock went back, or far ahead, while the counters continued
+    ClockStands,   ///< the device clock did not advance from one line to the next
+    Pause,         ///< more than a second without a line that the counters account for
+    Restart,       ///< the scanner's counters and clock started again
+    OtherEchoes,   ///< other range channels than those of the sweep's first telegram, or channels with different beams
+    OtherScanner,  ///< another serial number than that of the line before
+    Gap,           ///< so many consecutive lines were lost that a new sweep began
 };
 inline constexpr int kIrregularities = 16;
 
 /// "duplicates", "counter_jumps" ...: keys in reports.
 [[nodiscard]] const char* irregularityKey(Irregularity kind);
 
-/// A value.
+/// A value type.
 class Irregularities {
 public:
-    /// `line`: of the sweep, where it was noticed; -1: none. `times`: telegrams, or lines for a Gap.
+    /// `line`: the line of the sweep where it was noticed; -1: unknown. `times`: telegrams, or lines for a Gap.
     void note(Irregularity kind, int line, std::int64_t times = 1);
 
     [[nodiscard]] std::int64_t count(Irregularity kind) const { return counts_[static_cast<std::size_t>(kind)]; }
-    /// Lines that counters named and no clock allows.
+    /// Lines that counters claim but the clocks do not allow.
     [[nodiscard]] std::int64_t claimed() const { return claimed_; }
     void claim(std::int64_t lines) { claimed_ += lines; }
-    /// Whether lines are missing cannot be told from the counters.
+    /// True if the counters do not show whether lines are missing.
     [[nodiscard]] bool countersInDoubt() const;
-    /// A sentence for each kind that says something of the sweep; duplicates and what came before its first line do it no harm.
+    /// A sentence for each kind that affects the sweep. Duplicates and telegrams before its first line do not affect it.
     [[nodiscard]] std::vector<std::string> sentences() const;
 
     bool operator==(const Irregularities&) const = default;
@@ -55,17 +55,17 @@ private:
     std::int64_t claimed_ = 0;
 };
 
-/// Where every scan telegram since the start went. Lines and cells: of all sweeps, the growing one included.
+/// The account of all scan telegrams since the start. Lines and cells: of all sweeps, including the growing one.
 struct TelegramAccount {
-    std::int64_t telegrams = 0;  ///< that arrived and could be decoded
+    std::int64_t telegrams = 0;  ///< telegrams that arrived and were decoded
     std::int64_t placed = 0;     ///< in a line of a sweep
-    std::int64_t duplicates = 0; ///< dropped: their line was there
-    std::int64_t unusable = 0;   ///< in no line: misfits, without ranges, too late, before the first whole line
-    std::int64_t lost = 0;       ///< that the counters say were sent and that never came
+    std::int64_t duplicates = 0; ///< dropped, because their line was there already
+    std::int64_t unusable = 0;   ///< not in any line: misfits, without ranges, too late, before the first whole line
+    std::int64_t lost = 0;       ///< sent according to the counters, but never received
     std::int64_t lines = 0, linesLost = 0, cells = 0, cellsLost = 0;
     int sweeps = 0;
 
-    /// Nothing vanished in between.
+    /// Whether every telegram is accounted for.
     [[nodiscard]] bool addsUp() const { return telegrams == placed + duplicates + unusable; }
     bool operator==(const TelegramAccount&) const = default;
 };

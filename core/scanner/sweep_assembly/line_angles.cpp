@@ -1,4 +1,4 @@
-// Line angles from whatever there is.
+// Computes line angles from the available sources.
 #include "core/scanner/sweep_assembly/line_angles.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace edgescan {
 namespace {
 
-/// Fills what lies between known angles evenly, and what lies outside by steps.
+/// Interpolates between known angles, and extrapolates outside of them by `step`.
 void fill(std::vector<double>& lineDeg, const std::vector<int>& known, double step) {
     const auto at = [&](int row) -> double& { return lineDeg[static_cast<std::size_t>(row)]; };
     const int last = static_cast<int>(lineDeg.size()) - 1;
@@ -20,7 +20,7 @@ void fill(std::vector<double>& lineDeg, const std::vector<int>& known, double st
     }
 }
 
-/// Degrees per second between the first and the last line whose angle is known.
+/// Degrees per second between the first and the last line with a known angle.
 double meanRate(std::span<const LineFacts> lines, const LineAngles& angles, const std::vector<int>& known) {
     if (known.size() < 2) return 0.0;
     const auto a = static_cast<std::size_t>(known.front());
@@ -29,7 +29,7 @@ double meanRate(std::span<const LineFacts> lines, const LineAngles& angles, cons
     return seconds > 0 ? (angles.lineDeg[b] - angles.lineDeg[a]) / seconds : 0.0;
 }
 
-/// What the stepper said of its speed, over the lines it spoke of.
+/// The mean speed that the stepper reported, over the lines with a report.
 double saidRate(std::span<const LineFacts> lines) {
     double sum = 0.0;
     int count = 0;
@@ -48,7 +48,7 @@ double secondsPerTurn(std::span<const LineFacts> lines) {
     return 0.0;
 }
 
-/// The angle of a received line by a source that may be a reckoning.
+/// The angle of a received line by a source that may be computed instead of measured.
 std::optional<double> angleOf(std::span<const LineFacts> lines, std::size_t row, AngleSource source, const SweepSettings& settings) {
     const LineFacts& line = lines[row];
     switch (source) {
@@ -99,7 +99,7 @@ LineAngles lineAngles(std::span<const LineFacts> lines, const SweepSettings& set
         const double rate = angles.source == AngleSource::Stepper ? saidRate(lines) : meanRate(lines, angles, known);
         angles.degPerTurn = rate * secondsPerTurn(lines);
     }
-    // A line of which only a later part arrived started that much earlier.
+    // If only a later part of a line arrived, the line started that much earlier.
     if (angles.source == AngleSource::Encoder || angles.source == AngleSource::Stepper) {
         for (const int row : known) {
             const auto k = static_cast<std::size_t>(row);

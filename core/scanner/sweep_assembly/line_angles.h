@@ -12,35 +12,35 @@ namespace edgescan {
 
 enum class AngleSource : std::uint8_t { Encoder, Stepper, Steps, Time };
 
-/// What one line brought along about its angle.
+/// The data of one line about its angle.
 struct LineFacts {
     bool received = false;
-    int turns = 0;                       ///< mirror turns after the line's first part, when only a later part arrived
+    int turns = 0;                       ///< mirror rotations after the line's first part, if only a later part arrived
     std::int64_t hostNs = 0;             ///< when it arrived
     std::int64_t stampNs = 0;            ///< its time stamp by the host's clock
-    double seconds = 0.0;                ///< device clock, running on through restarts
+    double seconds = 0.0;                ///< device clock, continuous over restarts
     double secondsPerTurn = 0.04;        ///< of the mirror
-    std::optional<std::int64_t> encoder; ///< count from the zero on
-    std::optional<double> stepperDeg;    ///< what the stepper said
-    bool stepperSettled = false;         ///< and nothing that comes will change it
-    double degPerSecond = 0.0;           ///< said by the stepper; 0 while it stands
+    std::optional<std::int64_t> encoder; ///< count since the zero position
+    std::optional<double> stepperDeg;    ///< as the stepper reported
+    bool stepperSettled = false;         ///< true: later readings cannot change it
+    double degPerSecond = 0.0;           ///< as the stepper reported; 0 if it is not moving
 };
 
 struct LineAngles {
     AngleSource source = AngleSource::Steps;
-    std::vector<double> lineDeg; ///< one per line; lost lines lie between their neighbours
-    double degPerTurn = 0.0;     ///< of the stepper while the mirror turns once; 0 when it stands while measuring
+    std::vector<double> lineDeg; ///< one per line; lost lines are interpolated between their neighbours
+    double degPerTurn = 0.0;     ///< rotation of the stepper during one rotation of the mirror; 0 if it does not move while measuring
 };
 
 /// The best source that any of the lines has.
 [[nodiscard]] AngleSource angleSourceOf(std::span<const LineFacts> lines, const SweepSettings& settings);
 
-/// The angle of one line where it is known for sure and came from the motor itself.
+/// The angle of one line if it is certain and was measured at the motor.
 [[nodiscard]] std::optional<double> measuredDeg(const LineFacts& line, AngleSource source, const SweepSettings& settings);
 
 [[nodiscard]] LineAngles lineAngles(std::span<const LineFacts> lines, const SweepSettings& settings);
 
-/// Degrees to add to a line's angle per beam; beam j is measured `turnsOf[j % parts]` mirror turns after the line's stamp
+/// Degrees to add to a line's angle per beam. Beam j is measured `turnsOf[j % parts]` mirror rotations after the line's stamp
 /// (docs/protocol.md, "Time of a beam").
 [[nodiscard]] std::vector<double> lineSkewDeg(std::span<const double> beamDeg, std::span<const int> turnsOf, double degPerTurn,
                                               double indexDeg);

@@ -1,4 +1,4 @@
-// Readings of the stepper and the lines they belong to.
+// Assigns readings of the stepper to lines.
 #include "core/scanner/sweep_assembly/stepper_track.h"
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kReadings = 64; // kept for lines that come after them
-constexpr std::size_t kLines = 256;   // looked back for lines that came before a reading
+constexpr std::size_t kReadings = 64; // readings stored for later lines
+constexpr std::size_t kLines = 256;   // number of earlier lines that a reading can change
 
 double rateOf(const StepperReading& reading) { return reading.moving ? reading.degPerSecond : 0.0; }
 

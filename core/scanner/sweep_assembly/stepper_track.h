@@ -24,13 +24,13 @@ struct StepperReading {
     bool operator==(const StepperReading&) const = default;
 };
 
-/// A reading that carries a line's own arrival time was latched with that line and holds at its stamp. Others hold at their own time,
-/// and lines between two of them get an angle in between.
+/// A reading with the arrival time of a line was latched with that line and is valid at the line's stamp. Other readings are valid at their
+/// own time, and the angles of lines between two of them are interpolated.
 class StepperTrack {
 public:
-    /// A line that just arrived: it gets what is known so far.
+    /// A line that just arrived: it gets the angle known so far.
     void line(LineFacts& line) const;
-    /// A new reading: the last lines that it concerns get their angle.
+    /// A new reading: the last lines that it affects get their angle.
     void reading(const StepperReading& reading, std::span<LineFacts> lines);
 
 private:

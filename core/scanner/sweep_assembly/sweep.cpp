@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFinishedKept = 4;
 constexpr double kUsPerSecond = 1e6;
-constexpr std::int64_t kLongAgo = 1'000'000; // lost lines that nobody counts any more
+constexpr std::int64_t kLongAgo = 1'000'000; // lines lost by a longer gap are not counted
 
 } // namespace
 
@@ -19,7 +19,7 @@ SweepAssembler::SweepAssembler(const SweepSettings& settings) : settings_(settin
 void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
     ++ended_.telegrams;
     LineStamp stamp = counter_.stamp(telegram, hostNs);
-    if (telegram.layer != 0) { // of a scanner with several layers: a fan at an angle to the one that the stepper turns
+    if (telegram.layer != 0) { // of a scanner with several layers: the fan is at an angle to the one that the stepper rotates
         changed_ = true;
         note(Irregularity::Misfit);
         return;
@@ -54,11 +54,11 @@ void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
     splitAtReversal();
 }
 
-/// Of a telegram whose counters and clock name a line that came already: whether it is another line all the same, which `stamp` then
-/// says. One that was missing is put into its line, one that is there is dropped.
+/// For a telegram whose counters and clock name a line that already arrived: decides whether it is a different line; if so, sets `stamp`. A
+/// line that was missing is put into its place. A line that is already there is dropped.
 bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::int64_t hostNs, LineStamp& stamp) {
-    constexpr int kFewBehind = 8;  // late or sent twice, whatever it measured
-    constexpr int kFewRepeats = 3; // that measured something else
+    constexpr int kFewBehind = 8;  // such a line is late or was sent twice, whatever it measured
+    constexpr int kFewRepeats = 3; // number of such lines with other measurements
     constexpr int kManyRepeats = 64;
     constexpr double kHalf = 0.5;
     using enum GrowingSweep::Repeat;
@@ -74,7 +74,7 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
         repeats_ = 0;
         changed_ = true;
         note(Irregularity::Late);
-        --ended_.lost; // it came after all
+        --ended_.lost; // it arrived after all
         return false;
     }
     const double later = last_ ? secondsBetween(last_->hostNs, hostNs) : 0.0;
@@ -95,7 +95,7 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
     return false;
 }
 
-/// `ahead`: telegrams behind the newest line of the sweep.
+/// `ahead`: number of telegrams behind the newest line of the sweep.
 void SweepAssembler::note(Irregularity kind, std::int64_t times, std::int64_t ahead) {
     const std::int64_t line = sweep_ ? sweep_->newestRow() + ahead / sweep_->beams().parts : 0;
     irregular_.note(kind, static_cast<int>(std::clamp<std::int64_t>(line, 0, settings_.mostLines)), times);
@@ -127,7 +127,7 @@ void SweepAssembler::push(const StepperReading& reading) {
     splitAtReversal();
 }
 
-/// Lines that a scanner that started anew would have sent meanwhile, by the host's clock.
+/// Number of lines that a restarted scanner would have sent meanwhile, according to the host's clock.
 std::int64_t SweepAssembler::lostInRestart(const SweepLine& line) const {
     if (!last_) return 0;
     const double period = line.facts.secondsPerTurn * std::max(1, settings_.outputInterval);
@@ -150,7 +150,7 @@ void SweepAssembler::followEncoder(const ScanTelegram& telegram, LineFacts& fact
         const double expected = settings_.degPerLine.value_or(0.0) * *settings_.ticksPerDeg * static_cast<double>(lost + 1);
         const double allowed = 2.0 * std::abs(expected) + 5.0 * std::abs(*settings_.ticksPerDeg);
         if (restarted && std::abs(static_cast<double>(moved) - expected) > allowed) {
-            // The count was lost with the scanner's power: the stepper is taken to have moved on as it did.
+            // The count was lost with the scanner's power: EdgeScan assumes that the stepper moved on as before.
             moved = std::llround(std::clamp(expected, -1e12, 1e12));
             encoderWasReset_ = true;
         }
@@ -188,17 +188,17 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
         break;
     }
     if (misfit_) return takeMisfit(line, between);
-    lostSince_ = lost + 1; // one odd line is a fault; two are another way of scanning
+    lostSince_ = lost + 1; // one line with other beams is a fault; two mean another scan mode
     misfit_ = std::move(line);
 }
 
-/// The second odd line in a row: the sweep ends before the first of them.
+/// The second such line in a row: the sweep ends before the first of them.
 void SweepAssembler::takeMisfit(const SweepLine& line, std::int64_t between) {
     const SweepLine first = *std::exchange(misfit_, std::nullopt);
     finishSweep();
     start(first);
     if (between <= settings_.longestGap && sweep_->push(line, between, settings_) == GrowingSweep::Place::Taken) return;
-    finishSweep(); // the first is like neither: a sweep of its own
+    finishSweep(); // the first line fits neither sweep: it becomes a sweep of its own
     start(line);
 }
 
@@ -244,7 +244,7 @@ void SweepAssembler::finishSweep() {
     sweep_.reset();
 }
 
-/// Of all sweeps, with the one that is growing.
+/// The account of all sweeps, including the growing one.
 TelegramAccount SweepAssembler::account() const {
     TelegramAccount all = ended_;
     const auto ever = [&](Irregularity kind) { return irregularEver_.count(kind); };

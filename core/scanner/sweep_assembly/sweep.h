@@ -1,4 +1,5 @@
-// Makes sweeps out of scan telegrams: lines in, a growing scan out (docs/protocol.md, "Scan telegram", docs/operator.md, "S1", "S2", "S5").
+// Assembles sweeps from scan telegrams: lines go in, a growing scan comes out (docs/protocol.md, "Scan telegram", docs/operator.md, "S1",
+// "S2", "S5").
 #pragma once
 
 #include "core/scanner/sweep_assembly/counters.h"
@@ -13,45 +14,47 @@
 
 namespace edgescan {
 
-/// How far a sweep is. Lines: rows of the grid; telegrams: what they are made of.
+/// The progress of a sweep. "Lines" are rows of the grid; a row consists of one or more telegrams.
 struct SweepProgress {
-    int number = 0;                               ///< of this sweep since the start, from 0
-    bool growing = false;                         ///< more lines are to come
-    int lines = 0;                                ///< rows so far, lost ones included
-    int received = 0;                             ///< rows of which nothing is missing
-    int expected = 0;                             ///< rows of the whole sweep; 0: not known
-    std::vector<int> lost;                        ///< rows of which something is missing, ascending
-    std::vector<int> narrow;                      ///< those of them whose telegrams came, with fewer beams than the sweep has
+    int number = 0;                               ///< number of this sweep since the start, from 0
+    bool growing = false;                         ///< true: more lines will come
+    int lines = 0;                                ///< rows so far, including lost ones
+    int received = 0;                             ///< rows without missing cells
+    int expected = 0;                             ///< rows of the whole sweep; 0: unknown
+    std::vector<int> lost;                        ///< rows with missing cells, ascending
+    std::vector<int> narrow;                      ///< those of them whose telegrams came, but with fewer beams than the sweep has
     std::int64_t duplicates = 0;                  ///< telegrams that came twice, since the start
-    std::int64_t misfits = 0;                     ///< telegrams with other beams or none, since the start
+    std::int64_t misfits = 0;                     ///< telegrams with other beams or without beams, since the start
     int restarts = 0;                             ///< of the scanner, since the start
     Irregularities irregular;                     ///< of this sweep
     Irregularities irregularEver;                 ///< since the start
     TelegramAccount account;                      ///< since the start
     std::array<std::size_t, kCellStates> cells{}; ///< by CellState; they add up to lines x beams
     AngleSource angleSource = AngleSource::Steps;
-    std::string assumed; ///< of the mounting, as a sentence: "How a motor turned ... ASSUMED: the axis (spin) ..."; empty: all was said
+    /// a sentence about the assumed mounting: "How a motor turned ... ASSUMED: the axis (spin) ..."; empty: all values were given
+    std::string assumed;
     std::int64_t newestNs = 0; ///< host time of the newest line, by the clock of push()
     DeviceFlags device;        ///< at the newest line
     DeviceFlags deviceEver;    ///< at any line of the sweep
 
-    /// Nothing is missing and as many rows are there as were expected.
+    /// Nothing is missing, and the expected number of rows is there.
     [[nodiscard]] bool complete() const { return received == lines && (expected == 0 || lines >= expected); }
     /// "1000/1000 lines", "INCOMPLETE 970/1000 lines", "INCOMPLETE 20/24 lines", "24/24 lines, COUNTERS IN DOUBT".
     [[nodiscard]] std::string text() const;
 };
 
-/// "lines 3, 7 and 20 to 49": rows in words, at most `groups` groups.
+/// "lines 3, 7 and 20 to 49": rows as text, at most `groups` groups.
 [[nodiscard]] std::string rowsText(const std::vector<int>& rows, int groups = 8);
 
-/// A sweep and how far it is.
+/// A sweep and its progress.
 struct SweepSoFar {
     std::shared_ptr<const Scan> scan; ///< null: no row yet
     SweepProgress progress;
 };
 using FinishedSweep = SweepSoFar;
 
-/// A value; not for several threads at once, what it gives away is. Memory is bounded: one growing sweep and the last finished ones.
+/// A value type; not for several threads at once, but the scans that it returns are. Memory is bounded: one growing sweep and the last
+/// finished ones.
 class SweepAssembler {
 public:
     explicit SweepAssembler(const SweepSettings& settings = {});
@@ -59,16 +62,16 @@ public:
     /// `hostNs`: when the telegram's first byte arrived; any clock that only runs forward, the same for lines and readings.
     void push(const ScanTelegram& telegram, std::int64_t hostNs);
     void push(const StepperReading& reading);
-    /// The connection was made anew; the scanner may have started anew.
+    /// The connection was made again; the scanner may have restarted.
     void reconnected() { counter_.reconnected(); }
-    /// No more lines will come: the sweep is finished as it is.
+    /// Call it after the last line: finishes the sweep as it is.
     void finish();
 
-    /// The whole rows so far as a scan; the same pointer while nothing has changed, null before the first row. After finish() the
-    /// finished sweep.
+    /// The whole rows so far as a scan; the same pointer while nothing has changed, null before the first row. After finish(): the finished
+    /// sweep.
     [[nodiscard]] std::shared_ptr<const Scan> snapshot();
     [[nodiscard]] SweepProgress progress() const;
-    /// Sweeps that were finished since the last call, oldest first; at most the last four are kept.
+    /// Sweeps finished since the last call, oldest first; at most the last four are stored.
     [[nodiscard]] std::vector<FinishedSweep> takeFinished();
 
     /// SweepProgress::number.
@@ -95,10 +98,10 @@ private:
     DeviceClock clock_;
     StepperTrack stepper_;
     std::optional<GrowingSweep> sweep_;
-    std::optional<SweepLine> misfit_; // the last line, when its beams did not fit
-    std::int64_t lostSince_ = 0;      // telegrams that are in no row, since the last one that is
+    std::optional<SweepLine> misfit_; // the last line, if its beams did not fit
+    std::int64_t lostSince_ = 0;      // telegrams without a row since the last one with a row
 
-    std::string echoes_;            // of the sweep's first telegram
+    std::string echoes_;            // range channels of the sweep's first telegram
     std::optional<LineFacts> last_; // of the newest line
     double restartSeconds_ = 0.0;   // added to the device clock since its last restart
     std::optional<std::uint32_t> encoderAt_;
@@ -108,9 +111,9 @@ private:
 
     int number_ = 0;
     Irregularities irregular_, irregularEver_;
-    TelegramAccount ended_;    // of the sweeps that have ended; telegrams: all
-    std::uint32_t serial_ = 0; // of the newest telegram that named one
-    int repeats_ = 0;          // telegrams in a row that were there already, by counters and clock
+    TelegramAccount ended_;    // of the sweeps that have ended; the number of telegrams is that of all sweeps
+    std::uint32_t serial_ = 0; // of the newest telegram with a serial number
+    int repeats_ = 0;          // consecutive telegrams that were there already, according to counters and clock
     int restarts_ = 0;
 
     std::deque<FinishedSweep> finished_;

@@ -1,4 +1,4 @@
-// Rows of a growing sweep.
+// The rows of a growing sweep.
 #include "core/scanner/sweep_assembly/sweep_grid.h"
 
 #include <algorithm>
@@ -9,17 +9,17 @@ namespace edgescan {
 namespace {
 
 constexpr float kNoIntensity = std::numeric_limits<float>::quiet_NaN();
-constexpr std::size_t kKeptCopies = 4; // being drawn, being worked on, waiting, and the next one
+constexpr std::size_t kKeptCopies = 4; // one copy is drawn, one is processed, one waits, and one is the next
 
 } // namespace
 
-/// Scans that were given back, from whatever thread let go of them last.
+/// Scans that can be reused. The thread that releases the last pointer gives a scan back.
 class SweepGrid::Copies {
 public:
     std::unique_ptr<Copy> take() {
         const std::lock_guard lock(mutex_);
         if (free_.empty()) return std::make_unique<Copy>();
-        // The one that follows the grid most closely needs the fewest rows.
+        // The copy that follows the grid most closely needs the fewest rows to be copied.
         const auto best = std::max_element(free_.begin(), free_.end(), [](const auto& a, const auto& b) { return a->change < b->change; });
         std::unique_ptr<Copy> copy = std::move(*best);
         free_.erase(best);
@@ -121,7 +121,7 @@ std::shared_ptr<Scan> SweepGrid::scan(int rows) {
         scan.rangeMm.beams = scan.state.beams = beams_;
         copy->rows = 0;
     }
-    if ((scan.intensity.size() > 0) != !intensity_.empty()) { // the first of its rows came since
+    if ((scan.intensity.size() > 0) != !intensity_.empty()) { // the first row with intensities came since
         scan.intensity = {};
         copy->rows = 0;
     }

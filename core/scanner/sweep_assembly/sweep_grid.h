@@ -1,4 +1,4 @@
-// The cells of a growing sweep, and scans of it that cost only the rows that are new.
+// The cells of a growing sweep, and scans of it that cost only the copying of new rows.
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -10,14 +10,14 @@
 
 namespace edgescan {
 
-/// Cells of one row, as many as `rangeMm` has; no intensities where there are none.
+/// Cells of one row, as many as `rangeMm` has; `intensity` is empty if there are none.
 struct RowCells {
     const std::vector<float>& rangeMm;
     const std::vector<CellState>& state;
     const std::vector<float>& intensity;
 };
 
-/// A value; copies share nothing.
+/// A value type; copies share nothing.
 class SweepGrid {
 public:
     explicit SweepGrid(int beams = 0) : beams_(beams) {}
@@ -25,29 +25,29 @@ public:
     [[nodiscard]] int rows() const { return rows_; }
     [[nodiscard]] int beams() const { return beams_; }
 
-    /// Rows up to `count`, all cells of the new ones Lost.
+    /// Grows to `count` rows; all cells of new rows are Lost.
     void grow(int count);
     /// Writes beam first + stride * i of the row for each i.
     void write(int row, int first, int stride, const RowCells& cells);
-    /// Those beams of the row hold something: not all of them are Lost.
+    /// Whether any of those beams of the row is not Lost.
     [[nodiscard]] bool holds(int row, int first, int stride, std::size_t count) const;
-    /// They hold just this.
+    /// Whether those beams hold exactly these values.
     [[nodiscard]] bool same(int row, int first, int stride, const std::vector<float>& rangeMm, const std::vector<CellState>& state) const;
     [[nodiscard]] std::uint32_t lostIn(int row) const {
         return rowCounts_[static_cast<std::size_t>(row)][static_cast<std::size_t>(CellState::Lost)];
     }
-    /// The rows from `row` on leave this grid and make the one that is returned.
+    /// Removes the rows from `row` on and returns them as a grid.
     SweepGrid cutFrom(int row);
 
-    /// Cells by state of the first `rows` rows.
+    /// Number of cells by state in the first `rows` rows.
     [[nodiscard]] std::array<std::size_t, kCellStates> counts(int rows) const;
 
-    /// A scan with the ranges, states and intensities of the first `rows` rows; what else it holds is left over from an earlier one. Scans
-    /// that nobody looks at any more are used again, and only rows that changed since are copied into them.
+    /// A scan with the ranges, states and intensities of the first `rows` rows. Its other members are left from an earlier use. Scans that
+    /// are not in use any more are reused, and only the rows that changed since are copied into them.
     std::shared_ptr<Scan> scan(int rows);
 
 private:
-    struct Copy { // a scan and how far it follows the grid
+    struct Copy { // a scan, and the state of the grid that it holds
         Scan scan;
         std::uint64_t change = 0;
         int rows = 0;
@@ -70,7 +70,7 @@ private:
     int rows_ = 0;
     std::vector<float> rangeMm_;
     std::vector<CellState> state_;
-    std::vector<float> intensity_;                                  // empty until a row brings some
+    std::vector<float> intensity_;                                  // empty until the first row with intensities
     std::vector<std::uint64_t> changed_;                            // per row: number of its last change
     std::vector<std::array<std::uint32_t, kCellStates>> rowCounts_; // per row
     std::uint64_t change_ = 0;

@@ -1,4 +1,4 @@
-// Settings of a sweep as text and back.
+// Settings of a sweep as text, and back.
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include "core/base/bounded_json.h"
@@ -20,7 +20,7 @@ std::string numberText(double value) {
     return text;
 }
 
-/// Takes values out of the record and notes those that make no sense.
+/// Takes values out of the metadata record and notes those that cannot be used.
 class Keys {
 public:
     Keys(const SweepMetadata& metadata, std::vector<std::string>& warnings) : metadata_(metadata), warnings_(warnings) {}
@@ -52,7 +52,7 @@ constexpr const char* kAxisKey = "stepper.axis";
 constexpr const char* kStepKey = "stepper.deg_per_step";
 constexpr const char* kAssumedKey = "assumed";
 
-/// What a recording says itself, and does not call assumed.
+/// Values that a recording gives and does not mark as assumed.
 void takeAssumed(Keys& keys, SweepSettings& settings) {
     const std::string* list = keys.text(kAssumedKey);
     const auto isAssumed = [&](const char* key) { return list != nullptr && list->find(key) != std::string::npos; };
@@ -63,7 +63,7 @@ void takeAssumed(Keys& keys, SweepSettings& settings) {
     settings.stepAssumed = stepSaid ? isAssumed(kStepKey) : true;
 }
 
-/// [0,0,1] spin, [1,0,0] sweep; the other way round the line angles turn against the axis.
+/// [0,0,1] is spin, [1,0,0] is sweep; with the opposite sign the line angles rotate against the axis.
 void takeAxis(Keys& keys, SweepSettings& settings) {
     const std::string* text = keys.text(kAxisKey);
     if (text == nullptr) return;

@@ -1,4 +1,4 @@
-// What a sweep looks like so far: as a scan and in words.
+// The state of a sweep so far: as a scan and as text.
 #include "core/scanner/sweep_assembly/sweep.h"
 
 #include "core/base/number_text.h"
@@ -11,7 +11,7 @@
 namespace edgescan {
 namespace {
 
-/// Lines that did not arrive were measured between their neighbours.
+/// Interpolates the times of lines that did not arrive.
 std::vector<double> lineTimes(std::span<const LineFacts> rows) {
     std::vector<double> times(rows.size(), 0.0);
     std::size_t last = rows.size();
@@ -30,7 +30,8 @@ std::vector<double> lineTimes(std::span<const LineFacts> rows) {
     return times;
 }
 
-/// What a sweep's own telegrams say of who measured it and when. Times count as UTC: recordings and live feeds stamp lines so.
+/// The device and the times of the scan, from the sweep's own telegrams. Times count as UTC, because recordings and live feeds stamp lines
+/// so.
 std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::size_t rows, const SweepSettings& settings) {
     auto acquisition = std::make_shared<Acquisition>();
     Acquisition& a = *acquisition;
@@ -52,7 +53,7 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
     return acquisition;
 }
 
-/// A step that is counted is assumed too; an encoder or the stepper tells its angles itself.
+/// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
 std::string assumedText(const SweepSettings& settings, AngleSource source) {
     std::string what, flags;
     const auto tell = [&](const std::string& words, const char* flag) {
@@ -132,7 +133,7 @@ std::shared_ptr<const Scan> SweepAssembler::snapshot() {
     return snapshot_ = scan;
 }
 
-/// Everything but ranges and states; the scan may have been another snapshot before.
+/// Sets everything but ranges and states; the scan may hold an earlier snapshot.
 void SweepAssembler::describe(Scan& scan) {
     const SweepProgress now = progress();
     const auto rows = static_cast<std::size_t>(now.lines);
