@@ -93,17 +93,17 @@ QSet<QString> everyTextIn(const QWidget& window) {
 bool laidOut(WindowFixture& on, const std::string& scan) {
     on.window.resize(1920, 1080);
     if (!on.showWith(scan)) return false;
-    on.window.rocks().setShown(true);
-    on.window.comparing().keep();
-    on.window.confidence().setOn(true);
-    on.window.views().pin(on.window.views().cellAt(20, 30));
-    on.window.live().panel().show();
-    Settings other = on.window.engine().settings();
+    on.viewer.rocks.setShown(true);
+    on.viewer.comparing.keep();
+    on.viewer.confidence.setOn(true);
+    on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+    on.viewer.live.panel().show();
+    Settings other = on.viewer.engine.settings();
     other.sensitivity = 1.4;
     return on.use(other) && QTest::qWaitFor(
                                 [&] {
-                                    return on.window.targets().settled() && on.window.rocks().picture() != nullptr &&
-                                           on.window.confidence().made() != nullptr && on.window.comparing().settled();
+                                    return on.viewer.targets.settled() && on.viewer.rocks.picture() != nullptr &&
+                                           on.viewer.confidence.made() != nullptr && on.viewer.comparing.settled();
                                 },
                                 60000);
 }
@@ -232,7 +232,7 @@ private slots:
             QVERIFY(spanish != nullptr && !spanish->isChecked());
             QVERIFY(on.window.findChild<QAction*>("language-en")->isChecked());
             spanish->trigger();
-            QVERIFY(on.window.notice().isVisible());
+            QVERIFY(on.viewer.notice.isVisible());
             QCOMPARE(on.memory.text("language"), QString("es"));
         }
         const Memory memory(ini);
@@ -250,27 +250,27 @@ private slots:
         {
             WindowFixture on(ini);
             QVERIFY(on.showWith(scan_));
-            on.window.views().pin(on.window.views().cellAt(20, 30));
-            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
-            const auto& kept = on.window.targets().notebook().targets.front().asPinned;
+            on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+            QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
+            const auto& kept = on.viewer.targets.notebook().targets.front().asPinned;
             QVERIFY(kept.size() > 3);
             QCOMPARE(kept.front().first, std::string("Distance"));
             QVERIFY(std::ranges::any_of(kept, [](const auto& row) { return row.first == "Resolves"; }));
             // So does the audit log; the menu speaks the window's language.
-            on.window.markedEdges().mark(on.window.views().cellAt(20, 30), true);
-            const QUndoStack& undo = on.window.undoStack();
+            on.viewer.markedEdges.mark(on.viewer.views.cellAt(20, 30), true);
+            const QUndoStack& undo = on.viewer.undo;
             QCOMPARE(undo.text(undo.index() - 1), QString("Mark of an Edge"));
             QCOMPARE(undo.undoText(), QString("Marque d’arête"));
-            on.window.tuning().turn("classes", kClassConvex);
+            on.viewer.tuning.turn("classes", kClassConvex);
             QVERIFY(undo.text(undo.index() - 1) != undo.undoText());
         }
         QVERIFY(useLanguage("es", kTexts));
         WindowFixture on(ini);
         QVERIFY(on.showWith(scan_));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled() && !on.window.targets().notebook().targets.empty(); }, 20000));
-        on.window.views().pin(on.window.views().cellAt(20, 30));
-        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
-        const QString card = on.window.targetsPanel().card().text();
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && !on.viewer.targets.notebook().targets.empty(); }, 20000));
+        on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
+        const QString card = on.viewer.targetsPanel.card().text();
         QVERIFY2(!card.contains("antes:"), qPrintable(card));
     }
 

@@ -39,7 +39,7 @@ class MarkedEdgesTest : public QObject {
     }
     // Pinned by the controller, so that the cell is exact; the key does the rest.
     static void markByKey(WindowFixture& on, std::size_t cell, Qt::Key key) {
-        on.window.views().pin(cell);
+        on.viewer.views.pin(cell);
         QTest::keyClick(&on.window, key, Qt::ShiftModifier);
     }
 
@@ -65,7 +65,7 @@ private slots:
     void marksBecomeSettingsThatAgree() {
         WindowFixture on;
         QVERIFY(showWith(on, bell_));
-        Settings loose = on.window.engine().settings();
+        Settings loose = on.viewer.engine.settings();
         loose.sensitivity = 0.4;
         const Grid<std::uint8_t> usual = *on.picture().detection->mask;
         QVERIFY(on.use(loose));
@@ -86,27 +86,27 @@ private slots:
         }
         QVERIFY(wanted.size() == 3 && unwanted.size() == 2);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY2(on.window.notice().text().contains("Nothing is marked"), qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.text().contains("Nothing is marked"), qPrintable(on.viewer.notice.text()));
         for (const std::size_t k : wanted) markByKey(on, k, Qt::Key_E);
         for (const std::size_t k : unwanted) markByKey(on, k, Qt::Key_X);
         markByKey(on, wanted.front(), Qt::Key_X); // said wrongly, and put right
         markByKey(on, wanted.front(), Qt::Key_E);
-        QCOMPARE(on.window.markedEdges().marks().wanted.size(), std::size_t{3});
-        QCOMPARE(on.window.markedEdges().marks().unwanted.size(), std::size_t{2});
+        QCOMPARE(on.viewer.markedEdges.marks().wanted.size(), std::size_t{3});
+        QCOMPARE(on.viewer.markedEdges.marks().unwanted.size(), std::size_t{2});
         // They hang on their cells in all views, told apart by sign and word.
-        const auto& tags = on.window.views().cloud().marks().targets;
+        const auto& tags = on.viewer.views.cloud().marks().targets;
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ no edge"; }), 2);
         action(on, "Settings for These Marks…")->trigger();
-        ProposalsCard* card = on.window.markedEdges().card();
+        ProposalsCard* card = on.viewer.markedEdges.card();
         // What is under way is said at once, and Esc ends it.
         QVERIFY(card != nullptr && card->isVisible() && card->working());
         QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
         QTest::keyClick(card, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled(); }, 60000));
         QVERIFY(!card->isVisible() && card->list()->count() == 0);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled(); }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled(); }, 60000));
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
@@ -117,25 +117,25 @@ private slots:
             return on.settled();
         };
         QVERIFY(choose(0));
-        QVERIFY(!(on.window.engine().settings() == loose));
+        QVERIFY(!(on.viewer.engine.settings() == loose));
         for (const std::size_t k : wanted) QVERIFY(near(*on.picture().detection->mask, k));
         for (const std::size_t k : unwanted) QVERIFY(!near(*on.picture().detection->mask, k));
         QVERIFY(choose(1));
         QTest::keyClick(card, Qt::Key_Escape);
         QVERIFY(on.settled());
-        QVERIFY(on.window.engine().settings() == loose);
+        QVERIFY(on.viewer.engine.settings() == loose);
         // Adopted it is one step of undo.
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.window.markedEdges().settled() && card->isVisible(); }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled() && card->isVisible(); }, 60000));
         QVERIFY(choose(0));
-        const Settings previewed = on.window.engine().settings();
+        const Settings previewed = on.viewer.engine.settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(on.settled() && on.window.engine().settings() == previewed && !card->isVisible());
-        on.window.undoStack().undo();
-        QVERIFY(on.settled() && on.window.engine().settings() == loose);
+        QVERIFY(on.settled() && on.viewer.engine.settings() == previewed && !card->isVisible());
+        on.viewer.undo.undo();
+        QVERIFY(on.settled() && on.viewer.engine.settings() == loose);
         // Cells of another scan are none of this one.
         QVERIFY(on.open(slot_));
-        QVERIFY(on.window.markedEdges().marks().empty());
+        QVERIFY(on.viewer.markedEdges.marks().empty());
     }
 
     void theRangeGateHidesInAllViewsAndCanBeTakenBack() {
@@ -152,24 +152,24 @@ private slots:
             QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
         });
         QTest::keyClick(&on.window, Qt::Key_G, Qt::ShiftModifier);
-        QVERIFY(on.window.selection().hidden() == beyond);
-        for (const std::uint32_t k : beyond) QVERIFY(!on.window.views().cloud().geometryOfCloud()->drawable(k));
-        QVERIFY(on.window.views().gray().selection() != nullptr);
-        QVERIFY2(on.window.tools().shown().contains("hidden"), qPrintable(on.window.tools().shown()));
+        QVERIFY(on.viewer.selection.hidden() == beyond);
+        for (const std::uint32_t k : beyond) QVERIFY(!on.viewer.views.cloud().geometryOfCloud()->drawable(k));
+        QVERIFY(on.viewer.views.gray().selection() != nullptr);
+        QVERIFY2(on.viewer.tools.shown().contains("hidden"), qPrintable(on.viewer.tools.shown()));
         QCOMPARE(on.picture().detection->edges->size(), edges);
-        on.window.undoStack().undo();
-        QVERIFY(on.window.selection().hidden().empty());
+        on.viewer.undo.undo();
+        QVERIFY(on.viewer.selection.hidden().empty());
         // The box round what is selected.
         const CellSet some{14000, 14010, 15900};
-        on.window.selection().select(some);
+        on.viewer.selection.select(some);
         action(on, "Clip to Box round Selected")->trigger();
-        QVERIFY(on.window.selection().hidden() == cellsOutsideBoxOf(scan, some));
-        QVERIFY(!on.window.selection().hidden().empty());
+        QVERIFY(on.viewer.selection.hidden() == cellsOutsideBoxOf(scan, some));
+        QVERIFY(!on.viewer.selection.hidden().empty());
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
-        QVERIFY(on.window.selection().hidden().empty());
-        on.window.views().pin(14000);
+        QVERIFY(on.viewer.selection.hidden().empty());
+        on.viewer.views.pin(14000);
         action(on, "Hide Farther than This Cell")->trigger();
-        QVERIFY(on.window.selection().hidden() == cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
+        QVERIFY(on.viewer.selection.hidden() == cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
     }
 
     void tapeAndThroatAreMeasuredByClicks() {
@@ -181,14 +181,12 @@ private slots:
         while (scan.state.at(line, first - 1) != CellState::Valid) --first;
         while (scan.state.at(line, last + 1) != CellState::Valid) ++last;
         QVERIFY(last > first);
-        on.window.views().gray().viewPort()->fitTo(
-            QRectF(first - 70, line - 60, last - first + 140, 120)); // so that a click meets its cell
+        on.viewer.views.gray().viewPort()->fitTo(QRectF(first - 70, line - 60, last - first + 140, 120)); // so that a click meets its cell
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
-        click(on.window.views().gray(), line, first - 3);
-        click(on.window.views().gray(), line, last + 3);
-        QVERIFY(
-            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }, 20000));
-        const KeptMeasure& throat = on.window.targets().notebook().measures.front();
+        click(on.viewer.views.gray(), line, first - 3);
+        click(on.viewer.views.gray(), line, last + 3);
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 1; }, 20000));
+        const KeptMeasure& throat = on.viewer.targets.notebook().measures.front();
         QVERIFY(throat.kind == MeasureKind::Throat);
         const auto told = measureCells(scan, {}, MeasureKind::Throat, throat.cells);
         const CartesianTables tables(scan);
@@ -196,17 +194,16 @@ private slots:
         QVERIFY2(std::abs(told->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
                  qPrintable(QString::number(told->lengths.front().valueM)));
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
-        click(on.window.views().gray(), line, first - 60);
-        click(on.window.views().gray(), line, first - 10);
-        QVERIFY(
-            QTest::qWaitFor([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }, 20000));
-        QVERIFY(on.window.targets().notebook().measures.back().kind == MeasureKind::Path);
+        click(on.viewer.views.gray(), line, first - 60);
+        click(on.viewer.views.gray(), line, first - 10);
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 2; }, 20000));
+        QVERIFY(on.viewer.targets.notebook().measures.back().kind == MeasureKind::Path);
         // Between two cells of the plain wall there is no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
-        click(on.window.views().gray(), line, first - 60);
-        click(on.window.views().gray(), line, first - 30);
-        QVERIFY2(on.window.notice().text().contains("No free way"), qPrintable(on.window.notice().text()));
-        QCOMPARE(on.window.targets().notebook().measures.size(), std::size_t{2});
+        click(on.viewer.views.gray(), line, first - 60);
+        click(on.viewer.views.gray(), line, first - 30);
+        QVERIFY2(on.viewer.notice.text().contains("No free way"), qPrintable(on.viewer.notice.text()));
+        QCOMPARE(on.viewer.targets.notebook().measures.size(), std::size_t{2});
     }
 };
 

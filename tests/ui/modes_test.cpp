@@ -63,11 +63,11 @@ class ModesTest : public QObject {
             {"plain", nothing, nothing},
             {"pin",
              [](WindowFixture& on) {
-                 on.window.views().pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
-                 return QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000) &&
+                 on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
+                 return QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000) &&
                         QTest::qWaitFor(
                             [&] {
-                                return on.window.targets().around(on.window.targets().active()->cell).confidence.state ==
+                                return on.viewer.targets.around(on.viewer.targets.active()->cell).confidence.state ==
                                        ToldConfidence::State::Known;
                             },
                             60000);
@@ -79,21 +79,21 @@ class ModesTest : public QObject {
             {"confidence",
              [](WindowFixture& on) {
                  return pressed(on, Qt::Key_W, Qt::ShiftModifier) &&
-                        QTest::qWaitFor([&] { return on.window.confidence().made() != nullptr; }, 60000);
+                        QTest::qWaitFor([&] { return on.viewer.confidence.made() != nullptr; }, 60000);
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_W, Qt::ShiftModifier); }},
             {"rocks",
              [](WindowFixture& on) {
                  return pressed(on, Qt::Key_K) &&
-                        QTest::qWaitFor([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }, 60000) &&
-                        (on.window.views().pinByClick(on.window.rocks().picture()->study.rocks.front().cell), true) &&
-                        QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000);
+                        QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000) &&
+                        (on.viewer.views.pinByClick(on.viewer.rocks.picture()->study.rocks.front().cell), true) &&
+                        QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000);
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_K); }},
             {"compare",
              [after](WindowFixture& on) {
                  return pressed(on, Qt::Key_A, Qt::ShiftModifier) && on.open(after) &&
-                        QTest::qWaitFor([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }, 60000);
+                        QTest::qWaitFor([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }, 60000);
              },
              nothing},
         };
@@ -108,8 +108,8 @@ class ModesTest : public QObject {
     }
     /// Faults, each with where it was seen.
     static QStringList look(WindowFixture& on, const QString& where) {
-        (void)QTest::qWaitFor([&] { return on.window.views().cloud().atRest(); }, 10000); // titles tell how much is drawn
-        for (int n = 0; n < 5; ++n) QApplication::processEvents();                        // layouts that still wait
+        (void)QTest::qWaitFor([&] { return on.viewer.views.cloud().atRest(); }, 10000); // titles tell how much is drawn
+        for (int n = 0; n < 5; ++n) QApplication::processEvents();                      // layouts that still wait
         QStringList found;
         for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
         if (const QDialog* dialog = dialogOf(on)) {
@@ -150,7 +150,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bell_) && on.activate());
-        on.window.notice().hide();
+        on.viewer.notice.hide();
         QStringList faults;
         for (const Mode& mode : modes(after_)) {
             QVERIFY2(mode.enter(on), mode.name);
@@ -198,16 +198,16 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(bell_) && on.activate());
         on.window.cab().set(true);
-        on.window.views().pin(on.picture().detection->edges->front());
-        QVERIFY(QTest::qWaitFor([&] { return on.window.targets().settled(); }, 20000));
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
         QStringList faults;
         for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1080)}) {
             QVERIFY(resizedTo(on, size));
             // No row stands empty below the switches that are left.
             int lowest = 0;
-            for (const auto* box : on.window.legend().findChildren<QCheckBox*>())
+            for (const auto* box : on.viewer.legend.findChildren<QCheckBox*>())
                 lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);
-            QVERIFY2(on.window.legend().height() - lowest < 36, qPrintable(QString::number(on.window.legend().height() - lowest)));
+            QVERIFY2(on.viewer.legend.height() - lowest < 36, qPrintable(QString::number(on.viewer.legend.height() - lowest)));
             faults << look(on, QString("%1-%2x%3-cab").arg(language).arg(size.width()).arg(size.height()));
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));

@@ -24,7 +24,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1500, 950);
         QVERIFY(on.showWith(path));
-        const auto* told = on.window.panel().findChild<QLabel*>("noise-found");
+        const auto* told = on.viewer.panel.findChild<QLabel*>("noise-found");
         QVERIFY(told != nullptr && !told->isHidden());
         const auto mm = [](const RangeNoise& noise, double at) {
             return QString("%1 mm at %2 m").arg(noise.at(at), 0, 'f', 1).arg(at, 0, 'f', 1);
@@ -37,7 +37,7 @@ private slots:
             QVERIFY2(told->text().contains(mm(laser->noise, at)), qPrintable(told->text()));
         QVERIFY(!told->text().contains("Folds"));
 
-        Settings camera = on.window.engine().settings();
+        Settings camera = on.viewer.engine.settings();
         camera.noiseKind = NoiseKind::Camera;
         QVERIFY(on.use(camera));
         QTRY_VERIFY(told->text().contains("neighbours err alike"));

@@ -65,7 +65,7 @@ class OpeningWindowTest : public QObject {
         return true;
     }
     static bool checked(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.window.opening().points().has_value(); }, 20000);
+        return on.settled() && QTest::qWaitFor([&] { return on.viewer.opening.points().has_value(); }, 20000);
     }
 
 private slots:
@@ -83,32 +83,32 @@ private slots:
         QVERIFY(checked(on));
         const double asOpened = medianM(on);
         QVERIFY2(asOpened < 1.0, "the table was not taken as millimetres");
-        auto* offer = on.window.notice().findChild<QToolButton*>("notice-action");
-        QVERIFY2(offer->isVisible(), qPrintable(on.window.notice().text()));
+        auto* offer = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QVERIFY2(offer->isVisible(), qPrintable(on.viewer.notice.text()));
         QTest::mouseClick(offer, Qt::LeftButton);
-        OpeningCard* card = on.window.opening().card();
+        OpeningCard* card = on.viewer.opening.card();
         QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card));
         QVERIFY(!card->isModal());
         // Looked at: the scan is ten times larger, and no step of undo was made.
         QVERIFY(choose(*card, "centimetres"));
         QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
-        QVERIFY(!on.window.undoStack().canUndo());
+        QVERIFY(!on.viewer.undo.canUndo());
         // Closed: as it was.
         card->reject();
         QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
-        QVERIFY(!on.window.files().options().unitMm);
+        QVERIFY(!on.viewer.files.options().unitMm);
         // Adopted: it stays, is one step, and undo brings back what was there.
         QVERIFY(checked(on));
-        on.window.opening().show();
+        on.viewer.opening.show();
         QVERIFY(choose(*card, "centimetres"));
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && on.window.undoStack().count() == 1; }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return on.settled() && on.viewer.undo.count() == 1; }, 20000));
         card->reject();
         QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
-        QCOMPARE(on.window.files().options().unitMm.value_or(0.0), 10.0);
-        on.window.undoStack().undo();
+        QCOMPARE(on.viewer.files.options().unitMm.value_or(0.0), 10.0);
+        on.viewer.undo.undo();
         QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
-        QVERIFY(!on.window.files().options().unitMm);
+        QVERIFY(!on.viewer.files.options().unitMm);
     }
 
     // Something else went wrong before the note was read: it is a button away, with what it offers.
@@ -117,7 +117,7 @@ private slots:
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(metres_) && on.activate());
         QVERIFY(checked(on));
-        NoticeBar& notice = on.window.notice();
+        NoticeBar& notice = on.viewer.notice;
         auto* offer = notice.findChild<QToolButton*>("notice-action");
         auto* earlier = notice.findChild<QToolButton*>("notice-earlier");
         QVERIFY(offer->isVisible() && !earlier->isVisible());
@@ -136,8 +136,8 @@ private slots:
         QVERIFY(notice.text().startsWith("Nothing is selected"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
-        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card()));
-        on.window.opening().card()->reject();
+        QVERIFY(on.viewer.opening.card() != nullptr && QTest::qWaitForWindowExposed(on.viewer.opening.card()));
+        on.viewer.opening.card()->reject();
         // Closed is read.
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Escape);
@@ -152,23 +152,23 @@ private slots:
         QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
         QVERIFY(on.showWith(path));
         QVERIFY(checked(on));
-        QVERIFY2(!looksWrong(*on.window.opening().points()), "something speaks against a sweep that was simulated");
-        QVERIFY(!on.window.notice().isVisible());
+        QVERIFY2(!looksWrong(*on.viewer.opening.points()), "something speaks against a sweep that was simulated");
+        QVERIFY(!on.viewer.notice.isVisible());
     }
 
     void theCardGoesWithItsScan() {
         WindowFixture on;
         QVERIFY(on.showWith(metres_) && on.activate());
         QVERIFY(checked(on));
-        on.window.opening().show();
-        QVERIFY(choose(*on.window.opening().card(), "metres"));
+        on.viewer.opening.show();
+        QVERIFY(choose(*on.viewer.opening.card(), "metres"));
         const std::string path = (folder_ / "other.json").string();
         QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
         QVERIFY(on.settled());
         QVERIFY(on.open(path));
-        QVERIFY(!on.window.opening().card()->isVisible());
-        QVERIFY(!on.window.files().options().unitMm);
-        QCOMPARE(on.window.files().path(), QString::fromStdString(path));
+        QVERIFY(!on.viewer.opening.card()->isVisible());
+        QVERIFY(!on.viewer.files.options().unitMm);
+        QCOMPARE(on.viewer.files.path(), QString::fromStdString(path));
     }
 
     // In each language: what is said of the scan is translated, its numbers are not, and every row is high enough for all its words.
@@ -182,15 +182,15 @@ private slots:
             on.window.resize(1280, 800);
             QVERIFY(on.showWith(metres_) && on.activate());
             QVERIFY(checked(on));
-            on.window.opening().show();
-            OpeningCard* card = on.window.opening().card();
+            on.viewer.opening.show();
+            OpeningCard* card = on.viewer.opening.card();
             QVERIFY(QTest::qWaitForWindowExposed(card));
             QTreeWidget* list = card->list();
-            const OpeningPoint& unit = on.window.opening().points()->front();
+            const OpeningPoint& unit = on.viewer.opening.points()->front();
             const QString said = list->topLevelItem(0)->text(1);
             QVERIFY2(said.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(said));
             // Every sentence has its place, and none is left in English.
-            const auto& points = *on.window.opening().points();
+            const auto& points = *on.viewer.opening.points();
             int others = 0;
             for (int n = 0; n < list->topLevelItemCount(); ++n) {
                 for (int m = 0; m < list->topLevelItem(n)->childCount(); ++m) {
@@ -214,8 +214,8 @@ private slots:
     void withoutAFileItSaysSo() {
         WindowFixture on;
         QVERIFY(on.show());
-        on.window.opening().show();
-        QVERIFY(on.window.notice().isVisible() && on.window.opening().card() == nullptr);
+        on.viewer.opening.show();
+        QVERIFY(on.viewer.notice.isVisible() && on.viewer.opening.card() == nullptr);
     }
 };
 

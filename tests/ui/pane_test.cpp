@@ -45,7 +45,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(bare_));
         resizeTo(on.window, {1280, 800});
-        for (ImageView* view : {&on.window.views().gray(), &on.window.views().edges()}) {
+        for (ImageView* view : {&on.viewer.views.gray(), &on.viewer.views.edges()}) {
             const double before = view->viewPort()->zoom();
             auto* pane = qobject_cast<Pane*>(view->parentWidget());
             QVERIFY(pane != nullptr);
@@ -55,7 +55,7 @@ private slots:
             const double fits = std::min(view->width() / 340.0, view->height() / 300.0);
             QVERIFY(std::abs(view->viewPort()->zoom() - fits) < 0.02 * fits);
             QVERIFY(on.activate());
-            on.window.notice().hide();
+            on.viewer.notice.hide();
             QTest::keyClick(&on.window, Qt::Key_Escape);
             QTRY_VERIFY(std::abs(view->viewPort()->zoom() - before) < 0.02 * before);
         }
@@ -68,13 +68,13 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bell_) && on.activate());
-        Pane& cloud = paneOf(on.window.views().cloud());
-        Pane& edges = paneOf(on.window.views().edges());
-        Pane& range = paneOf(on.window.views().gray());
+        Pane& cloud = paneOf(on.viewer.views.cloud());
+        Pane& edges = paneOf(on.viewer.views.edges());
+        Pane& range = paneOf(on.viewer.views.gray());
         const Scan& scan = *on.picture().detection->scan;
         const auto valid = static_cast<std::size_t>(std::ranges::count(scan.state.cells, CellState::Valid));
         QCOMPARE(cloud.note(), counted(valid) + " points");
-        QTRY_VERIFY(on.window.views().cloud().atRest());
+        QTRY_VERIFY(on.viewer.views.cloud().atRest());
         QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · perspective"));
         QTest::keyClick(&on.window, Qt::Key_5);
         QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · orthographic"));
@@ -85,26 +85,26 @@ private slots:
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by class"));
         QTest::keyClick(&on.window, Qt::Key_C);
         // The ranges of the image, also when its window is changed.
-        const RangeSpan usual = on.window.views().rangesShown();
+        const RangeSpan usual = on.viewer.views.rangesShown();
         QCOMPARE(range.note(), QString("%1 to %2 m").arg(usual.nearM, 0, 'f', 2).arg(usual.farM, 0, 'f', 2));
-        on.window.views().setRangeWindow(RangeSpan{1.0, 2.5});
+        on.viewer.views.setRangeWindow(RangeSpan{1.0, 2.5});
         QCOMPARE(range.note(), QString("1.00 to 2.50 m"));
         // What is hidden is not shown: as many points as are left.
-        on.window.selection().hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
-        const std::size_t hidden = on.window.selection().hidden().size();
+        on.viewer.selection.hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
+        const std::size_t hidden = on.viewer.selection.hidden().size();
         QVERIFY(hidden > 0 && hidden < valid);
         QCOMPARE(cloud.note(), counted(valid - hidden) + " of " + counted(valid) + " points");
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
         QCOMPARE(cloud.note(), counted(valid) + " points");
         // Another number of edges with the settings; what fewer settings find is left out of the confidence picture and told.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.confidence().made() != nullptr; }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return on.viewer.confidence.made() != nullptr; }, 60000));
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by confidence"));
-        on.window.confidence().setLeast(95);
-        QTRY_COMPARE(on.window.confidence().made()->leastPercent, 95);
-        QCOMPARE(edges.note(), counted(on.window.confidence().made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
+        on.viewer.confidence.setLeast(95);
+        QTRY_COMPARE(on.viewer.confidence.made()->leastPercent, 95);
+        QCOMPARE(edges.note(), counted(on.viewer.confidence.made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        Settings fewer = on.window.engine().settings();
+        Settings fewer = on.viewer.engine.settings();
         fewer.method = Method::Canny;
         QVERIFY(on.use(fewer));
         QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edges");
@@ -114,7 +114,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bare_));
-        for (QWidget* view : {static_cast<QWidget*>(&on.window.views().edges()), static_cast<QWidget*>(&on.window.views().cloud())}) {
+        for (QWidget* view : {static_cast<QWidget*>(&on.viewer.views.edges()), static_cast<QWidget*>(&on.viewer.views.cloud())}) {
             Pane& pane = paneOf(*view);
             const QSize before = view->size();
             QTest::mouseClick(pane.aloneButton(), Qt::LeftButton);
@@ -132,7 +132,7 @@ private slots:
         QVERIFY(on.showWith(bare_));
         for (const int width : {853, 1280, 1920}) {
             resizeTo(on.window, {width, 800});
-            Pane& cloud = paneOf(on.window.views().cloud());
+            Pane& cloud = paneOf(on.viewer.views.cloud());
             const int least = cloud.minimumSizeHint().width();
             cloud.setNote(QString(400, 'x'));
             QApplication::processEvents();

@@ -91,14 +91,14 @@ private slots:
         const std::string before = text("other.json");
         {
             Hand hand(path("other"), {}); // typed without its extension
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
             QCOMPARE(hand.asked, QStringList("kept-file"));
         }
         QVERIFY(text("other.json") == before);
         // A new name needs no question, an old preset one that can be declined.
         {
             Hand hand(path("mine"), {});
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
             QVERIFY(hand.asked.isEmpty());
         }
         QVERIFY(bool(findPreset((folder_ / "mine.json").string())));
@@ -107,13 +107,13 @@ private slots:
         QVERIFY(on.use(other));
         {
             Hand hand(path("mine"), {"no"});
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
             QCOMPARE(hand.asked, QStringList("replace-question"));
         }
         QVERIFY(findPreset((folder_ / "mine.json").string())->settings.creaseDeg != 44);
         {
             Hand hand(path("mine"), {"replace"});
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
         }
         QCOMPARE(findPreset((folder_ / "mine.json").string())->settings.creaseDeg, 44.0);
     }
@@ -148,7 +148,7 @@ private slots:
             {
                 WindowFixture on;
                 QVERIFY(on.showWith(scan_) && on.activate());
-                on.window.views().pin(on.window.views().cellAt(10, 12));
+                on.viewer.views.pin(on.viewer.views.cellAt(10, 12));
                 Hand hand(path(typed), {});
                 QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
                 QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && on.window.sessions().settled(); }, 20000));
@@ -157,7 +157,7 @@ private slots:
             WindowFixture on;
             QVERIFY(on.show());
             on.window.sessions().open({file});
-            QVERIFY(QTest::qWaitFor([&] { return on.window.targets().notebook().targets.size() == 1; }, 20000));
+            QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.notebook().targets.size() == 1; }, 20000));
             QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
@@ -176,13 +176,13 @@ private slots:
                 if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
             });
             Hand hand(path("e"), answers);
-            on.window.exports().ask(ExportContent::EdgeCloud);
+            on.viewer.exports.ask(ExportContent::EdgeCloud);
             return hand.asked;
         };
         QCOMPARE(ask({"no"}), QStringList("replace-question"));
         QVERIFY(text("e.pcd.provenance.json") == "precious");
         QVERIFY(!QFile::exists(path("e.pcd")));
-        QSignalSpy saved(&on.window.engine(), &Engine::saved);
+        QSignalSpy saved(&on.viewer.engine, &Engine::saved);
         QCOMPARE(ask({"replace"}), QStringList("replace-question"));
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(QFile::exists(path("e.pcd")));
@@ -213,7 +213,7 @@ private slots:
                 }
             });
             look.start(30);
-            on.window.exports().ask(ExportContent::EdgeCloud);
+            on.viewer.exports.ask(ExportContent::EdgeCloud);
             return name;
         };
         Settings strong;
@@ -246,17 +246,17 @@ private slots:
         };
         const QString beside = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
         QVERIFY(beside != QDir::current().canonicalPath());
-        QCOMPARE(begins([&] { on.window.files().ask(); }), beside);
-        QCOMPARE(begins([&] { on.window.exports().askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
+        QCOMPARE(begins([&] { on.viewer.files.ask(); }), beside);
+        QCOMPARE(begins([&] { on.viewer.exports.askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
         QCOMPARE(begins([&] { on.window.sessions().ask(); }), beside);
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), beside);
         // What was saved elsewhere is looked for there, until that folder is gone.
         const QString elsewhere = path("elsewhere");
         QVERIFY(QDir().mkpath(elsewhere));
         on.memory.keepFolder("presets", elsewhere + "/mine.json");
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), QDir(elsewhere).canonicalPath());
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), QDir(elsewhere).canonicalPath());
         QVERIFY(QDir().rmdir(elsewhere));
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), beside);
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), beside);
     }
 
     // What the command line can ask of a format, the dialog can too; the record says it.

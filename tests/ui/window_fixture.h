@@ -36,25 +36,26 @@ struct WindowFixture {
     }
     /// Until what is shown belongs to the settings and the scan wanted last.
     [[nodiscard]] bool settled() {
-        return QTest::qWaitFor(
-            [this] { return window.engine().picture() != nullptr && !window.engine().behind() && !window.engine().working(); }, 20000);
+        return QTest::qWaitFor([this] { return viewer.engine.picture() != nullptr && !viewer.engine.behind() && !viewer.engine.working(); },
+                               20000);
     }
     [[nodiscard]] bool open(const std::string& path) {
-        window.files().open({QString::fromStdString(path)});
+        viewer.files.open({QString::fromStdString(path)});
         return settled();
     }
     /// Shown, with the scan in it.
     [[nodiscard]] bool showWith(const std::string& path) { return show() && open(path); }
     [[nodiscard]] bool use(const Settings& settings) {
-        window.tuning().useSettings(settings);
+        viewer.tuning.useSettings(settings);
         return settled();
     }
 
-    [[nodiscard]] const Picture& picture() { return *window.engine().picture(); }
-    [[nodiscard]] QSlider* slider(const char* key) { return window.panel().row(key)->slider(); }
+    [[nodiscard]] const Picture& picture() { return *viewer.engine.picture(); }
+    [[nodiscard]] QSlider* slider(const char* key) { return viewer.panel.row(key)->slider(); }
 
     Memory memory;
     MainWindow window;
+    Viewer& viewer = window.viewer();
 };
 
 /// A real corridor scan, or a simulated one in `folder` where ../shared is absent.

@@ -90,7 +90,6 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
               showLegend();
               notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
-    connect(&engine_, &Engine::pictureReady, this, &Comparing::follow);
     connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
         rows_ = rows;
         ask();
@@ -207,8 +206,8 @@ bool Comparing::comparable() const {
     return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
 }
 
-/// A new picture is on the screen: the views ended a flip by themselves.
-void Comparing::follow() {
+/// The views ended a flip by themselves.
+void Comparing::followPicture() {
     emit flipped(false);
     legend_.showFlipped(false);
     if (!kept_) return;

@@ -30,6 +30,8 @@ public:
     Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
               QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// What is on the screen becomes A. It stays until another one is kept, or it is forgotten. Each of these is one step of undo; a step
     /// holds no picture, it is made again.
     void keep();
@@ -81,7 +83,6 @@ private:
         Result<std::shared_ptr<const Comparison>> made;
     };
     [[nodiscard]] static Result<std::shared_ptr<const Picture>> pictureOf(const Reading& reading); // reading thread
-    void follow();
     void ask();
     void take(const Answer& answer);
     void takeRead(const Read& read);

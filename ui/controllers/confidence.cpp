@@ -32,7 +32,6 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
         if (made_) ask(); // the images alone
         emit changed();
     });
-    connect(&engine_, &Engine::pictureReady, this, &Confidence::follow);
     connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
     connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
         legend_.setColours(bandColours(views_.edgeColours() != kUsualColours));
@@ -72,7 +71,7 @@ bool Confidence::needed() const {
 }
 
 /// What was known is of another picture: until the new one is worked out its edges are shown as ever.
-void Confidence::follow() {
+void Confidence::followPicture() {
     ++wanted_;
     quiet_.stop();
     made_ = nullptr;

@@ -27,6 +27,8 @@ public:
     Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
     ~Confidence() override;
 
+    /// A new picture is on the screen.
+    void followPicture();
     void setOn(bool on);
     /// Edges surer than that are shown alone, percent.
     void setLeast(int percent);
@@ -58,7 +60,6 @@ private:
         std::shared_ptr<const ConfidencePicture> made;
     };
     [[nodiscard]] Answer workOut(const Asked& asked); // worker's thread
-    void follow();
     void followCard();
     void begin();
     void ask();

@@ -58,7 +58,7 @@ std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t ce
 
 } // namespace
 
-Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& notice)
+Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
       worker_(
           this,
@@ -75,8 +75,6 @@ Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& no
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
     });
-    // The chain belongs to the picture that it was asked of.
-    connect(&engine, &Engine::pictureReady, this, &Explanation::forgetTrail);
 }
 
 void Explanation::explain(std::size_t cell) {

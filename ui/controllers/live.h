@@ -21,6 +21,8 @@ class Live : public QObject {
 public:
     Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// Connects to a live scanner; reads and a subscription are all that is sent to it.
     void connectTo(const QString& host, int port, const SweepSettings& sweep);
     void record(bool on);

@@ -51,7 +51,6 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
         showWindow();
         remember();
     });
-    connect(&engine_, &Engine::pictureReady, this, &ScanLook::follow);
 }
 
 void ScanLook::setColourBy(ColourBy by) {
@@ -59,7 +58,7 @@ void ScanLook::setColourBy(ColourBy by) {
     by_ = by;
     memory_.keep(kColourBy, QString(colourKey(by)));
     asked_ = nullptr;
-    follow();
+    followPicture();
     emit colourByChanged(by);
     emit changed();
 }
@@ -72,7 +71,7 @@ void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locke
     window_.setLocked(locked && window);
 }
 
-void ScanLook::follow() {
+void ScanLook::followPicture() {
     showWindow();
     const auto& picture = engine_.picture();
     if (!picture || picture->cloud == asked_) return;

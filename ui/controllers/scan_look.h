@@ -23,6 +23,8 @@ class ScanLook : public QObject {
 public:
     ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// Kept in the memory.
     void setColourBy(ColourBy by);
     [[nodiscard]] ColourBy colourBy() const { return by_; }
@@ -53,7 +55,6 @@ private:
         std::optional<RangeHistogram> histogram; ///< empty: it is there already
         CloudColours colours;
     };
-    void follow();
     void take(const Answer& answer);
     void showWindow();
 

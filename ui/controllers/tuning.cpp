@@ -47,7 +47,6 @@ Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& mem
     connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
     connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
     connect(&engine_, &Engine::settingsChanged, this, &Tuning::noteChange);
-    connect(&engine_, &Engine::pictureReady, this, &Tuning::showResult);
     recall();
 }
 
@@ -65,7 +64,7 @@ void Tuning::noteChange() {
     if (!starting_) memory_.keepSettings(engine_.settings());
 }
 
-void Tuning::showResult() {
+void Tuning::followPicture() {
     const Picture& picture = *engine_.picture();
     const bool newScan = std::exchange(shownScan_, picture.detection->scan) != picture.detection->scan;
     updateMs_ = sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : picture.detection->totalMs;

@@ -23,6 +23,8 @@ class Tuning : public QObject {
 public:
     Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     void usePreset(const Preset& preset);
     void useSettings(const Settings& settings);
     [[nodiscard]] TuningPart part() const;
@@ -44,7 +46,6 @@ private:
     void recall();
     void change(const Settings& settings, bool dragging);
     void noteChange();
-    void showResult();
 
     Engine& engine_;
     EdgesPanel& panel_;

@@ -14,8 +14,7 @@
 
 namespace edgescan::ui {
 
-Command compareMenu(MainWindow& w) {
-    Comparing& comparing = w.comparing();
+Command compareMenu(Comparing& comparing) {
     const auto whileKept = [&comparing](QAction& action) {
         action.setEnabled(false);
         QObject::connect(&comparing, &Comparing::keptChanged, &action, &QAction::setEnabled);
@@ -44,28 +43,32 @@ Command compareMenu(MainWindow& w) {
 }
 
 void addChangeLegend(MainWindow& w) {
-    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
-    over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.views().cloud(), &CloudView::edgesCovered, &w.changeLegend(), &ChangeLegend::showCovered);
-    const auto follow = [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); };
-    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w, follow);
+    auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
+    over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.viewer().views.cloud(), &CloudView::edgesCovered, &w.viewer().changeLegend, &ChangeLegend::showCovered);
+    const auto follow = [&w] {
+        w.viewer().legend.setVisible(w.viewer().engine.picture() != nullptr && w.viewer().views.edgesInstead() == nullptr);
+    };
+    QObject::connect(&w.viewer().comparing, &Comparing::differenceShown, &w, follow);
     QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
 }
 
-Command confidenceCommand(MainWindow& w) {
-    return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&w](bool on) { w.confidence().setOn(on); }), [](QAction& action) {
-        action.setObjectName("edge-confidence");
-        action.setProperty(kInSessions, "edges/confidence");
-        action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
-    });
+Command confidenceCommand(Confidence& confidence) {
+    return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&confidence](bool on) { confidence.setOn(on); }),
+                  [](QAction& action) {
+                      action.setObjectName("edge-confidence");
+                      action.setProperty(kInSessions, "edges/confidence");
+                      action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
+                  });
 }
 
 void addConfidenceLegend(MainWindow& w) {
-    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
-    over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.comparing(), &Comparing::differenceShown, &w.confidence(), &Confidence::giveWay);
-    QObject::connect(&w.confidence(), &Confidence::changed, &w,
-                     [&w] { w.legend().setVisible(w.engine().picture() != nullptr && w.views().edgesInstead() == nullptr); });
+    auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
+    over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().confidenceLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.viewer().comparing, &Comparing::differenceShown, &w.viewer().confidence, &Confidence::giveWay);
+    QObject::connect(&w.viewer().confidence, &Confidence::changed, &w, [&w] {
+        w.viewer().legend.setVisible(w.viewer().engine.picture() != nullptr && w.viewer().views.edgesInstead() == nullptr);
+    });
 }
 
 } // namespace edgescan::ui

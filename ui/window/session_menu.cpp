@@ -20,19 +20,19 @@ namespace {
 /// In the order in which a session gives them back.
 std::vector<StatePart> partsOf(MainWindow& w) {
     using enum GivenBack;
-    LinkedViews& views = w.views();
+    LinkedViews& views = w.viewer().views;
     std::vector<StatePart> parts{
-        partOf(w.tuning(), &ViewerState::tuning, BeforeScan),
-        partOf(w.targets(), &ViewerState::targets, OnScan),
-        partOf(w.selection(), &ViewerState::selection, OnScan, &Selection::changed),
-        partOf(w.markedEdges(), &ViewerState::marks, OnScan, &MarkedEdges::changed),
-        partOf(w.rocks(), &ViewerState::rocks, OnScan, &Rocks::changed, &Rocks::shownChanged, &Rocks::rocksShown),
+        partOf(w.viewer().tuning, &ViewerState::tuning, BeforeScan),
+        partOf(w.viewer().targets, &ViewerState::targets, OnScan),
+        partOf(w.viewer().selection, &ViewerState::selection, OnScan, &Selection::changed),
+        partOf(w.viewer().markedEdges, &ViewerState::marks, OnScan, &MarkedEdges::changed),
+        partOf(w.viewer().rocks, &ViewerState::rocks, OnScan, &Rocks::changed, &Rocks::shownChanged, &Rocks::rocksShown),
         viewPart(views),
         switchesPart(w),
     };
-    const std::vector<StatePart> looks = looksParts(w.look(), views, w.confidence(), w.comparing());
+    const std::vector<StatePart> looks = looksParts(w.viewer().look, views, w.viewer().confidence, w.viewer().comparing);
     parts.insert(parts.end(), looks.begin(), looks.end());
-    parts.push_back(partOf(w.comparing(), &ViewerState::earlier, OnScan, &Comparing::keptChanged, &Comparing::rowsChanged));
+    parts.push_back(partOf(w.viewer().comparing, &ViewerState::earlier, OnScan, &Comparing::keptChanged, &Comparing::rowsChanged));
     parts.push_back({[&w](ViewerState& state) { state.layout = w.layoutKept(); },
                      [&w](const ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
     return parts;
@@ -41,8 +41,9 @@ std::vector<StatePart> partsOf(MainWindow& w) {
 } // namespace
 
 std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
-    auto sessions = std::make_unique<Sessions>(w.engine(), w.files(), w.live(), w.notice(), memory, w.undoStack(), partsOf(w));
-    w.exports().setCarried([made = sessions.get()](const QImage& image, const QString& path) {
+    auto sessions = std::make_unique<Sessions>(w.viewer().engine, w.viewer().files, w.viewer().live, w.viewer().notice, memory,
+                                               w.viewer().undo, partsOf(w));
+    w.viewer().exports.setCarried([made = sessions.get()](const QImage& image, const QString& path) {
         return withSession(image, made->textFor(QFileInfo(path).absolutePath()));
     });
     return sessions;

@@ -5,13 +5,13 @@
 
 namespace edgescan::ui {
 
-class MainWindow;
+class CabMode;
 class Memory;
 
 /// One entry per theme; what was chosen is remembered, and used at once.
-[[nodiscard]] Command themeMenu(MainWindow& window, Memory& memory);
+[[nodiscard]] Command themeMenu(QObject& parent, Memory& memory);
 
 /// View > Cab Mode: on here, off only where Locked is held.
-[[nodiscard]] Command cabCommand(MainWindow& window, Memory& memory);
+[[nodiscard]] Command cabCommand(CabMode& cab, Memory& memory);
 
 } // namespace edgescan::ui

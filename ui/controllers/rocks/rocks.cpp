@@ -30,8 +30,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
       beside_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
-    connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::follow);
-    connect(&engine_, &Engine::pictureReady, this, &Rocks::follow);
+    connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
     connect(&finder_, &RockFinder::found, this, &Rocks::take);
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
@@ -53,7 +52,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
     connect(&beside_, &RocksBeside::found, this, &Rocks::takePreset);
     connect(&beside_, &RocksBeside::readEnded, this, [this] {
-        follow();
+        followPicture();
         setPart(std::exchange(restored_, std::nullopt));
     });
     connect(&beside_, &RocksBeside::failed, this,
@@ -84,7 +83,7 @@ void Rocks::setShown(bool on) {
     if (on == on_) return;
     on_ = on;
     if (on)
-        follow();
+        followPicture();
     else
         forget();
     emit shownChanged(on);
@@ -104,8 +103,7 @@ bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() ||
 
 bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (beside_.reading() || finder_.behind() || ofAnotherPicture()); }
 
-// A new picture is on the screen.
-void Rocks::follow() {
+void Rocks::followPicture() {
     const std::shared_ptr<const Picture>& shown = engine_.picture();
     if (!shown) return;
     if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {

@@ -49,6 +49,8 @@ class Rocks : public QObject {
 public:
     Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// Nothing is worked out while they are not shown.
     void setShown(bool on);
     [[nodiscard]] bool shown() const { return on_; }
@@ -106,7 +108,6 @@ signals:
 
 private:
     void connectViews();
-    void follow();
     void ask();
     void take(const std::shared_ptr<const RockPicture>& picture);
     void show();

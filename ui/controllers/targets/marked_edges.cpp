@@ -25,13 +25,14 @@ MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, Q
               card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
-    connect(&engine_, &Engine::pictureReady, this, [this] {
-        if (std::exchange(stream_, engine_.picture()->source.stream) != engine_.picture()->source.stream) use({});
-    });
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
         menu.addAction(tr("This is &no edge"), this, [this, cell] { mark(cell, false); });
     });
+}
+
+void MarkedEdges::followPicture() {
+    if (std::exchange(stream_, engine_.picture()->source.stream) != engine_.picture()->source.stream) use({});
 }
 
 void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {

@@ -26,6 +26,8 @@ class MarkedEdges : public QObject {
 public:
     MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// The cell that is pinned or pointed at; the same mark again takes it away.
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();

@@ -52,7 +52,6 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
               if (answer.cloud == views_.cloud().geometryOfCloud()) combine(std::move(answer.cells), answer.modifiers);
           },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was selected (%1).").arg(what)); }) {
-    connect(&engine_, &Engine::pictureReady, this, &Selection::followPicture);
     connect(&views_, &LinkedViews::imageOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         const Scan& scan = *views_.shown()->detection->scan;
         std::vector<Eigen::Vector2d> way;

@@ -27,6 +27,8 @@ class Selection : public QObject {
 public:
     Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     [[nodiscard]] const CellSet& cells() const { return state_.selected; }
     [[nodiscard]] const CellSet& hidden() const { return state_.hidden; }
     /// Each of these is one step of undo.
@@ -74,7 +76,6 @@ private:
         CellSet cells;
         Qt::KeyboardModifiers modifiers;
     };
-    void followPicture();
     void combine(CellSet cells, Qt::KeyboardModifiers modifiers);
     void change(const QString& what, State after);
     void use(const State& state);

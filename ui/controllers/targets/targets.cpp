@@ -28,7 +28,6 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
           }) {
-    connect(&engine_, &Engine::pictureReady, this, &Targets::followPicture);
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::letGoOf, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &PinnedTarget::cell);

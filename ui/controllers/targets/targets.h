@@ -49,6 +49,8 @@ class Targets : public QObject {
 public:
     Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     [[nodiscard]] const Notebook& notebook() const { return notebook_; }
     /// The file that the notebook is kept in; empty: none.
     [[nodiscard]] QString keptIn() const;
@@ -103,7 +105,6 @@ private:
     };
     [[nodiscard]] KnownTargets workOut(const Question& question); // worker's thread
     void connectPanel();
-    void followPicture();
     void followPin(std::optional<std::size_t> cell);
     void change(const QString& what, Notebook after);
     void use(const Notebook& notebook);

@@ -40,6 +40,8 @@ class LinkedViews : public QObject {
 public:
     LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges, CloudView& cloud);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// What all views show; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return shown_; }
     [[nodiscard]] ImageView& gray() { return *images_[0]; }
@@ -123,7 +125,6 @@ private:
     void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
     void click(std::size_t cell);
     void lookAtBox(const QRect& cells);
-    void show();
     void showEdgeMap();
     void showEdgesOfCloud();
     void drawShown();

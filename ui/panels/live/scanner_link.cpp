@@ -17,19 +17,20 @@ constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
 ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine) {
     timer_.setInterval(kLinkTickMs);
     connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
-    connect(&engine_, &Engine::pictureReady, this, [this] {
-        if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
-        awaiting_ = false;
-        if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
-        // As long as it took to make it, the worker is left to the sliders.
-        restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
-    });
     connect(&engine_, &Engine::failed, this, [this] { awaiting_ = false; });
     // Another file was opened: it is not to be pushed aside by the next line.
     connect(&engine_, &Engine::opened, this, [this] { follow(false); });
 }
 
 ScannerLink::~ScannerLink() = default;
+
+void ScannerLink::followPicture() {
+    if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
+    awaiting_ = false;
+    if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
+    // As long as it took to make it, the worker is left to the sliders.
+    restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+}
 
 void ScannerLink::runAside(std::function<std::function<void()>()> work) {
     inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });

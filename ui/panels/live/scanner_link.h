@@ -22,6 +22,8 @@ public:
     /// `session` must outlive this.
     explicit ScannerLink(Engine& engine, QObject* parent = nullptr);
     ~ScannerLink() override;
+    /// A new picture is on the screen.
+    void followPicture();
 
     /// Hangs up first where there is a connection. Reads and a subscription are all that is sent.
     void connectTo(const SessionSettings& scanner, const SweepSettings& sweep);
