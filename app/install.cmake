@@ -1,4 +1,5 @@
-# What `cmake --install` puts where, by component: cli, viewer (with what `compare` starts), python. Man pages and completion are written by the programs themselves.
+# Files and folders of `cmake --install`, by component: cli, viewer (with the programs that `compare` starts), python. The programs write
+# their man pages and completions themselves.
 set(EDGESCAN_HOMEPAGE "https://example.org/edgescan" CACHE STRING "where the project's pages lie, for software centres")
 set(EDGESCAN_RELEASE_DATE "2026-11-20" CACHE STRING "of this version, for software centres")
 

@@ -1,5 +1,5 @@
-# opencv_core and opencv_imgproc from their static libraries. Debian's shared opencv_core needs libGLX, and through it X11 and Mesa, for a
-# bridge to OpenGL that nothing here calls.
+# opencv_core and opencv_imgproc from their static libraries. Debian's shared opencv_core needs libGLX, and through it X11 and Mesa, for an
+# OpenGL bridge that EdgeScan never calls.
 foreach(library core imgproc)
   find_library(EDGESCAN_OPENCV_${library} libopencv_${library}.a REQUIRED)
   set_target_properties(opencv_${library} PROPERTIES IMPORTED_LOCATION ${EDGESCAN_OPENCV_${library}})
@@ -7,11 +7,11 @@ foreach(library core imgproc)
     set_target_properties(opencv_${library} PROPERTIES IMPORTED_LOCATION_${configuration} ${EDGESCAN_OPENCV_${library}})
   endforeach()
 endforeach()
-# What the bridge would ask for its functions; it finds none, as on a machine without OpenGL.
+# The bridge asks this function for OpenGL; it returns null, as on a machine without OpenGL.
 file(CONFIGURE OUTPUT no_opengl.c CONTENT "void (*glXGetProcAddressARB(const unsigned char *name))(void) { (void)name; return 0; }\n")
 add_library(edgescan_no_opengl STATIC ${CMAKE_CURRENT_BINARY_DIR}/no_opengl.c)
 set_target_properties(edgescan_no_opengl PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
-# The viewer has the real library: VTK calls it, and the linker asks for it behind everything that does.
+# The viewer links the real library: VTK calls it, and it must follow all its users on the linker's command line.
 set(EDGESCAN_OPENCV_BRIDGE edgescan_no_opengl)
 if(EDGESCAN_VIEWER)
   find_library(EDGESCAN_GLX GLX REQUIRED)

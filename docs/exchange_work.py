@@ -13,7 +13,7 @@ CLI, MODULES = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
 HERE = os.path.dirname(os.path.abspath(__file__))
 COLOURED = ["ply", "pcd", "las", "obj", "dxf", "foxglove.mcap"]
 MOST_OFF_MM = {"xyz": 0.01, "csv": 0.01, "ply": 0.01, "pcd": 0.01, "las": 0.501, "obj": 0.01, "ptx": 0.01, "dxf": 0.06, "foxglove.mcap": 0.01}
-# What these programs do not read by themselves: told in the table, and no fault of the file.
+# Formats that these programs cannot read: listed in the table, not an error of the file.
 WITHOUT_READER = {("CloudCompare", "pcd"), ("CloudCompare", "las"), ("loaders.gl", "las"), ("MeshLab", "ptx")}
 FORMATS = ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx", "dxf", "mcap", "foxglove.mcap"]
 
@@ -162,7 +162,7 @@ def gdal_reads(path, folder):
         source = ogr.GetDriverByName("CSV").Open(path)
         return Cloud([tuple(float(feature.GetField(n)) for n in names) for feature in source.GetLayer(0)])
     points = []
-    drawing = ogr.Open(path) # its features live no longer than it
+    drawing = ogr.Open(path) # its features are destroyed with it
     for feature in drawing.GetLayer(0):
         shape = feature.GetGeometryRef()
         if shape.GetGeometryType() in (ogr.wkbPoint, ogr.wkbPoint25D) and feature.GetField("Layer") in ("CLOUD", "EDGE_POINTS"):
@@ -252,7 +252,7 @@ def row_of(name, path, read, folder, points, edges):
     kind = os.path.basename(path).split(".", 1)[1]
     try:
         cloud = read(path, folder)
-    except Exception as problem:  # another program's refusal is a result
+    except Exception as problem:  # a refusal by another program is a result
         return f"| {kind} | {name} | not read: {str(problem).strip() or type(problem).__name__} | | |", (name, kind) in WITHOUT_READER
     told = cloud.coloured is not None and kind in COLOURED
     colours = "" if not told else f"{cloud.coloured} green pixels" if cloud.points is None else f"{cloud.coloured} of {edges}"

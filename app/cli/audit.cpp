@@ -1,4 +1,4 @@
-// edgescan-cli audit: whether an audit log is as it was written, and which lines are not.
+// edgescan-cli audit: checks whether an audit log was altered, and lists the altered lines.
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
 #include "app/shared/json_output.h"

@@ -1,4 +1,4 @@
-// edgescan-cli batch: the method over a whole archive, however often it is interrupted (docs/batch.md).
+// edgescan-cli batch: runs the method over a whole archive. An interrupted run can be continued (docs/batch.md).
 #include "app/cli/batch_scan.h"
 #include "app/cli/commands.h"
 #include "app/shared/interrupt.h"
@@ -56,7 +56,7 @@ std::uint64_t memoryOfJob(const Batch& batch, int jobs) {
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) / 5 * 4 / static_cast<std::uint64_t>(jobs);
 }
 
-// All that can change a result but the scan itself.
+// Everything except the scan that can change a result.
 Result<Json> settingsOfRun(const Batch& batch) {
     const Result<Preset> preset = presetOf(batch.method);
     if (!preset) return preset.error();
@@ -123,12 +123,12 @@ std::string clockText(double seconds) {
 
 class ProgressLine {
 public:
-    ProgressLine(bool told, std::size_t scans) : told_(told), scans_(scans) {}
+    ProgressLine(bool shown, std::size_t scans) : shown_(shown), scans_(scans) {}
     void tell(const Counts& counts) {
         const auto now = Clock::now();
         const bool last = counts.ended() == scans_;
-        if (!told_ || (!last && now - told_at_ < std::chrono::milliseconds(200))) return;
-        told_at_ = now;
+        if (!shown_ || (!last && now - shownAt_ < std::chrono::milliseconds(200))) return;
+        shownAt_ = now;
         const double seconds = std::chrono::duration<double>(now - start_).count();
         const auto worked = static_cast<double>(counts.ended() - counts.unchanged);
         std::string text = std::to_string(counts.ended()) + "/" + std::to_string(scans_) + " scans";
@@ -141,17 +141,17 @@ public:
     }
 
 private:
-    bool told_;
+    bool shown_;
     std::size_t scans_;
-    Clock::time_point start_ = Clock::now(), told_at_;
+    Clock::time_point start_ = Clock::now(), shownAt_;
 };
 
-/// What a run has in hand while it goes on.
+/// The state of a run.
 struct Running {
     const BatchWork& work;
     Journal& journal;
     Counts counts;
-    std::optional<Error> stop; ///< nothing can be noted any more
+    std::optional<Error> stop; ///< the journal can no longer be written
 };
 
 void noteEnd(Running& running, const JobEnd& end) {
@@ -192,7 +192,7 @@ Result<Done> workThrough(const Batch& batch, const BatchWork& work, int jobs, Ru
     return ended;
 }
 
-// The newest row of each input, in order; those that have none, or one of other settings, are missing.
+// The newest row of each input, in order. An input without a row, or with a row of other settings, is missing.
 struct AllRows {
     std::vector<std::string> rows;
     std::vector<std::string> missing;
@@ -229,7 +229,7 @@ Result<Done> writeTables(const Batch& batch, const Json& settings, const std::ve
     return writeWholeFiles(contents);
 }
 
-// Which elements of an array of jobs have to run again.
+// The elements of an array job that must run again.
 Json elementsOf(const std::vector<std::string>& missing, int of) {
     Json elements = Json::array();
     for (int i = 1; of > 1 && i <= of; ++i) {
@@ -290,7 +290,7 @@ Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
 }
 
 int run(Batch& batch) {
-    const Pipeline withoutThreads; // checking the settings smooths a step; a pool started by it would hang every worker made by fork
+    const Pipeline withoutThreads; // checking the settings smooths a step; if that started a thread pool, every forked worker would hang
     const auto refuse = [](const Error& error, int code) {
         complain(error);
         return code;

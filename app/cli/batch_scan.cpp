@@ -1,4 +1,5 @@
-// A scan of an archive: is it done already; if not, read, detect, write beside, move into place, tell.
+// One scan of an archive: checks whether it is done; if not, reads it, detects, writes to a staging folder, moves the files into place and
+// reports.
 #include "app/cli/batch_scan.h"
 
 #include "app/shared/json_output.h"
@@ -45,7 +46,7 @@ struct ResultWord {
     const char* word;
     std::optional<ExportContent> content;
     const char* stem;
-    const char* extension; ///< empty: the one typed behind the word
+    const char* extension; ///< empty: the extension is typed after the word
 };
 constexpr std::array kWords{ResultWord{"mask", ExportContent::EdgeImage, "edges", ".png"},
                             ResultWord{"gray", ExportContent::GrayImage, "gray", ".png"},
@@ -71,7 +72,7 @@ double cpuMilliseconds() {
     return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
 }
 
-// Size and time of change, in nanoseconds since 1970: what tells a file that is written at from one that is not.
+// Size and modification time in nanoseconds since 1970: they show that a file is still being written.
 struct FileState {
     std::int64_t bytes = -1, modified = -1;
     bool operator==(const FileState&) const = default;
@@ -97,9 +98,9 @@ Json beginRow(const BatchWork& work, std::size_t job) {
             {"program", std::string(version()) + " " + commit()}};
 }
 
-// Every file that was read for this scan: itself, its counts or description, pose, calibration, the record beside it. Gives whether the
-// scan's own file can be read at all.
-bool tellFiles(Json& row, const std::string& input, const InputClaims& claims) {
+// Lists every file that was read for this scan: the scan, its counts or description, pose, calibration and provenance record. Returns
+// whether the scan's own file is readable.
+bool addInputFiles(Json& row, const std::string& input, const InputClaims& claims) {
     std::vector<std::string> paths{input};
     for (const fs::path& path : claimedPaths(claims)) {
         if (std::ranges::find(paths, path.string()) == paths.end()) paths.push_back(path.string());
@@ -127,7 +128,7 @@ Json changedSettings(const Settings& settings) {
     return changed;
 }
 
-void tellDetection(Json& row, const Detection& detection) {
+void addDetection(Json& row, const Detection& detection) {
     const Json report = detectReport(detection, 0);
     const Scan& scan = *detection.scan;
     row["format"] = scan.format;
@@ -145,15 +146,15 @@ void tellDetection(Json& row, const Detection& detection) {
     if (const auto sentence = leftOutSentence(scan)) row["warnings"].push_back(*sentence);
 }
 
-// As in the JSON of `rocks`, but for the rocks themselves.
-void tellRocks(Json& row, const RockStudy& study) {
+// The same keys as the JSON of `rocks`, without the list of rocks.
+void addRockStudy(Json& row, const RockStudy& study) {
     Json report = rocksReport(study, CoordinateFrame::Scanner);
     row["rocks"] = Json::object();
     for (const char* key : {"rock_count", "size_curve", "fines", "not_rock", "outside_region", "labels_sha256", "note"})
         row["rocks"][key] = std::move(report[key]);
 }
 
-// That makes the same report by itself.
+// The command that makes the same report.
 std::string reportCommand(const BatchWork& work, const Scan& scan) {
     std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o report.html";
     for (const std::string& flags : {typedFlags(work.method), readingFlags(work.read.options),
@@ -179,10 +180,10 @@ Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Det
     return Done{};
 }
 
-// JSON, records and reports tell times, so that their bytes are others every time.
+// JSON files, records and reports contain times, so their bytes differ in every run.
 bool holdsTimes(const fs::path& path) { return path.extension() == ".json" || path.extension() == ".html"; }
 
-// The results that an earlier row tells of, but for those that were made anew.
+// Removes the results of an earlier row that this run did not make again.
 void removeOld(const fs::path& folder, const Json& before, const std::vector<fs::path>& made) {
     if (!before.contains("outputs")) return;
     for (const Json& old : before["outputs"]) {
@@ -192,7 +193,7 @@ void removeOld(const fs::path& folder, const Json& before, const std::vector<fs:
     }
 }
 
-// From where they were written to where they belong. What an earlier run left there and this one does not make goes away.
+// Moves results from the staging folder to their place. Removes results of an earlier run that this run does not make.
 Result<Done> moveIntoPlace(const fs::path& from, const fs::path& to, const Json& before, Json& row) {
     std::error_code problem;
     row["outputs"] = Json::array();
@@ -228,7 +229,7 @@ void refuse(Json& row, const char* outcome, const Error& error) {
     row["error"] = error.sentence();
 }
 
-// Opens, detects, writes into `staging`; the outcome is in the row.
+// Opens, detects, writes into `staging`; stores the outcome in the row.
 std::string fillRow(const BatchWork& work, const std::string& input, const fs::path& staging, Json& row) {
     const BindInputs inputs;
     claimInput(input);
@@ -237,7 +238,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     Result<Scan> opened = openAsAsked(input, reading);
     const double loadMs = milliseconds(start);
     row["times"] = {{"load_ms", loadMs}};
-    const bool readable = tellFiles(row, input, *inputs.claims());
+    const bool readable = addInputFiles(row, input, *inputs.claims());
     if (!opened) {
         refuse(row, readable ? "refused" : "failed", opened.error());
         return {};
@@ -251,7 +252,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     const auto detection =
         detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, work.withRocks ? KeepFor::Rocks : KeepFor::Edges);
     row["times"]["detect_ms"] = std::round(detection->totalMs * 1000) / 1000;
-    tellDetection(row, *detection);
+    addDetection(row, *detection);
     std::shared_ptr<const RockStudy> rocks;
     if (work.withRocks) {
         const auto asked = presetOf(work.rocks, *detection->scan);
@@ -262,7 +263,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
         const auto begun = Clock::now();
         rocks = std::make_shared<const RockStudy>(studyRocks(rockInputs(*detection), *asked->settings));
         row["times"]["rocks_ms"] = milliseconds(begun);
-        tellRocks(row, *rocks);
+        addRockStudy(row, *rocks);
     }
     for (const WantedFile& wanted : work.wanted) {
         const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging);
@@ -278,7 +279,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
 
 namespace {
 
-// Of what is no cloud: ".dxf .geojson"; empty: as those of points.
+// Formats of contents that are not clouds: ".dxf .geojson"; empty: the formats of clouds.
 std::string formatsOf(ExportContent content) {
     if (content == ExportContent::RockOutlines) return ".dxf .geojson";
     return content == ExportContent::RockHulls ? ".ply .obj" : "";
@@ -319,7 +320,7 @@ std::string wantedWords() {
 
 namespace {
 
-// The row before still holds: the same input, settings and program, and its results are there.
+// True if the earlier row is still valid: same input, settings and program, and its results exist.
 bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     if (!row.is_object() || row.value("settings_sha256", "") != work.settingsSha256) return false;
     if (row.value("results", "") != "scans/" + work.names[job] || !row.contains("files") || !row.contains("record_beside")) return false;

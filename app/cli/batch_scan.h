@@ -1,4 +1,4 @@
-// One scan of an archive, from its file to its row: what a worker of `edgescan-cli batch` does.
+// One scan of an archive, from its file to its row: the work of one worker of `edgescan-cli batch`.
 #pragma once
 
 #include "app/cli/rock_flags.h"
@@ -11,15 +11,15 @@
 
 namespace edgescan::cli {
 
-/// One of the files that are asked for of every scan, as typed: "mask", "edges.ply".
+/// A result that the user wants for every scan, as typed: "mask", "edges.ply".
 struct WantedFile {
     std::string typed;
     std::optional<ExportContent> content; ///< empty: JSON or the report
     [[nodiscard]] bool isOfRocks() const { return content && edgescan::isOfRocks(*content); }
-    std::string stem, extension; ///< of the file's name; a cloud's frame comes between
+    std::string stem, extension; ///< of the file's name; the frame of a cloud is inserted between them
 };
 
-/// Error: a word that names no result, or a format that cannot hold it. Each is given once.
+/// Error: a word that is not a result, or a format that cannot hold it. Duplicates are dropped.
 Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated);
 
 /// "mask, gray, ...", for the help.
@@ -27,8 +27,8 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated);
 
 struct BatchWork {
     std::vector<std::string> inputs; ///< paths
-    std::vector<std::string> names;  ///< the folder of each one's results, below results/scans
-    JournalRows before;              ///< what is known of them
+    std::vector<std::string> names;  ///< the folder of each input's results, below results/scans
+    JournalRows before;              ///< the earlier rows of the inputs
     std::filesystem::path results, workFolder;
     ReadFlags read;
     MethodFlags method;
@@ -36,18 +36,18 @@ struct BatchWork {
     std::vector<WantedFile> wanted;
     bool withRocks = false;
     RockFlags rocks;
-    std::string settingsSha256;    ///< of all that can change a result, the program's version included
+    std::string settingsSha256;    ///< of everything that can change a result, including the program's version
     std::uint64_t memoryBytes = 0; ///< of a worker
     bool sidecars = true;
-    bool retry = false;      ///< what was refused is tried again
-    bool trustTimes = false; ///< a file of the same size and time is not read to see that it is the same
+    bool retry = false;      ///< refused scans are tried again
+    bool trustTimes = false; ///< a file with the same size and modification time counts as unchanged without reading it
 };
 
-/// Reads, detects, writes. Gives the row as one line of JSON, a line feed, and the bytes of a small picture for the survey; nothing where
-/// the row before still holds.
+/// Reads, detects, writes. Returns the row as one line of JSON, a line feed, and the bytes of a small picture for the survey. Returns an
+/// empty string if the earlier row is still valid.
 [[nodiscard]] std::string scanForArchive(const BatchWork& work, std::size_t job, int worker);
 
-/// The row of a scan that ended its worker: `death` says how.
+/// The row of a scan whose worker process died; `death` gives the reason.
 [[nodiscard]] nlohmann::ordered_json failedRow(const BatchWork& work, std::size_t job, const std::string& death);
 
 } // namespace edgescan::cli

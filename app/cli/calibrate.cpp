@@ -1,4 +1,4 @@
-// edgescan-cli calibrate: the errors of the scanner's assembly from a turn of more than 180 degrees.
+// edgescan-cli calibrate: estimates the mounting errors of the scanner from a sweep of more than 180 degrees.
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
@@ -48,29 +48,29 @@ std::string tableOf(const SelfCalibration& found) {
            " mm)\n";
 }
 
-/// The picture is written; how many edges meet stands in `told`.
+/// Writes the picture of the seam, and the number of matching edges into `report`.
 Result<Done> drawSeam(const std::shared_ptr<const Scan>& scan, const SelfCalibration& found, const std::string& path,
-                      nlohmann::ordered_json& told) {
+                      nlohmann::ordered_json& report) {
     if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return enough;
     const auto detection = detectEdges(scan, Settings{});
     const SeamEdges before = seamEdges(*scan, *detection->mask, {});
     const SeamEdges after = seamEdges(*scan, *detection->mask, found.errors);
-    told["seam_edges"] = after.lateEdges;
-    told["seam_edges_met_before"] = rounded(before.metShare(), 1e4);
-    told["seam_edges_met_after"] = rounded(after.metShare(), 1e4);
+    report["seam_edges"] = after.lateEdges;
+    report["seam_edges_met_before"] = rounded(before.metShare(), 1e4);
+    report["seam_edges_met_after"] = rounded(after.metShare(), 1e4);
     return savePngRgb(oneOverTheOther(seamPicture(before), seamPicture(after)), path);
 }
 
-std::string seamLine(const nlohmann::ordered_json& told) {
-    if (!told.contains("seam_edges")) return {};
-    const auto percent = [&](const char* key) { return fixedText(100 * told[key].get<double>(), 0); };
-    return "of " + std::to_string(told["seam_edges"].get<std::size_t>()) + " edge cells of the late view " +
+std::string seamLine(const nlohmann::ordered_json& report) {
+    if (!report.contains("seam_edges")) return {};
+    const auto percent = [&](const char* key) { return fixedText(100 * report[key].get<double>(), 0); };
+    return "of " + std::to_string(report["seam_edges"].get<std::size_t>()) + " edge cells of the late view " +
            percent("seam_edges_met_before") + " % lay within a cell of one of the early view, and " + percent("seam_edges_met_after") +
            " % do with these errors\n";
 }
 
-Result<Done> tellBacklash(const Calibrate& asked, const std::vector<std::shared_ptr<const Scan>>& scans,
-                          const std::vector<CalibrationSource>& sources) {
+Result<Done> reportBacklash(const Calibrate& asked, const std::vector<std::shared_ptr<const Scan>>& scans,
+                            const std::vector<CalibrationSource>& sources) {
     const Result<Backlash> found = backlashOf(*scans[0], *scans[1]);
     if (!found) return Error{found.error().what, asked.files[1], found.error().hint};
     if (asked.json.empty()) {
@@ -125,7 +125,7 @@ Result<Done> calibrate(const Calibrate& asked) {
     const Result<Opened> opened = openedScans(asked);
     if (!opened) return opened.error();
     const auto& [scans, sources] = *opened;
-    if (asked.backlash) return tellBacklash(asked, scans, sources);
+    if (asked.backlash) return reportBacklash(asked, scans, sources);
     std::string base;
     if (!asked.base.empty()) {
         const auto bytes = readInput(asked.base);
@@ -143,13 +143,13 @@ Result<Done> calibrate(const Calibrate& asked) {
             !saved)
             return saved;
     }
-    nlohmann::ordered_json told = estimateJson(*found, sources);
+    nlohmann::ordered_json report = estimateJson(*found, sources);
     if (!asked.seam.empty()) {
-        if (Result<Done> drawn = drawSeam(scans.front(), *found, asked.seam, told); !drawn) return drawn;
+        if (Result<Done> drawn = drawSeam(scans.front(), *found, asked.seam, report); !drawn) return drawn;
     }
-    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", told));
+    if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", report));
     if (!isStandardOutput(asked.out))
-        say(tableOf(*found) + seamLine(told) + "Nothing is applied by itself: give the file with --calibration.\n");
+        say(tableOf(*found) + seamLine(report) + "Nothing is applied by itself: give the file with --calibration.\n");
     return Done{};
 }
 

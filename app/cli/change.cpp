@@ -1,4 +1,4 @@
-// edgescan-cli change: what changed between two scans of one place, before and after a blast.
+// edgescan-cli change: the changes between two scans of one place, before and after a blast.
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"

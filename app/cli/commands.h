@@ -1,4 +1,4 @@
-// The commands of edgescan-cli, one file each. A command adds its flags to `app` and leaves the exit code in `code` when it ran.
+// The commands of edgescan-cli, one file each. A command adds its flags to `app` and stores its exit code in `code` when it runs.
 #pragma once
 
 #include "app/shared/exits.h"

@@ -30,7 +30,7 @@ int run(const Convert& convert) {
     Detection detection;
     detection.scan = std::make_shared<const Scan>(std::move(*opened));
     const Scan& scan = *detection.scan;
-    // In the scanner's frame a scan opens again as it was, its place beside it, where the format has room for the place.
+    // A scan in the scanner's frame opens again unchanged; its pose is a property of the file if the format can hold it.
     const ExportOptions options =
         exportOptions(convert.write, writtenFormat(convert.out)->keepsPlace ? CoordinateFrame::Scanner : usualFrame(scan));
     const std::vector<std::string> lost = lostOnSaving(

@@ -1,4 +1,4 @@
-// edgescan-cli detect: runs the method on files and writes what was asked for.
+// edgescan-cli detect: runs the method on files and writes the requested results.
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
@@ -37,7 +37,7 @@ struct Detect {
     MethodFlags method;
 };
 
-// Where the results of one scan go; an empty path is not written.
+// The output paths of one scan; an empty path is not written.
 struct Outputs {
     std::string json, mask, gray, range, edges, cloud;
 
@@ -70,7 +70,7 @@ Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detect
                                                                      {ExportContent::RangeImage, out.range},
                                                                      {ExportContent::EdgeCloud, out.edges},
                                                                      {ExportContent::FullCloud, out.cloud}};
-    std::optional<Error> failure; // the others are still written
+    std::optional<Error> failure; // the other exports are still written
     for (const auto& [content, path] : exports) {
         if (path.empty()) continue;
         const auto written = exportWithProvenance(content, detection, path, options);
@@ -82,7 +82,7 @@ Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detect
     return writeDocument(out.json, document("detect", detectReport(detection, loadMs)), !lines);
 }
 
-/// A folder, or files; empty where nothing is written.
+/// The folder or the files that were written; empty if no file was written.
 std::string placesWrittenTo(const Detect& detect, const Outputs& out) {
     if (!detect.folder.empty()) return printable(detect.folder);
     std::string places;
@@ -125,14 +125,14 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     return Done{};
 }
 
-// One output file cannot hold the results of several scans.
+// True if one output path would get the results of several scans.
 bool onePathForSeveral(const Detect& detect) {
     const bool onePath = !(detect.json.empty() || detect.json == "-") || !detect.mask.empty() || !detect.gray.empty() ||
                          !detect.range.empty() || !detect.edges.empty() || !detect.cloud.empty();
     return detect.files.size() > 1 && onePath;
 }
 
-// Wrong usage is found before anything is read.
+// Wrong usage is reported before any file is read.
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     for (const std::string& path : {detect.edges, detect.cloud}) {
@@ -142,7 +142,7 @@ Result<Done> checkUsage(const Detect& detect) {
     if (auto distinct = checkDistinct(typedOutputs(detect).paths()); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
-        claimInput(file); // before the first of them has results
+        claimInput(file); // before the first scan writes results
         const std::string stem = scanName(file);
         if (detect.folder.empty() || stems.insert(stem).second) continue;
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};

@@ -1,4 +1,4 @@
-// The account of telegrams as JSON.
+// Writes the account of telegrams as JSON.
 #include "app/cli/live_report.h"
 
 namespace edgescan::cli {

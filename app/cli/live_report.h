@@ -1,4 +1,4 @@
-// What a live scanner or a recording sent, as JSON: where every telegram went, and what was not as it should be.
+// The data from a live scanner or a recording as JSON: what became of every telegram, and which irregularities occurred.
 #pragma once
 
 #include "core/scanner/sweep_assembly/irregularities.h"
@@ -7,7 +7,7 @@
 
 namespace edgescan::cli {
 
-/// {"counter_jumps": n, ...}: the kinds that occurred.
+/// {"counter_jumps": n, ...}: the kinds of irregularity that occurred.
 [[nodiscard]] nlohmann::ordered_json irregularReport(const Irregularities& irregular);
 
 /// {"received": n, "placed": n, "duplicates": n, "unusable": n, "lost": n, "accounted_for": true}

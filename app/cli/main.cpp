@@ -1,4 +1,4 @@
-// edgescan-cli: the method without a display.
+// edgescan-cli: edge detection without a display.
 #include "app/cli/commands.h"
 #include "app/shared/exits.h"
 #include "app/shared/interrupt.h"
@@ -41,7 +41,8 @@ constexpr std::array kCommands = std::to_array<Command>({
     {"thumbnail", cli::addThumbnail},
 });
 
-/// All commands with all their flags take longer to set up than many a command to run: only those that can be meant.
+/// Setting up all commands with their flags takes longer than many commands run. Therefore only the commands that the arguments can mean
+/// are set up.
 std::span<const Command> commandsFor(int argc, char** argv) {
     const std::span all(kCommands);
     const auto named = [](const char* word) { return std::ranges::find(kCommands, std::string_view(word), &Command::name); };
@@ -59,7 +60,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     int code = cli::kDone;
     cli::surviveFileLimit();
-    const BindInputs inputs; // nothing that is read is written over
+    const BindInputs inputs; // no input file can be overwritten
     for (const Command& command : commandsFor(argc, argv)) command.add(app, code);
     cli::addPages(app,
                   {"edgescan-cli",

@@ -1,4 +1,4 @@
-// edgescan-cli record: a live scanner to disk.
+// edgescan-cli record: records a live scanner to disk.
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
 #include "app/shared/host_port.h"
@@ -31,7 +31,7 @@ struct Record {
     Mounting mounting;
 };
 
-void tell(const LiveStatus& status) {
+void showStatus(const LiveStatus& status) {
     std::string line = sessionPhaseName(status.session.phase);
     line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
             std::to_string(status.statistics.reconnects) + " reconnects";
@@ -42,7 +42,7 @@ void tell(const LiveStatus& status) {
     tellProgress(line);
 }
 
-// True when the recording has what was asked for, or will never get it.
+// True if the recording has the requested sweeps or lines, or can no longer get them.
 bool finished(const Record& record, const LiveStatus& status, std::chrono::steady_clock::time_point start) {
     if (interrupted() || status.session.phase == SessionPhase::Stopped) return true;
     if (status.recording && status.recording->ended) return true;
@@ -50,7 +50,7 @@ bool finished(const Record& record, const LiveStatus& status, std::chrono::stead
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
 }
 
-// What the sweeps, the telegrams and the disk were like, in sentences.
+// Remarks about sweeps, telegrams and the disk, as sentences.
 std::vector<std::string> remarks(const LiveStatus& status, const RecordingState& recorded) {
     std::vector<std::string> all = status.sweep.irregularEver.sentences();
     if (!status.sweep.assumed.empty()) all.push_back(status.sweep.assumed);
@@ -68,7 +68,7 @@ std::vector<std::string> remarks(const LiveStatus& status, const RecordingState&
     return all;
 }
 
-/// How the lines were placed, and what of it nobody said.
+/// The mounting that was used to place the lines, and which of its values are assumed.
 nlohmann::ordered_json mountingReport(const SweepSettings& sweep) {
     nlohmann::ordered_json assumed = nlohmann::ordered_json::array();
     if (sweep.axisAssumed) assumed.push_back("axis");
@@ -135,18 +135,18 @@ int run(const Record& record) {
     }
     catchInterrupt();
     const auto start = std::chrono::steady_clock::now();
-    const bool telling = record.progress || isatty(STDERR_FILENO) != 0;
+    const bool showsProgress = record.progress || isatty(STDERR_FILENO) != 0;
     while (!finished(record, feed.status(), start)) {
-        if (telling) tell(feed.status());
+        if (showsProgress) showStatus(feed.status());
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     LiveStatus status = feed.status();
-    if (telling) tellProgress(std::to_string(status.lines) + " lines", true);
+    if (showsProgress) tellProgress(std::to_string(status.lines) + " lines", true);
     feed.stop();
     const LiveStatus last = feed.status();
-    status.sweep = last.sweep;           // with the end of its last sweep
-    status.statistics = last.statistics; // with what came meanwhile
-    status.lines = last.lines;           // likewise: those are in the recording too
+    status.sweep = last.sweep;           // includes the end of its last sweep
+    status.statistics = last.statistics; // includes the telegrams received meanwhile
+    status.lines = last.lines;           // likewise: the recording has these lines too
     if (const std::string lag = status.recording ? lagText(*status.recording) : std::string(); !lag.empty())
         complain(lag + "; waiting some seconds for it.");
     const Result<RecordingState> closed = feed.stopRecording();
@@ -155,7 +155,7 @@ int run(const Record& record) {
         return kRefused;
     }
     if (status.lines == 0 && status.statistics.stream.bytes == 0) {
-        // Nothing is lost with it, and left here it would be in the way of the next try.
+        // The file is empty; it would only block the next try.
         std::error_code ignored;
         std::filesystem::remove(record.out, ignored);
     }

@@ -1,4 +1,5 @@
-// edgescan-cli replay: a recording through the live path, a JSON line per line received, and the edges of the sweep at the end.
+// edgescan-cli replay: plays a recording through the live path. Prints a JSON line per received scan line, and the edges of the sweep at
+// the end.
 #include "core/files/recording/replay.h"
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
@@ -37,7 +38,7 @@ nlohmann::ordered_json lineReport(const Replay& replay) {
             {"irregular", irregularReport(progress.irregularEver)}};
 }
 
-// Until the next line, as long as when it was recorded, at the speed asked for; 0 does not wait.
+// Waits until the next line is due: the recorded delay divided by the speed. Speed 0 does not wait.
 void waitForNextLine(const Replay& replay, double speed) {
     const int line = replay.position();
     if (speed <= 0 || line >= replay.lines()) return;

@@ -1,4 +1,4 @@
-// edgescan-cli report: one page about a scan, for any browser.
+// edgescan-cli report: one HTML page about a scan.
 #include "app/cli/commands.h"
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"

@@ -1,4 +1,4 @@
-// The flags that say how rocks are found: of `rocks`, `report` and `batch`.
+// The flags for finding rocks, used by `rocks`, `report` and `batch`.
 #pragma once
 
 #include "app/shared/options.h"
@@ -16,19 +16,19 @@ struct RockFlags {
     std::vector<RegionCorner> corners;
 };
 
-/// One flag per row of rockParameters(), --region, and --edits where they are of one scan.
+/// Adds one flag per row of rockParameters(), --region, and --edits for commands with one scan.
 void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan);
 
-/// Anything typed.
+/// True if any of these flags is given.
 [[nodiscard]] bool anyTyped(const RockFlags& flags);
 
-/// Reads the region; a file of edits is an input from here on. Error: a region that is none.
+/// Parses the region; from here on a file of edits is an input. Error: the region is invalid.
 Result<Done> checkRocks(RockFlags& flags);
 
 /// "--level 1 --region '0,0 9,9'", for a POSIX shell.
 [[nodiscard]] std::string typedFlags(const RockFlags& flags);
 
-/// What the file of edits says; of the settings what is typed goes before what the file has. They are never empty.
+/// Reads the file of edits. Typed settings override those of the file. The settings of the result are always present.
 Result<RockPreset> presetOf(const RockFlags& flags, const Scan& scan);
 
 } // namespace edgescan::cli

@@ -1,4 +1,4 @@
-// edgescan-cli rocks: from the edges of a scan to one label per rock, with what may be said of each.
+// edgescan-cli rocks: turns the edges of a scan into one label per rock, with a description of each rock.
 #include "app/cli/commands.h"
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
@@ -30,12 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One flag per row: where a result goes, and how it is called in a folder.
+// One flag per row: the path of a result, and its name inside an output folder.
 struct RockOutput {
     const char* flag;
     ExportContent content;
     const char* tail;
-    const char* formats; ///< of outlines and hulls: extensions, commas between; null: any
+    const char* formats; ///< of outlines and hulls: extensions, separated by commas; null: any format
     const char* help;
 };
 constexpr RockOutput kRockOutputs[]{
@@ -85,7 +85,7 @@ std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
         }
         if (!path.empty()) files.push_back({&output, path});
     }
-    if (!flags.folder.empty() && flags.paths[kOutlines].empty()) // in the picture too
+    if (!flags.folder.empty() && flags.paths[kOutlines].empty()) // they are also drawn in the picture
         files.push_back({&kRockOutputs[kOutlines], (fs::path(flags.folder) / scan.name).string() + "_rocks.geojson"});
     return files;
 }
@@ -100,7 +100,7 @@ Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const ch
     return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));
 }
 
-// A click at each of these cells, one after the other.
+// Splits at these cells, one after the other, like clicks in the viewer.
 Result<Done> split(const RocksFlags& flags, const RockInputs& inputs, RockStudy& study) {
     for (const std::string& text : flags.split) {
         const auto cell = cellOf(text, *inputs.scan, "--split");
@@ -138,7 +138,7 @@ Result<Done> answerWhy(const RocksFlags& flags, const RockStudy& study) {
 Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, const std::shared_ptr<const RockStudy>& study) {
     ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
     options.rocks = study;
-    std::optional<Error> failure; // the others are still written
+    std::optional<Error> failure; // the other files are still written
     const std::vector<WantedFile> files = wantedFiles(flags, *detection.scan);
     std::vector<std::string> paths{flags.writeEdits};
     for (const WantedFile& file : files) paths.push_back(file.path);
@@ -190,7 +190,7 @@ Result<Done> findRocks(const RocksFlags& flags) {
     return writeFiles(flags, *detection, study);
 }
 
-// Wrong usage is found before anything is read.
+// Wrong usage is reported before any file is read.
 Result<Done> checkUsage(RocksFlags& flags) {
     std::vector<std::string> paths(flags.paths.begin(), flags.paths.end());
     paths.push_back(flags.writeEdits);

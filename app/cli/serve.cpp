@@ -27,7 +27,7 @@ struct Serve {
     ReadFlags read;
 };
 
-/// The flags of `record` with which the lines get the angles of this scan; empty when they do not lie evenly.
+/// The flags of `record` that give the lines the angles of this scan; empty if the lines are not evenly spaced.
 std::string recordFlags(const Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || polar->lineDeg.size() < 2 || polar->lineDirection < 0 || !polar->lineSkewDeg.empty()) return {};

@@ -1,4 +1,4 @@
-// edgescan-cli simulate: a synthetic sweep as a raw grid.
+// edgescan-cli simulate: writes a simulated sweep as a raw grid.
 #include "core/sim/simulate.h"
 #include "app/cli/commands.h"
 #include "app/shared/options.h"
@@ -20,7 +20,7 @@ namespace {
 
 struct Simulate {
     std::string out, truth, surface;
-    std::string hole; ///< empty: none, or round where holes are asked for in another way
+    std::string hole; ///< empty: no hole; round if other flags of holes are given
     std::string profile = "high";
     std::string axis = "sweep";
     bool noFootprint = false, noMixedPixels = false, noEchoLoss = false;
@@ -89,7 +89,7 @@ int run(const Simulate& simulate) {
     return kRefused;
 }
 
-/// A flag of the scene that was typed though it changes nothing in the scene chosen.
+/// Reports a typed flag that has no effect in the chosen scene.
 std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate) {
     struct Use {
         const char* flag;
@@ -128,7 +128,7 @@ std::string sceneHelp() {
     return text;
 }
 
-/// A number among the settings, with the limits that the simulation has for it.
+/// Adds a number of the settings, with the simulation's limits for it.
 template <class Value>
 CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& value, const char* help) {
     const auto known = simulationNumbers();
@@ -181,7 +181,7 @@ void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
     command.add_flag("--no-echo-loss", simulate.noEchoLoss, "Grazing and weak echoes are not lost")->group(group);
 }
 
-/// Errors that a calibration finds (docs/calibration.md).
+/// Mounting errors that a calibration estimates (docs/calibration.md).
 void addAssemblyFlags(CLI::App& command, SimulationSettings& s) {
     const char* group = "Assembly, unknown to the scan";
     add(command, group, "--mount-t1", s.assembly.t1Mm(), "Lever arm of the scanner: along x of a spin, along y of a sweep [mm]");
@@ -202,7 +202,7 @@ void addSimulate(CLI::App& app, int& code) {
         ->required();
     command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
-    const char* general = "Options"; // where CLI11 puts those without a group
+    const char* general = "Options"; // CLI11's group for flags without a group
     addNumber(command, "--seed", s.seed, {0, 999999999999999}, "Seed of everything random");
     add(command, general, "--repeat", s.repeat, "Which of several sweeps of the same scene: other noise, dust and dropouts");
     add(command, general, "--lines", s.lines, "Scan lines over the turn");

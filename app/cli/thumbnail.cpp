@@ -15,7 +15,7 @@ struct Thumbnail {
     int size = 256;
 };
 
-/// Mean of the cells with a range that fall onto each pixel; cells without one are black. Nothing is enlarged.
+/// Each pixel is the mean of its cells with a range; cells without a range are black. Images are never enlarged.
 Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, int size) {
     const double step = std::max(1.0, static_cast<double>(std::max(levels.lines, levels.beams)) / size);
     const auto pixels = [&](int cells) { return std::max(1, static_cast<int>(cells / step)); };

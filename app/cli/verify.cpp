@@ -1,4 +1,4 @@
-// edgescan-cli verify: makes exports again from their records and says whether they are the same.
+// edgescan-cli verify: rebuilds exports from their records and compares them.
 #include "core/exports/provenance/verify.h"
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
@@ -20,7 +20,7 @@ struct Verify {
     bool json = false;
 };
 
-/// What was named, each once, a record beside an export as that export: `verify RESULTS/*` is what people type.
+/// The named exports without duplicates. A record counts as its export: users type `verify RESULTS/*`.
 std::vector<std::string> exportsOf(const std::vector<std::string>& named) {
     static const std::string kRecord = sidecarPath("").string();
     std::vector<std::string> exports;

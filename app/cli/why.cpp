@@ -1,4 +1,4 @@
-// edgescan-cli why: why a cell is an edge, or why it is none.
+// edgescan-cli why: explains why a cell is an edge or is not an edge.
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"

@@ -1,4 +1,4 @@
-// Edges in Python: finding them, their arrays, writing results, and scores against ground truth.
+// Edges in Python: detection, its arrays, writing results, and scores against ground truth.
 #include "app/python/result.h"
 #include "app/python/simulation.h"
 
@@ -65,7 +65,7 @@ ExportContent contentOf(const std::string& name) {
     throw Refused{{"\"" + name + "\" is no content of a file", "content", "use one of " + names}};
 }
 
-/// How a file is written, by the names of the flags.
+/// How to write a file; the keywords are the names of the flags.
 cli::WriteFlags writeFlagsOf(const Typed& typed) {
     cli::WriteFlags flags;
     const auto text = [&](const char* key, const std::string& usual) {
@@ -109,7 +109,7 @@ std::size_t saveResult(const ResultObject& result, const std::string& path, cons
     return write(*result.detection, contentOf(content), path, typed);
 }
 
-/// Null: a mask without ranges.
+/// `scan` may be null: a mask without ranges.
 py::object evaluate(const Grid<std::uint8_t>& mask, const py::object& truth, const ScanObject* ranges, double tolerance) {
     std::string where = "the simulation";
     const auto* simulation = py::isinstance<SimulationObject>(truth) ? truth.cast<const SimulationObject*>() : nullptr;

@@ -1,4 +1,4 @@
-// The module edgescan._edgescan: classes and functions that edgescan/__init__.py gives their keywords.
+// The module edgescan._edgescan: the classes and functions to which edgescan/__init__.py adds keywords.
 #include "app/python/module.h"
 
 #include "core/base/version.h"
@@ -21,7 +21,7 @@ py::object objectOf(const nlohmann::ordered_json& json) { return py::module_::im
 
 namespace {
 
-// edgescan.Error with its three parts; the message is the sentence that the command line prints.
+// edgescan.Error with its three parts; the message is the same sentence as on the command line.
 void bindError(py::module_& module) {
     static py::handle type = py::exception<Refused>(module, "Error", PyExc_ValueError).release();
     type.attr("__module__") = "edgescan";

@@ -1,4 +1,4 @@
-// What the files of the Python module share: errors as exceptions, arrays that look into C++ memory, and JSON as Python objects.
+// Shared code of the Python module: errors as exceptions, arrays that refer to C++ memory, and JSON as Python objects.
 #pragma once
 
 #include "core/base/grid.h"
@@ -23,19 +23,19 @@ namespace edgescan::python {
 namespace py = pybind11;
 
 using ScanPtr = std::shared_ptr<const Scan>;
-/// What Python calls Scan, a Scan.
+/// The C++ side of the Python class Scan.
 struct ScanObject {
     ScanPtr scan;
 };
-/// What was given by keyword, as it would be typed on the command line.
+/// Keyword arguments, as texts like on the command line.
 using Typed = std::map<std::string, std::string>;
 
-/// An Error on its way to Python, where it is edgescan.Error.
+/// An Error on its way to Python, where it becomes edgescan.Error.
 struct Refused {
     Error error;
 };
 
-/// The value, or Refused.
+/// Returns the value, or throws Refused.
 template <class T>
 T taken(Result<T> result) {
     if (!result) throw Refused{result.error()};
@@ -49,9 +49,9 @@ auto unlocked(Work work) {
     return work();
 }
 
-/// For long work that runs without the lock: false once a signal's handler raised (Ctrl+C), so that the work ends.
+/// For long work without the lock: false after a signal handler raised an exception (Ctrl+C), so that the work ends.
 [[nodiscard]] bool noSignal();
-/// After such work: raises what the handler raised.
+/// After such work: raises the exception of the handler.
 void raiseSignal();
 
 /// lines x beams, read only, without a copy: the array keeps `owner` alive.

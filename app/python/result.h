@@ -12,7 +12,7 @@ namespace edgescan::python {
 
 struct ResultObject {
     std::shared_ptr<const Detection> detection;
-    /// Worked out when it is first asked for.
+    /// Computed at the first access.
     struct Strength {
         std::once_flag once;
         ThresholdMap map;

@@ -1,4 +1,4 @@
-// Rocks in Python: labels and a row per region. Pieces are worked out once per result, so another level costs little.
+// Rocks in Python: labels and a row per region. Segments are computed once per result, so another level costs little.
 #include "app/python/result.h"
 
 #include "core/base/number_text.h"
@@ -10,7 +10,7 @@
 namespace edgescan::python {
 namespace {
 
-/// What does not depend on the settings.
+/// The part that does not depend on the settings.
 struct Pieces {
     RockLeaves leaves;
     MergeTree tree;
@@ -61,7 +61,8 @@ py::list tableOf(const RockMap& map) {
     py::list rows;
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         const RockRegion& region = map.regions[n];
-        const Eigen::Vector3d centre = region.sums.sumM / static_cast<double>(region.sums.cells); // NaN of a region without a measured cell
+        // NaN for a region without a measured cell
+        const Eigen::Vector3d centre = region.sums.sumM / static_cast<double>(region.sums.cells);
         rows.append(py::dict(py::arg("label") = n, py::arg("kind") = regionKindName(region.kind), py::arg("cells") = region.sums.cells,
                              py::arg("area_m2") = region.sums.areaM2, py::arg("long_m") = region.longM, py::arg("x_m") = centre.x(),
                              py::arg("y_m") = centre.y(), py::arg("z_m") = centre.z(), py::arg("evidence") = region.evidence,

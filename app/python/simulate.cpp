@@ -11,7 +11,7 @@
 namespace edgescan::python {
 namespace {
 
-/// The place of a word among those that a setting takes.
+/// The index of a word among the allowed words of a setting.
 std::size_t wordOf(const std::string& key, const std::string& text, const std::vector<std::string>& words) {
     const auto found = std::ranges::find(words, text);
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
@@ -60,7 +60,7 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
         if (const auto given = numbers.find(number.key); given != numbers.end()) setNumber(settings, number, given->second);
     }
     for (const auto& [key, text] : words) setWord(settings, key, text);
-    // As on the command line: who asks for holes wants round ones unless he says otherwise.
+    // As on the command line: holes are round by default.
     if (!words.contains("hole") && (numbers.contains("holes") || numbers.contains("hole-size"))) settings.hole = WallHole::Round;
     Result<Simulation> made = unlocked([&] {
         if (surface != nullptr) {
@@ -79,7 +79,7 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
     return object;
 }
 
-/// The truth's grids as arrays, by the names of the files that the command line writes.
+/// The truth's grids as arrays; the keys are the names of the files that the command line writes.
 py::object truthArrays(const SimulationObject& object) {
     if (!object.simulation->truth) return py::none();
     const auto set = unlocked([&] { return std::make_shared<const TruthSet>(taken(truthOf(object))); });

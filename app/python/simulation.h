@@ -1,4 +1,4 @@
-// A simulated scan in Python, and its ground truth for whoever scores against it.
+// A simulated scan in Python, with its ground truth for scores.
 #pragma once
 
 #include "app/python/module.h"
@@ -9,11 +9,11 @@ namespace edgescan::python {
 
 struct SimulationObject {
     std::shared_ptr<const Simulation> simulation;
-    ScanPtr scan; ///< that of the simulation, which it keeps
+    ScanPtr scan; ///< the simulated scan
     SimulationSettings settings;
 };
 
-/// Error: it was made without truth.
+/// Error: the simulation was made without truth.
 [[nodiscard]] Result<TruthSet> truthOf(const SimulationObject& object);
 
 } // namespace edgescan::python

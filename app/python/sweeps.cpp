@@ -1,4 +1,4 @@
-// Growing sweeps in Python: recordings played and scanners connected to, as iterators.
+// Growing sweeps in Python: recordings and live scanners as iterators.
 #include "app/python/module.h"
 
 #include "app/shared/host_port.h"
@@ -17,14 +17,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A sweep as it was at one moment.
+/// The state of a sweep at one moment.
 struct SweepObject {
     ScanPtr scan;
     SweepProgress progress;
-    bool finished = false; ///< all lines that were expected came, or the next sweep began
+    bool finished = false; ///< all expected lines arrived, or the next sweep began
 };
 
-/// Sleeps without the lock until then, or until Ctrl+C raises.
+/// Sleeps without the lock until `end`, or until Ctrl+C raises an exception.
 void sleepUntil(Clock::time_point end) {
     constexpr auto kPiece = std::chrono::milliseconds(100);
     while (Clock::now() < end) {
@@ -36,7 +36,7 @@ void sleepUntil(Clock::time_point end) {
     }
 }
 
-/// Plays a recording: a sweep behind every `every` lines, and each sweep once more when it is finished.
+/// Plays a recording: yields the sweep after every `every` lines, and once more when it is finished.
 class ReplayObject {
 public:
     ReplayObject(const std::string& path, int every, double speed, const std::string& pose, const std::string& calibration)
@@ -96,7 +96,7 @@ private:
     Clock::time_point started_;
 };
 
-/// A scanner: the newest state of the sweep whenever it changed, and each finished sweep.
+/// A live scanner: yields the newest state of the sweep after each change, and each finished sweep.
 class ConnectionObject {
 public:
     ConnectionObject(const std::string& address, const SweepSettings& sweep, const std::string& record) : address_(address) {
@@ -162,8 +162,8 @@ public:
 private:
     std::optional<SweepObject> newest() {
         for (FinishedSweep& sweep : feed_->takeFinished()) {
-            const bool told = sweep.progress.number == told_.number && sweep.progress.received == told_.received;
-            if (!told) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
+            const bool yielded = sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received;
+            if (!yielded) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
         }
         SweepObject object;
         if (!finished_.empty()) {
@@ -172,13 +172,13 @@ private:
         } else {
             SweepSoFar sweep = feed_->sweep();
             if (!sweep.scan || sweep.scan == shown_) return std::nullopt;
-            // The feed ends a sweep when the next one begins; where all lines are there, nobody needs to wait for that.
+            // The feed ends a sweep when the next one begins; a sweep with all its lines is yielded without that wait.
             const bool whole = !sweep.progress.growing;
-            if (whole && sweep.progress.number == told_.number && sweep.progress.received == told_.received) return std::nullopt;
+            if (whole && sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received) return std::nullopt;
             object = {std::move(sweep.scan), std::move(sweep.progress), whole};
         }
         shown_ = object.scan;
-        if (object.finished) told_ = {object.progress.number, object.progress.received};
+        if (object.finished) yielded_ = {object.progress.number, object.progress.received};
         return object;
     }
     Done wait(Clock::time_point end) {
@@ -189,7 +189,7 @@ private:
     }
 
     std::string address_;
-    std::mutex mutex_; // of changed_
+    std::mutex mutex_; // protects changed_
     std::condition_variable wake_;
     bool changed_ = false;
     bool recording_ = false, stopped_ = false;
@@ -197,8 +197,8 @@ private:
     ScanPtr shown_;
     struct {
         int number = -1, received = 0;
-    } told_;                         // of the last finished sweep
-    std::unique_ptr<LiveFeed> feed_; // last: its thread uses the above
+    } yielded_;                      // the last finished sweep that was yielded
+    std::unique_ptr<LiveFeed> feed_; // last member: its thread uses the members above
 };
 
 std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines,

@@ -1,5 +1,4 @@
-// The tables of the core as Python sees them: parameters, reading options, numbers of the simulation. Keywords and their help come from
-// here.
+// The core's tables for Python: parameters, reading options, numbers of the simulation. Keywords and their help come from here.
 #include "app/python/module.h"
 
 #include "core/base/number_text.h"

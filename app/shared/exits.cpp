@@ -1,4 +1,4 @@
-// stdout and stderr.
+// Writes to stdout and stderr.
 #include "app/shared/exits.h"
 
 #include "core/base/foreign_text.h"
@@ -18,7 +18,7 @@ namespace edgescan::cli {
 namespace {
 
 std::string programName = "edgescan-cli";
-std::atomic<bool> progressLineOpen{false}; // a sentence starts on a line of its own
+std::atomic<bool> progressLineOpen{false}; // an error message then starts on a new line
 
 std::string repeated(const std::string& what) {
     return "this was not foreseen (" + what + "); run it again with less at once, and report it with what you typed if it stays.";

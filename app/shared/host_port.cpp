@@ -1,4 +1,4 @@
-// HOST[:PORT] as typed.
+// Parses HOST[:PORT] of the command line.
 #include "app/shared/host_port.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// HOST[:PORT] as typed: a name, an IPv4 address, or an IPv6 address in brackets when a port follows.
+// HOST[:PORT] of the command line: a name, an IPv4 address, or an IPv6 address (in brackets if a port follows).
 #pragma once
 
 #include "core/base/result.h"
@@ -10,10 +10,10 @@ namespace edgescan::cli {
 
 struct HostPort {
     std::string host;
-    std::uint16_t port = 2112; ///< SICK's second CoLa port, as sick_scan_xd uses it
+    std::uint16_t port = 2112; ///< SICK's second CoLa port, the default of sick_scan_xd
 };
 
-/// Error: no host, or a port that is none.
+/// Error: the host is missing or the port is invalid.
 [[nodiscard]] Result<HostPort> hostPort(const std::string& typed);
 
 } // namespace edgescan::cli

@@ -1,4 +1,4 @@
-// Ctrl+C as a question.
+// Handles Ctrl+C without ending the program at once.
 #include "app/shared/interrupt.h"
 
 #include <csignal>

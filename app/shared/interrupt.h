@@ -1,12 +1,12 @@
-// Ctrl+C as a question, so that a command can end in good order.
+// Handles Ctrl+C without ending the program at once, so that a command can finish its files.
 #pragma once
 
 namespace edgescan::cli {
 
-/// From now on a file beyond the limit set for files (ulimit -f) is an error of writing, and not the end of the program.
+/// After this call a file beyond the system's limit (ulimit -f) is a write error; it no longer ends the program.
 void surviveFileLimit();
 
-/// From now on Ctrl+C and SIGTERM only set what interrupted() tells.
+/// After this call Ctrl+C and SIGTERM only set the flag that interrupted() returns.
 void catchInterrupt();
 [[nodiscard]] bool interrupted();
 

@@ -1,4 +1,4 @@
-// Documents on standard output.
+// Writes JSON documents to standard output.
 #include "app/shared/json_output.h"
 
 #include "core/base/whole_file.h"

@@ -1,4 +1,4 @@
-// JSON on standard output: every object says which shape it has, one document for one file and for many, one for a file that failed.
+// JSON on standard output: every object names its schema. Each file has one document, also when it is the only file or when it failed.
 #pragma once
 
 #include "core/base/result.h"
@@ -12,7 +12,7 @@ namespace edgescan::cli {
 /// The report with its first key "schema": "edgescan-detect/1" for the command "detect" (docs/command-line.md, "JSON").
 [[nodiscard]] nlohmann::ordered_json document(const std::string& command, const nlohmann::ordered_json& report);
 
-/// What stands in the place of a file's document when it was refused: "schema", "input" and "error" with "what", "where", "hint".
+/// The document of a file that was refused: "schema", "input" and "error" with "what", "where", "hint".
 [[nodiscard]] nlohmann::ordered_json refusal(const std::string& command, const std::string& input, const Error& error);
 
 /// Writes a document as a whole file; "-" is standard output. Indented, or on one line.

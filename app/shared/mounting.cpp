@@ -1,4 +1,4 @@
-// From flags and a calibration to the settings of a sweep.
+// Turns flags and a calibration into the settings of a sweep.
 #include "app/shared/mounting.h"
 
 #include "app/shared/numbers.h"
@@ -22,7 +22,7 @@ Result<SweepSettings> sweepOf(const Mounting& mounting) {
         const auto calibration = openCalibration(mounting.calibration);
         if (!calibration) return calibration.error();
         sweep.axis = std::abs(calibration->axis.z()) >= std::abs(calibration->axis.x()) ? Axis::Spin : Axis::Sweep;
-        sweep.degPerLine = calibration->degPerStep; // its first angle and direction come in with the place
+        sweep.degPerLine = calibration->degPerStep; // its first angle and direction are applied with the pose of the scanner
         sweep.indexDeg = calibration->mirrorIndexDeg;
         sweep.axisAssumed = sweep.stepAssumed = false;
     }

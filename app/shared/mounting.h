@@ -1,4 +1,4 @@
-// What the user says of the stepper for a live scanner: by flags, or by the robot's calibration.
+// The user's description of the stepper of a live scanner: flags, or the robot's calibration file.
 #pragma once
 
 #include "core/base/result.h"
@@ -22,8 +22,8 @@ struct Mounting {
 /// --expected-lines --ticks-per-degree --standing, in a group of the help.
 void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& group);
 
-/// Flags go before the calibration, which says the axis, the step and where the mirror stands; what neither says is marked as assumed.
-/// Error: the calibration cannot be read.
+/// Flags override the calibration, which gives the axis, the step and the mirror's index angle. Values missing in both are marked as
+/// assumed. Error: the calibration cannot be read.
 [[nodiscard]] Result<SweepSettings> sweepOf(const Mounting& mounting);
 
 } // namespace edgescan::cli

@@ -1,4 +1,4 @@
-// Numbers as typed.
+// Parses numbers of the command line.
 #include "app/shared/numbers.h"
 
 namespace edgescan::cli {

@@ -1,4 +1,4 @@
-// Flags that take a number. There is no way to add one without its limits: NaN, infinities and whatever lies outside are refused by name.
+// Flags that take a number. A number flag needs limits: NaN, infinities and values outside the limits are refused with the flag's name.
 #pragma once
 
 #include "core/base/number_text.h"
@@ -14,7 +14,7 @@
 
 namespace edgescan::cli {
 
-/// Of any flag that says how long, seconds: more than a year.
+/// Limits of every flag for a duration, seconds: the maximum is more than a year.
 inline constexpr NumberLimits kSeconds{0, 4e7};
 
 /// "a number from 0 to 20", "a whole number from 1 to 1000".
@@ -23,7 +23,7 @@ inline constexpr NumberLimits kSeconds{0, 4e7};
 /// "NUMBER 0..20", for the help.
 [[nodiscard]] std::string rangeName(NumberLimits limits);
 
-/// The number typed. Throws CLI::ValidationError with the flag's name and limits.
+/// Parses a number. Throws CLI::ValidationError with the flag's name and limits.
 [[nodiscard]] double numberTyped(const std::string& flag, const std::string& text, NumberLimits limits, bool whole);
 
 template <class Value>
@@ -35,7 +35,7 @@ struct NumberIn<std::optional<Number>> {
     using Type = Number;
 };
 
-/// Adds `flag` for a number of any type, or for one that may stay unsaid; whole ones take no fractions. A default is told in the help.
+/// Adds `flag` for a number of any type, or for an optional number. Integer types refuse fractions. The help shows the default.
 template <class Value>
 CLI::Option& addNumber(CLI::App& command, const std::string& flag, Value& value, NumberLimits limits, const std::string& help) {
     using Number = typename NumberIn<Value>::Type;

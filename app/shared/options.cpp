@@ -1,4 +1,4 @@
-// Flags that several commands share.
+// Flags of several commands.
 #include "app/shared/options.h"
 
 #include "core/base/foreign_text.h"
@@ -30,8 +30,8 @@ std::string hint(const Parameter& p) {
     return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
 }
 
-// One line per stage on stderr, redrawn in place.
-bool tellStage(const char* stage, double fraction) {
+// One line per stage on stderr, overwritten in place.
+bool showStage(const char* stage, double fraction) {
     std::string line = stage;
     line.resize(std::max<std::size_t>(24, line.size()), ' ');
     tellProgress(line + " " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
@@ -104,18 +104,18 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
 
 namespace {
 
-bool somebodyWatches(const ReadFlags& flags) { return flags.progress || isatty(STDERR_FILENO) != 0; }
+bool wantsProgress(const ReadFlags& flags) { return flags.progress || isatty(STDERR_FILENO) != 0; }
 
 } // namespace
 
 ReadingOptions readingOptions(const ReadFlags& flags) {
     ReadingOptions options = flags.options;
-    if (somebodyWatches(flags)) options.progress = tellStage;
+    if (wantsProgress(flags)) options.progress = showStage;
     return options;
 }
 
 void tellWritten(const std::string& sentence, const ReadFlags& flags) {
-    if (somebodyWatches(flags)) complain(sentence);
+    if (wantsProgress(flags)) complain(sentence);
 }
 
 Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags) {

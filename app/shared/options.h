@@ -1,4 +1,4 @@
-// Flags that several commands share: how a file is read, which settings the method gets, and how progress is told.
+// Flags of several commands: how to read a file, the settings of the method, and progress.
 #pragma once
 
 #include "app/shared/exits.h"
@@ -23,22 +23,22 @@ struct ReadFlags {
 };
 void addReadFlags(CLI::App& command, ReadFlags& flags);
 
-/// --pose and --calibration alone, for what plays recordings.
+/// Adds only --pose and --calibration; for commands that play recordings.
 void addPlaceFlags(CLI::App& command, ReadingOptions& options);
 
-/// The options to open with; progress goes to stderr, on a terminal or with --progress.
+/// The reading options of the flags. Progress is printed on stderr if it is a terminal or with --progress.
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
-/// What was found and where it was written, on stderr, for whoever sits there: where that is a terminal or --progress is given.
+/// Prints the results and the written files on stderr, if it is a terminal or with --progress.
 void tellWritten(const std::string& sentence, const ReadFlags& flags);
 
-/// The scan; what was assumed, repaired or left out on reading is said on stderr, beside the result that follows.
+/// Opens the scan. Warnings about assumed, repaired or dropped data are printed on stderr.
 [[nodiscard]] Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags);
 
-/// --frame --ascii --include-attached --operator --role, and the choices of formats.
+/// Adds --frame --ascii --include-attached --operator --role and the options of formats.
 void addWriteFlags(CLI::App& command, WriteFlags& flags);
 
-/// --preset and one flag per row of the parameter table, into `flags`.
+/// Adds --preset and one flag per row of the parameter table; the values go into `flags`.
 void addMethodFlags(CLI::App& command, MethodFlags& flags);
 
 } // namespace edgescan::cli

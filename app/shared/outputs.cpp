@@ -1,4 +1,4 @@
-// Two results in one file would leave the last one without a word.
+// Checks the outputs: the second of two results in the same file would overwrite the first one without a warning.
 #include "app/shared/outputs.h"
 
 #include "core/base/whole_file.h"
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same for every spelling of a file, also of one that is not there yet.
+/// The same path for every spelling of a file, also before the file exists.
 fs::path whole(const fs::path& path) {
     std::error_code ignored;
     if (isStandardOutput(path)) return "-";

@@ -1,4 +1,4 @@
-// Where a command's results go, asked before anything is read.
+// Checks the outputs of a command before it reads anything.
 #pragma once
 
 #include "core/base/result.h"
@@ -8,8 +8,8 @@
 
 namespace edgescan::cli {
 
-/// Error when two of the paths are one file, however they are spelled, or one is the record beside another
-/// (core/files/open_save/sidecar_grid.h). Empty paths and devices do not count; standard output takes one result.
+/// Error if two of the paths are the same file, however they are spelled, or if one is the provenance record or sidecar of another
+/// (core/files/open_save/sidecar_grid.h). Empty paths and devices are ignored; standard output takes only one result.
 Result<Done> checkDistinct(std::span<const std::string> outputs);
 
 } // namespace edgescan::cli

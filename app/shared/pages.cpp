@@ -1,4 +1,4 @@
-// Man pages and shell completion from CLI11's options: what is typed nowhere twice cannot differ.
+// Man pages and shell completion from CLI11's options. One source means that they cannot differ from the options.
 #include "app/shared/pages.h"
 
 #include "core/base/version.h"
@@ -23,7 +23,7 @@ std::vector<const CLI::Option*> shownOptions(const CLI::App& app) {
 
 bool takesValue(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-/// The only words it takes; empty where it takes anything.
+/// The allowed values of an option; empty if it takes any text.
 std::vector<std::string> wordsOf(const CLI::Option& option) {
     std::vector<std::string> words;
     const std::string type = option.get_type_name();
@@ -47,7 +47,7 @@ std::vector<std::string> namesOf(const CLI::Option& option) {
     return names;
 }
 
-/// What the completion says of an option: its first sentence, without limits.
+/// The text of an option in the completion: the first sentence of its help, without limits.
 std::string briefly(const std::string& help) {
     std::string text = help.substr(0, help.find(" ["));
     text = text.substr(0, text.find(". "));
@@ -65,7 +65,7 @@ std::string replaced(const std::string& text, const std::vector<std::pair<char, 
 
 // ---- man ----
 
-/// For roff: a line may begin with anything.
+/// Escapes text for roff: a line may begin with any character.
 std::string roff(const std::string& text) {
     const std::string safe = replaced(text, {{'\\', "\\e"}, {'-', "\\-"}, {'\n', " "}, {'|', "|\\:"}});
     return !safe.empty() && (safe.front() == '.' || safe.front() == '\'') ? "\\&" + safe : safe;
@@ -76,7 +76,7 @@ std::string upper(std::string text) {
     return text;
 }
 
-// Nothing is spread over the width: flags hardly break. groff 1.23 goes back to what AD says at each heading.
+// No justified text: long flags leave large gaps. groff 1.23 resets the adjustment to AD at each heading.
 std::string heading(const std::string& page, const std::string& purpose) {
     return ".TH \"" + roff(upper(page)) + "\" \"1\" \"\" \"EdgeScan " + version() + "\" \"EdgeScan\"\n.ds AD l\n.ad l\n.nh\n.SH NAME\n" +
            roff(page) + " \\- " + roff(purpose) + "\n";
@@ -152,7 +152,7 @@ std::string commandPage(const CLI::App& command, const PageText& page) {
 
 // ---- completion ----
 
-/// "detect", or the empty name for a program without commands.
+/// A command with its flags: "detect", or an empty name for a program without commands.
 struct Flags {
     std::string command;
     std::vector<const CLI::Option*> options;

@@ -1,4 +1,4 @@
-// What somebody types, as settings and options.
+// Turns typed texts into settings and options.
 #include "app/shared/typed_settings.h"
 
 #include "core/base/inputs.h"
@@ -38,7 +38,7 @@ std::string typedFlags(const MethodFlags& flags) {
 
 Result<Preset> presetOf(const MethodFlags& flags) {
     if (!flags.preset.empty()) return findPreset(flags.preset);
-    // Flags of gray levels alone ask for Canny on them: a threshold that somebody types must do something.
+    // Gray-level flags without a method select Canny on gray levels: otherwise a typed threshold would have no effect.
     const bool gray = flags.typed.at("method") == kNotTyped && std::ranges::any_of(flags.typed, [](const auto& flag) {
                           const Parameter& parameter = *findParameter(flag.first);
                           return flag.second != kNotTyped && !parameter.usedBy(Settings{}) && parameter.usedBy(cannySettings());
@@ -48,7 +48,7 @@ Result<Preset> presetOf(const MethodFlags& flags) {
 
 namespace {
 
-// All that can be known without a scan: a lower threshold typed as a depth is left as it is.
+// All settings that need no scan. A lower threshold typed as a depth is not converted here.
 Result<Settings> settingsBut(const MethodFlags& flags) {
     const Result<Preset> preset = presetOf(flags);
     if (!preset) return preset.error();
@@ -67,7 +67,7 @@ Result<Settings> settingsBut(const MethodFlags& flags) {
         settings.lower = lowerWithSameStep(before, settings);
     }
     if (const auto checked = checkSettings(settings); !checked) return checked.error();
-    // Who names a method or a preset may type every parameter there is; who does not should hear that a flag changes nothing.
+    // With a method or a preset every parameter may be typed. Without them a flag that has no effect is an error.
     const bool chosen = !flags.preset.empty() || flags.typed.at("method") != kNotTyped;
     for (const auto& [key, text] : flags.typed) {
         if (chosen || text == kNotTyped || findParameter(key)->usedBy(settings)) continue;
@@ -87,7 +87,7 @@ Result<Settings> settingsOf(const MethodFlags& flags) {
 }
 
 Result<Done> checkMethod(const MethodFlags& flags) {
-    claimInput(flags.preset); // where it is a file
+    claimInput(flags.preset); // if it is a file
     const Result<Settings> settings = settingsBut(flags);
     if (!settings) return settings.error();
     return Done{};

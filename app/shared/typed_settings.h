@@ -1,4 +1,4 @@
-// What somebody types, on the command line or in Python: a preset and texts by parameter key, and how results are written.
+// Settings typed by the user on the command line or in Python: a preset, a text per parameter key, and how results are written.
 #pragma once
 
 #include "core/base/result.h"
@@ -11,7 +11,7 @@
 
 namespace edgescan::cli {
 
-inline const std::string kNotTyped = "\n"; ///< no flag can hold it
+inline const std::string kNotTyped = "\n"; ///< a flag cannot contain it
 
 /// --preset and one text per row of the parameter table.
 struct MethodFlags {
@@ -19,30 +19,30 @@ struct MethodFlags {
     std::map<std::string, std::string> typed; ///< by parameter key
 };
 
-/// Every parameter with kNotTyped.
+/// Every parameter is set to kNotTyped.
 [[nodiscard]] MethodFlags nothingTyped();
 
-/// A preset or a parameter was given on the command line.
+/// True if the command line gives a preset or a parameter.
 [[nodiscard]] bool anyTyped(const MethodFlags& flags);
 
-/// The preset named; else the default, or Canny on gray levels where its flags were typed and no method was. Error: neither a built-in
-/// preset nor a preset file.
+/// The named preset. Without a name: the default preset, or Canny on gray levels if its flags are typed and no method is. Error: the name
+/// is neither a built-in preset nor a preset file.
 [[nodiscard]] Result<Preset> presetOf(const MethodFlags& flags);
 
-/// "--preset thesis --kernel 5": what was typed, in the order of the table; quoted for a POSIX shell.
+/// "--preset thesis --kernel 5": the typed flags in the order of the table, quoted for a POSIX shell.
 [[nodiscard]] std::string typedFlags(const MethodFlags& flags);
 
-/// Preset first, then the flags; a method without a threshold typed keeps the step in depth at which the preset's starts an edge.
-/// Error: a lower threshold typed as a depth, unknown preset, or values that do not go together.
+/// Applies the preset first, then the flags. A method without a typed threshold gets the threshold with the same step in depth as the
+/// preset's. Error: a lower threshold typed as a depth, an unknown preset, or values that contradict each other.
 [[nodiscard]] Result<Settings> settingsOf(const MethodFlags& flags);
 
-/// Whether settingsFor() can work with these, before there is a scan. A preset file is an input from here on (core/base/inputs.h).
+/// Checks the flags as settingsFor() would, before a scan is open. From here on a preset file is an input (core/base/inputs.h).
 [[nodiscard]] Result<Done> checkMethod(const MethodFlags& flags);
 
-/// As settingsOf(), with a lower threshold that was typed as a depth ("0.5 m", "5 %") worked out for this scan.
+/// Like settingsOf(). A lower threshold typed as a depth ("0.5 m", "5 %") is computed for this scan.
 [[nodiscard]] Result<Settings> settingsFor(const MethodFlags& flags, const Scan& scan);
 
-/// --frame --ascii --include-attached --operator --role: how clouds and records are written.
+/// --frame --ascii --include-attached --operator --role: how to write clouds and records.
 struct WriteFlags {
     std::string frame = "auto";
     bool ascii = false;
@@ -51,7 +51,7 @@ struct WriteFlags {
     WritingChoices choices;
 };
 
-/// For this scan; `usual` is the frame of "auto".
+/// The export options for one command; `usual` is the frame of "auto".
 [[nodiscard]] ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual);
 
 } // namespace edgescan::cli

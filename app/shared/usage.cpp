@@ -1,4 +1,4 @@
-// CLI11's errors told like all others: what was typed may hold anything.
+// Prints CLI11's errors like all other errors: typed text may contain control characters.
 #include "app/shared/usage.h"
 
 #include "app/shared/exits.h"

@@ -1,4 +1,4 @@
-// A command line read, or refused in a sentence.
+// Parses a command line, or refuses it with one sentence.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace edgescan::cli {
 
-/// Empty when the program is to go on; else its exit code: 0 after help and version, 2 where the command line is wrong.
+/// Empty if the program continues; else its exit code: 0 after help and version, 2 for a wrong command line.
 [[nodiscard]] std::optional<int> parsed(CLI::App& app, int argc, char** argv);
 
 } // namespace edgescan::cli

@@ -28,14 +28,14 @@ namespace {
 using namespace edgescan;
 using namespace edgescan::viewer;
 
-// As asked with --quit-after; a screenshot that was asked for too is not there, or the window would be gone already.
+// For --quit-after. If a screenshot was requested too and the window is still open, the screenshot was not written.
 void quitInTime(const std::string& screenshot) {
     if (!screenshot.empty())
         cli::complain(Error{"no picture was written: the scan was not on screen in time", screenshot, "give --quit-after more seconds"});
     QApplication::exit(screenshot.empty() ? 0 : 1);
 }
 
-// What the viewer opens by itself.
+// Opens the scans and files of the command line.
 void openWanted(ui::MainWindow& window, ui::Memory& memory, const Wanted& wanted, const Understood& understood) {
     QStringList files;
     for (const std::string& file : wanted.files) files << QString::fromStdString(file);
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     cli::surviveFileLimit();
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
     addFlags(app, wanted);
-    // Before QApplication is made.
+    // Must run before QApplication is constructed.
     QSurfaceFormat::setDefaultFormat(ui::CloudView::surfaceFormat());
     QApplication::setApplicationName("EdgeScan");
     QApplication::setApplicationVersion(version());
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
     QIcon icon;
     for (const int size : {16, 24, 32, 48, 64, 128, 256, 512}) icon.addFile(QString(":/icons/edgescan-%1.png").arg(size));
     QApplication::setWindowIcon(icon);
-    QGuiApplication::setDesktopFileName("edgescan"); // where windows get their icon from the desktop entry
+    QGuiApplication::setDesktopFileName("edgescan"); // names the desktop entry from which the desktop takes the window's icon
     if (const ui::GlCheck gl = ui::checkGl(); !gl.available) {
         cli::complain(gl.reason.toStdString());
         return 1;

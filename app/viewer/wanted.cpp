@@ -1,4 +1,4 @@
-// Flags, and what they mean together.
+// Reads the flags and checks their combinations.
 #include "app/viewer/wanted.h"
 
 #include "app/shared/exits.h"
@@ -37,8 +37,8 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
     return places;
 }
 
-// Qt holds names as Unicode: of any other bytes it would ask the system for another file.
-std::optional<Error> nameThatIsNone(const Wanted& wanted) {
+// Qt stores file names as Unicode: a name with other bytes would open a different file.
+std::optional<Error> unusableName(const Wanted& wanted) {
     std::vector<std::string> names = wanted.files;
     names.push_back(wanted.screenshot);
     names.push_back(wanted.compare);
@@ -52,7 +52,7 @@ std::optional<Error> nameThatIsNone(const Wanted& wanted) {
     return std::nullopt;
 }
 
-/// What contradicts itself.
+/// Finds flags that contradict each other.
 std::optional<Error> contradiction(const Wanted& wanted) {
     if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty() && wanted.session.empty() && !wanted.goOn)
         return Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"};
@@ -100,7 +100,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
 }
 
 std::optional<Refusal> understand(const Wanted& wanted, Understood& understood) {
-    if (const auto none = nameThatIsNone(wanted)) return Refusal{*none, cli::kRefused};
+    if (const auto none = unusableName(wanted)) return Refusal{*none, cli::kRefused};
     if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, cli::kWrongUsage};
     if (auto refused = understandScanner(wanted, understood)) return refused;
     const auto pins = pinsOf(wanted.pins);

@@ -1,4 +1,4 @@
-// What the viewer's command line asks for.
+// The viewer's command line.
 #pragma once
 
 #include "app/shared/host_port.h"
@@ -12,7 +12,7 @@
 
 namespace edgescan::viewer {
 
-/// As typed.
+/// The flags as typed.
 struct Wanted {
     std::vector<std::string> files;
     cli::MethodFlags method;
@@ -34,21 +34,21 @@ struct Wanted {
 
 void addFlags(CLI::App& app, Wanted& wanted);
 
-/// What was typed, understood.
+/// The parsed and checked flags.
 struct Understood {
     std::vector<PinnedPlace> pins;
     std::optional<Settings> settings;
     std::optional<cli::HostPort> scanner;
-    SweepSettings sweep; ///< of the scanner
+    SweepSettings sweep; ///< of the live scanner
 };
 
-/// Why nothing is shown, and the code that the program ends with.
+/// The reason why the viewer does not start, and the exit code.
 struct Refusal {
     Error error;
     int code;
 };
 
-/// Empty where everything was understood. Nothing is opened.
+/// Empty if the flags are valid. Opens nothing.
 [[nodiscard]] std::optional<Refusal> understand(const Wanted& wanted, Understood& understood);
 
 } // namespace edgescan::viewer

@@ -35,7 +35,7 @@ void compareWhenShown(ui::MainWindow& window, const QString& before) {
     });
 }
 
-// Or at once when the scan was refused.
+// Takes the screenshot at once if the scan was refused.
 void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
     constexpr int kRestMs = 700;
     const auto write = [&window, wanted] {
@@ -50,7 +50,7 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
         const int shown = window.viewer().engine.picture()->detection->scan->lines();
         if (shown >= wanted.lines) {
             QTimer::singleShot(kRestMs, &window, write);
-        } else if (!wanted.live) { // it will have no more
+        } else if (!wanted.live) { // a file has no further lines
             cli::complain(Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", wanted.path,
                                 "give --screenshot-lines fewer"});
             QApplication::exit(1);

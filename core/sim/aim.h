@@ -1,4 +1,4 @@
-// Where the rays of a sweep start and point.
+// The start and the direction of each ray of a sweep.
 #pragma once
 
 #include "core/scan/georef/assembly.h"
@@ -14,7 +14,7 @@ struct Ray {
     Eigen::Vector3d direction;
 };
 
-/// True angles and the mounting. `angles` must outlive it.
+/// True angles and mounting. `angles` must outlive this object.
 class Aim {
 public:
     Aim(const Scan& angles, const AssemblyErrors& assembly)

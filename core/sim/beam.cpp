@@ -1,4 +1,4 @@
-// Echo formation and range noise.
+// Forms the echo and adds the range noise.
 #include "core/sim/beam.h"
 
 #include "core/sim/random.h"
@@ -9,9 +9,9 @@
 namespace edgescan::sim {
 namespace {
 
-constexpr double kMergeM = 0.6;        // echoes closer than this are one pulse to the receiver
+constexpr double kMergeM = 0.6;        // the receiver merges echoes closer than this into one pulse
 constexpr double kReflectivity = 0.35; // of dry rock at 905 nm
-constexpr double kWeakSignal = 0.02;   // below it echoes begin to be lost
+constexpr double kWeakSignal = 0.02;   // below this, some echoes are lost
 constexpr double kGrazingCosine = 0.10;
 
 struct Return {
@@ -60,7 +60,7 @@ Echo merged(const Return* begin, const Return* end) {
     return echo;
 }
 
-/// The strongest of the groups that `together` makes of neighbouring returns.
+/// The strongest of the groups of neighbouring returns; `together` decides whether two belong to one group.
 template <class Together>
 Echo strongestGroup(const Returns& returns, Together together) {
     Echo best;
@@ -96,7 +96,7 @@ Echo echoOf(const RayBundle& bundle, const BundleHits& hits, const Scene& scene,
 }
 
 double rangeSigmaM(double rangeM, double cosine) {
-    constexpr double kSteepest = 0.04; // beyond it the echo is as long as the receiver lets it be
+    constexpr double kSteepest = 0.04; // at a smaller cosine the echo has the largest length that the receiver allows
     return 0.001 * (5.5 + 0.25 * rangeM) * (1.0 + 0.35 * (1.0 / std::max(cosine, kSteepest) - 1.0));
 }
 

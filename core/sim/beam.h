@@ -1,4 +1,4 @@
-// From what a beam's sub-rays hit to the one range that the scanner reports.
+// Computes the one range that the scanner reports from the hits of a beam's sub-rays.
 #pragma once
 
 #include "core/sim/rays.h"
@@ -7,11 +7,11 @@
 
 namespace edgescan::sim {
 
-/// The echo that wins; signal 0 when there is none.
+/// The strongest echo; signal 0 if there is no echo.
 struct Echo {
     double rangeM = 0.0;
     double cosine = 1.0;       ///< of the angle between beam and surface normal
-    double signal = 0.0;       ///< received power; 1 is a white plate facing the scanner at 10 m
+    double signal = 0.0;       ///< received power; 1 is a white plate at 10 m that faces the scanner
     std::size_t strongest = 0; ///< sub-ray that contributed most
 };
 
@@ -20,10 +20,10 @@ struct Echo {
 /// Cosine between a sub-ray and the surface it hit.
 [[nodiscard]] double cosineOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane);
 
-/// Standard deviation of a range in metres (docs/method.md, "Simulator"), without the settings' factor.
+/// Standard deviation of a range in metres (docs/method.md, "Simulator"), without the factor of the settings.
 [[nodiscard]] double rangeSigmaM(double rangeM, double cosine);
 
-/// Range of cell k in whole steps, mm; 0 for no return.
+/// The range of cell k in whole steps, mm; 0 for no return.
 [[nodiscard]] double measuredMm(const Echo& echo, std::size_t k, const SimulationSettings& settings);
 
 } // namespace edgescan::sim

@@ -1,4 +1,4 @@
-// Shapes of the bell, the drift and the muck.
+// The shapes of the bell, the drift and the muck.
 #include "core/sim/bell.h"
 
 #include "core/sim/noise.h"
@@ -94,7 +94,7 @@ std::vector<Eigen::Vector2d> compass(int count) {
 
 Eigen::Vector2d Bell::halfAxes(double heightM) {
     const double h = std::max(0.0, heightM - kFloorM);
-    // Steep at the throat, flaring, then steep again towards the top.
+    // Steep at the throat, then flaring, then steep again near the top.
     const double flare = h * h / (h + 2.0);
     const double spread = flare < 6.0 ? flare : 6.0 + (flare - 6.0) * 0.45;
     return {3.1 + 0.62 * spread, 2.9 + 0.50 * spread};
@@ -102,7 +102,7 @@ Eigen::Vector2d Bell::halfAxes(double heightM) {
 
 Eigen::Vector3d Bell::wall(double c, double s, double heightM) const {
     const Eigen::Vector2d axes = halfAxes(heightM);
-    // Blasted walls are not elliptic: wide bulges and, smaller, the half-metre steps between rounds of holes.
+    // Blasted walls are not elliptic: they have wide bulges and, smaller, half-metre steps between rounds of holes.
     const Eigen::Vector3d place(2.2 * c, 2.2 * s, 0.5 * heightM);
     const double bulge = 1.0 + 0.10 * valueNoise(place, seed_) + 0.035 * valueNoise((2.3 * place).array() + 0.37, seed_ + 1) +
                          0.018 * valueNoise((6.1 * place).array() + 0.71, seed_ + 2);

@@ -1,4 +1,4 @@
-// Building the tree: halve the parts along the longest side of their centres.
+// Builds the tree: halves the parts along the longest side of the box of their centres.
 #include "core/sim/bvh.h"
 
 #include <numeric>
@@ -35,7 +35,7 @@ void BoxTree::split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& bo
     std::nth_element(order_.begin() + first, middle, order_.begin() + first + count, [&](std::int32_t a, std::int32_t b) {
         const float ca = boxes[static_cast<std::size_t>(a)].center()[axis];
         const float cb = boxes[static_cast<std::size_t>(b)].center()[axis];
-        return ca != cb ? ca < cb : a < b; // a total order: the same tree from every standard library
+        return ca != cb ? ca < cb : a < b; // a total order, so that every standard library gives the same tree
     });
     const auto child = static_cast<std::int32_t>(nodes_.size());
     nodes_.push_back({.first = first, .count = count / 2});

@@ -1,4 +1,4 @@
-// A tree of boxes over a scene's parts: finds the few parts that a beam can touch.
+// A tree of boxes over a scene's parts: finds the few parts that a beam can hit.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,13 @@
 
 namespace edgescan::sim {
 
-/// Boxes in a binary tree, for rays that leave the origin.
+/// Boxes in a binary tree, for rays that start at the origin.
 class BoxTree {
 public:
     BoxTree() = default;
     explicit BoxTree(const std::vector<Eigen::AlignedBox3f>& boxes);
 
-    /// Calls visit(part) for every part whose box the ray enters before `limit()`, roughly from near to far.
+    /// Calls visit(part) for every part whose box the ray enters before `limit()`, approximately from near to far.
     template <class Visit, class Limit>
     void along(const Eigen::Vector3f& direction, Visit visit, Limit limit) const;
 
@@ -27,8 +27,8 @@ private:
     struct Node {
         Eigen::Vector3f low = Eigen::Vector3f::Zero();
         Eigen::Vector3f high = Eigen::Vector3f::Zero();
-        std::int32_t first = 0; ///< leaf: first entry of order_; else the left child, whose sibling follows it
-        std::int32_t count = 0; ///< entries of a leaf, 0 for an inner node
+        std::int32_t first = 0; ///< end node: first entry of order_; inner node: the left child, whose sibling follows it
+        std::int32_t count = 0; ///< number of entries of an end node, 0 for an inner node
     };
     void split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& boxes);
 
@@ -36,7 +36,7 @@ private:
     std::vector<std::int32_t> order_;
 };
 
-/// Distance at which a ray from the origin enters the box (0 inside); a value above `limit` when it does not before that.
+/// Distance at which a ray from the origin enters the box (0 inside); a value above `limit` if it does not enter before that.
 inline float entryDistance(const Eigen::Vector3f& low, const Eigen::Vector3f& high, const Eigen::Vector3f& inverse, float limit) {
     float enter = 0.0F;
     float leave = limit;

@@ -1,4 +1,5 @@
-// Bundle against triangle and against convex body. The inner loops run over lanes without branches, so that the compiler vectorises them.
+// Intersects a bundle with triangles and with convex bodies. The inner loops run over lanes without branches, so that the compiler can
+// vectorise them.
 #include "core/sim/caster.h"
 
 namespace edgescan::sim {
@@ -8,8 +9,8 @@ constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
 
-/// The tree follows the centre of a beam that leaves the origin, so boxes grow by the radius that the beam has at their far end, and by how
-/// far from the origin it starts.
+/// The tree follows the centre of a beam that starts at the origin. So the boxes grow by the radius of the beam at their far end, and by
+/// the distance of the beam's start from the origin.
 Eigen::AlignedBox3f widened(const Eigen::AlignedBox3f& box, const Footprint& footprint, double leverM) {
     const double reach = static_cast<double>(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
     const auto margin = static_cast<float>(leverM + 1.05 * footprint.radiusM(reach) + 1e-4);
@@ -37,15 +38,15 @@ void castInto(const Mesh& mesh, const BoxTree& tree, const RayBundle& bundle, Bu
 Eigen::Vector3f originOf(const RayBundle& bundle, std::size_t i) { return {bundle.ox[i], bundle.oy[i], bundle.oz[i]}; }
 Eigen::Vector3f directionOf(const RayBundle& bundle, std::size_t i) { return {bundle.dx[i], bundle.dy[i], bundle.dz[i]}; }
 
-/// Whether a point on a side of a rounded body lies over that side of its core. Elsewhere the ray meets a ridge, or nothing.
+/// Whether a point on a side of a rounded body is over that side of its core. Elsewhere the ray hits a ridge, or misses.
 bool onFlatPart(const ConvexBody& body, std::size_t side, const Eigen::Vector3f& point) {
-    constexpr float kOverlapM = 1e-5F; // no ray slips between a side and its ridges
+    constexpr float kOverlapM = 1e-5F; // overlap, so that no ray passes between a side and its ridges
     const Eigen::Vector3f below = point - body.radiusM * body.facets[side].normal;
     return std::all_of(body.facets.begin(), body.facets.end(),
                        [&](const Facet& facet) { return facet.normal.dot(below) <= facet.offset - body.radiusM + kOverlapM; });
 }
 
-/// Distance at which a ray comes within the radius of a ridge, infinite where it does not; `start` and `along` in metres.
+/// Distance at which a ray comes within the radius of a ridge, infinite if it does not; `start` and `along` in metres.
 double entryOfRidge(const Ridge& ridge, double radius, const Eigen::Vector3d& start, const Eigen::Vector3d& along) {
     const auto entry = [](double a, double half, double c) { // the smaller root of a t^2 + 2 half t + c
         const double inside = half * half - a * c;
@@ -58,7 +59,7 @@ double entryOfRidge(const Ridge& ridge, double radius, const Eigen::Vector3d& st
     const Eigen::Vector3d across = along - along.dot(unit) * unit;
     const Eigen::Vector3d offsetAcross = offset - offset.dot(unit) * unit;
     const double square = across.squaredNorm();
-    double place = along.dot(unit) > 0.0 ? -1.0 : length + 1.0; // a ray along the ridge comes in by the end that it meets first
+    double place = along.dot(unit) > 0.0 ? -1.0 : length + 1.0; // a ray along the ridge enters at the end that it reaches first
     if (square > 1e-12) {
         const double t = entry(square, across.dot(offsetAcross), offsetAcross.squaredNorm() - radius * radius);
         if (std::isinf(t)) return t;
@@ -111,7 +112,7 @@ BundleHits Caster::cast(const RayBundle& bundle) const {
 }
 
 void meet(const Triangle& triangle, const RayBundle& bundle, BundleHits& hits) {
-    constexpr float kRim = 1e-5F; // neighbouring triangles overlap by this share, so that no ray slips between them
+    constexpr float kRim = 1e-5F; // neighbouring triangles overlap by this share, so that no ray passes between them
     const Eigen::Vector3f e1 = triangle.edge1;
     const Eigen::Vector3f e2 = triangle.edge2;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -119,7 +120,7 @@ void meet(const Triangle& triangle, const RayBundle& bundle, BundleHits& hits) {
         const float py = bundle.dz[i] * e2.x() - bundle.dx[i] * e2.z();
         const float pz = bundle.dx[i] * e2.y() - bundle.dy[i] * e2.x();
         const float determinant = e1.x() * px + e1.y() * py + e1.z() * pz;
-        const float inverse = 1.0F / determinant; // infinite for a ray in the plane: every test below then fails
+        const float inverse = 1.0F / determinant; // infinite for a ray in the plane: then every test below fails
         const float sx = bundle.ox[i] - triangle.corner.x();
         const float sy = bundle.oy[i] - triangle.corner.y();
         const float sz = bundle.oz[i] - triangle.corner.z();

@@ -1,4 +1,4 @@
-// Where the sub-rays of a beam end in a scene.
+// Finds where the sub-rays of a beam end in a scene.
 #pragma once
 
 #include "core/sim/bvh.h"
@@ -7,11 +7,10 @@
 
 namespace edgescan::sim {
 
-/// A scene made ready for casting. Never changes, so any number of threads may cast. The scene must outlive it.
+/// A scene prepared for ray casting. Immutable, so that several threads may cast rays at once. The scene must outlive this object.
 class Caster {
 public:
-    /// @param footprint the widest beam that will be cast
-    /// @param leverM how far from the origin a beam may start
+    /// @param footprint the widest beam that will be cast @param leverM the largest distance of a beam's start from the origin, metres
     Caster(const Scene& scene, const Footprint& footprint, double leverM = 0);
 
     [[nodiscard]] BundleHits cast(const RayBundle& bundle) const;
@@ -23,7 +22,7 @@ private:
     BoxTree bodyTree_;
 };
 
-/// Moves the hits closer where the bundle meets the triangle, or enters the body, before them.
+/// Shortens the hits to the point where the bundle meets the triangle, or enters the body.
 void meet(const Triangle& triangle, const RayBundle& bundle, BundleHits& hits);
 void meet(const ConvexBody& body, const RayBundle& bundle, BundleHits& hits);
 

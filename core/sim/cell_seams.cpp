@@ -1,4 +1,4 @@
-// Seams between cells: on planes by their tangents, on meshes by rays in between.
+// Finds seams between cells: on planes by their tangent planes, on meshes by rays in between.
 #include "core/sim/cell_seams.h"
 
 namespace edgescan::sim {
@@ -13,7 +13,7 @@ TangentPlane planeOf(const SeamSources& sources, const SimulationTruth& truth, C
             truth.normal[k].cast<double>()};
 }
 
-// Without relief, which makes no edges.
+// Without relief, because relief does not cause edges.
 std::optional<TangentPlane> onFace(const SeamSources& sources, const Eigen::Vector3d& ray, std::uint16_t object, std::uint16_t face) {
     const RayBundle bundle = bundleAlong(ray, {});
     const BundleHits hits = sources.caster.cast(bundle);

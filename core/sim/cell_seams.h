@@ -1,4 +1,4 @@
-// What lies between neighbouring cells of a sweep.
+// Finds the seams between neighbouring cells of a sweep.
 #pragma once
 
 #include "core/scan/grid/cartesian.h"
@@ -10,11 +10,11 @@ namespace edgescan::sim {
 struct SeamSources {
     const Scene& scene;
     const Caster& caster;                      ///< of the scene
-    std::array<const CartesianTables*, 2> aim; ///< where even and odd beams really point
-    bool measured = false;                     ///< the mesh was made of measured points, so its facets are no folds
+    std::array<const CartesianTables*, 2> aim; ///< true directions of even and odd beams
+    bool measured = false;                     ///< the mesh consists of measured points, so its facets do not count as folds
 };
 
-/// Fills toNextBeam and toNextLine of a line; the other grids of `truth` must be filled, those of the next line too.
+/// Fills toNextBeam and toNextLine of a line. The other grids of `truth` must be filled, including those of the next line.
 void findSeams(const SeamSources& sources, int line, SimulationTruth& truth);
 
 } // namespace edgescan::sim

@@ -1,4 +1,4 @@
-// Rocks: a blocky cloud of corners, its hull, and the half-spaces that rays are tested against.
+// Rocks: random corners of a block, their hull, and the half-spaces for ray casting.
 #include "core/sim/convex_rock.h"
 
 #include "core/base/geometry/convex_hull.h"
@@ -28,7 +28,7 @@ Eigen::Matrix3d randomTurn(Dice& dice) {
     return q.normalized().toRotationMatrix();
 }
 
-/// A block between three sets of joints, its corners and edges broken off.
+/// A block between three sets of joints, with corners and edges broken off.
 std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
     std::vector<Eigen::Vector3d> planes;
     const double skew = dice.uniform(0.05, 0.30);
@@ -42,7 +42,7 @@ std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
     return planes;
 }
 
-/// Longest distance between two corners, then the widths across it: the widest one, and the one at right angles to both.
+/// The longest distance between two corners, then the widths across it: the largest one, and the one at right angles to both.
 std::array<float, 3> spansOf(const RoundedCore& core) {
     const std::vector<Eigen::Vector3d>& corners = core.corners;
     const auto longest = [&](auto project) {
@@ -80,10 +80,10 @@ std::vector<double> rockSizes(int count, std::uint64_t seed) {
     while (static_cast<int>(sizes.size()) < count) {
         const double size = 0.50 * std::exp(0.70 * dice.normal());
         if (size < kMinSizeM || size > kMaxSizeM) continue;
-        sizes.push_back(std::round(size * 1e4) / 1e4); // exp() may differ in its last bit between machines
+        sizes.push_back(std::round(size * 1e4) / 1e4); // the last bit of exp() may differ between machines
     }
     std::sort(sizes.rbegin(), sizes.rend());
-    // An arch is held by a few blocks that are large against the throat; a log-normal law alone has them only sometimes.
+    // A few blocks that are large compared with the throat hold an arch. With a log-normal distribution alone such blocks would be rare.
     constexpr std::array<double, 5> kKeystones{2.6, 2.5, 2.3, 2.1, 1.9};
     for (std::size_t i = 0; i < std::min(kKeystones.size(), sizes.size() / 8); ++i)
         sizes[i] = std::max(sizes[i], kKeystones[i] * dice.uniform(0.94, 1.0));
@@ -98,7 +98,7 @@ std::vector<double> ballRadii(const std::vector<double>& sizesM) {
 }
 
 std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice) {
-    const int planes = dice.whole(9, dice.whole(14, 22)); // a body of n planes has at most 2 n - 4 corners: 14-40
+    const int planes = dice.whole(9, dice.whole(14, 22)); // a body with n planes has at most 2 n - 4 corners: 14-40
     std::vector<Eigen::Vector3d> corners = cornersBetween(blockPlanes(planes, dice));
     const Eigen::Vector3d axes{1.0, dice.uniform(0.55, 1.0), dice.uniform(0.55, 1.0)};
     const Eigen::Matrix3d turn = randomTurn(dice);

@@ -1,4 +1,4 @@
-// Scenes of known measures: a wall, a staircase.
+// Scenes with known dimensions: a wall, a staircase.
 #include "core/sim/bell.h"
 #include "core/sim/convex_rock.h"
 #include "core/sim/random.h"
@@ -12,17 +12,17 @@ namespace edgescan::sim {
 namespace {
 
 constexpr double kReach = 3.0;     // half-width of the flat scenes as a multiple of their distance
-constexpr double kHoleField = 1.5; // of the square that several holes are spread over
-constexpr double kHoleSpace = 1.2; // side of a hole's own square as a multiple of the hole, at least
+constexpr double kHoleField = 1.5; // side of the square over which several holes are distributed
+constexpr double kHoleSpace = 1.2; // least side of a hole's own square as a multiple of the hole
 
-/// Point of the square with half-side 1 in that direction.
+/// The point, in that direction, of the square with half-side 1.
 Eigen::Vector2d onSquare(const Eigen::Vector2d& unit) { return unit / unit.cwiseAbs().maxCoeff(); }
 
 /// Adds the part of the wall between two closed curves, both given by direction.
 template <class Inner, class Outer>
 void addRing(Scene& scene, double distanceM, Inner inner, Outer outer) {
     constexpr int kRings = 3;
-    const std::vector<Eigen::Vector2d> around = compass(128); // a multiple of 8: corners of the square are met exactly
+    const std::vector<Eigen::Vector2d> around = compass(128); // a multiple of 8, so that corners of the square are exact
     const auto place = [&](int ring, int column) {
         const Eigen::Vector2d& unit = around[static_cast<std::size_t>(column)];
         const Eigen::Vector2d from = inner(unit);
@@ -74,7 +74,7 @@ Result<Scene> wallScene(const WallShape& wall, std::uint64_t seed) {
     if (!holes) return holes.error();
     const double reach = kReach * wall.distanceM;
     const int side = squaresPerSide(static_cast<int>(holes->size()));
-    // One hole or none: the wall is one square. Several: each has a square of its own, and a frame goes round them all.
+    // With at most one hole the wall is one square. With several, each hole has its own square, and a frame surrounds all of them.
     const double half = holes->size() < 2 ? reach : kHoleField * wall.distanceM;
     const double square = 2.0 * half / side;
     Scene scene;

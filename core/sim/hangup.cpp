@@ -1,4 +1,4 @@
-// The hang-up: large rocks find their places first, the others jam between them and against the walls.
+// The hang-up: large rocks get their places first, then the others jam between them and against the walls.
 #include "core/sim/scenes.h"
 
 #include "core/sim/bell.h"
@@ -12,14 +12,14 @@
 namespace edgescan::sim {
 namespace {
 
-/// Where the rocks jam: a vault that stands on the walls, with the chimney through it.
+/// The place where the rocks jam: a vault supported by the walls, with the chimney through it.
 struct Vault {
     const Bell& bell;
     Eigen::Vector2d chimneyM;
     double chimneyRadiusM = 0.95;
     double springingM = 4.2; ///< height at the wall
     double crownM = 6.0;     ///< height on the axis
-    double tilt = 0.0;       ///< rise per metre along x: no real arch is level
+    double tilt = 0.0;       ///< rise per metre along x: real arches are never level
 
     [[nodiscard]] double height(const Eigen::Vector3d& p) const {
         const double s = std::min(1.0, bell.share(p));
@@ -27,7 +27,7 @@ struct Vault {
     }
 };
 
-/// Weight and arching: down onto the vault, off the chimney, and never through the wall.
+/// Weight and arching: moves a ball down onto the vault, away from the chimney, and never through the wall.
 void settle(Ball& ball, const Vault& vault, double hang) {
     const double level = vault.height(ball.centre) + hang;
     if (ball.centre.z() < level)
@@ -40,11 +40,11 @@ void settle(Ball& ball, const Vault& vault, double hang) {
     if (distance < clear && distance > 1e-6) ball.centre.head<2>() += off * (0.5 * (clear - distance) / distance);
     const double share = vault.bell.share(ball.centre);
     const double axis = Bell::halfAxes(ball.centre.z()).minCoeff();
-    const double limit = 1.0 - 0.65 * ball.radius / axis; // wedged into the rough wall rather than leaning on it
+    const double limit = 1.0 - 0.65 * ball.radius / axis; // wedged into the rough wall instead of leaning on it
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
-/// The large rock nearest the axis.
+/// The large rock nearest to the axis.
 std::size_t keystone(const std::vector<Ball>& balls) {
     constexpr std::size_t kLarge = 5; // the first ones are the largest
     std::size_t best = 0;
@@ -54,7 +54,7 @@ std::size_t keystone(const std::vector<Ball>& balls) {
     return best;
 }
 
-/// A place on the muck where a rock that fell may lie; far below everything where none is found: it was drawn out.
+/// A place on the muck for a fallen rock; far below everything if there is no place: then the rock was drawn out.
 Eigen::Vector3d landing(const Bell& bell, std::uint64_t seed, double sizeM, Dice& dice) {
     constexpr int kTries = 40;
     for (int n = 0; n < kTries; ++n) {
@@ -62,13 +62,14 @@ Eigen::Vector3d landing(const Bell& bell, std::uint64_t seed, double sizeM, Dice
         const double y = dice.uniform(-4.5, 1.0);
         const double height = muckHeight(bell, x, y, seed) + 0.25 * sizeM;
         const bool nearScanner = std::hypot(x, y) < 1.6 + sizeM;
-        const bool onPole = y * y + height * height < (0.15 + 0.5 * sizeM) * x * x; // near the axis of a sweep it would show in every line
+        // near the axis of a sweep it would appear in every line
+        const bool onPole = y * y + height * height < (0.15 + 0.5 * sizeM) * x * x;
         if (!nearScanner && !onPole && bell.share({x, y, height}) < 0.95) return {x, y, height};
     }
     return {0.0, 0.0, -60.0};
 }
 
-/// Moves what the blast moves.
+/// Moves the rocks that the blast moves.
 void blast(std::vector<Ball>& balls, const std::vector<double>& sizes, const Bell& bell, std::uint64_t seed) {
     constexpr double kBrokenOutM = 1.8, kLoosenedM = 2.8;
     if (balls.empty()) return;
@@ -106,7 +107,7 @@ void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t
     }
 }
 
-/// Stones that came down before it hung up.
+/// Stones that fell before the hang-up.
 void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t seed) {
     Dice dice(seed, Purpose::Rubble);
     for (int i = 0; i < rocks.count / 5;) {
@@ -116,7 +117,7 @@ void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t
         const double size = rocks.size * usual;
         const double height = muckHeight(bell, x, y, seed);
         const bool onSlope = height > kFloorM + 0.6 && bell.share({x, y, height}) < 0.98;
-        const bool onPole = y * y + height * height < 0.2 * x * x; // near the axis of a sweep it would show in every line
+        const bool onPole = y * y + height * height < 0.2 * x * x; // near the axis of a sweep it would appear in every line
         if (!onSlope || onPole) continue;
         Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
         addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size}, rocks.rounding);

@@ -1,4 +1,4 @@
-// Value noise: random numbers on a lattice, blended smoothly in between.
+// Value noise: random numbers on a lattice with smooth interpolation.
 #include "core/sim/noise.h"
 
 #include "core/sim/random.h"
@@ -39,13 +39,13 @@ double valueNoise(const Eigen::Vector3d& place, std::uint64_t seed) {
 }
 
 double fractalNoise(const Eigen::Vector3d& placeM, double wavelengthM, int octaves, std::uint64_t seed) {
-    // One octave has a standard deviation of 0.40 (8 uniform lattice values, blended); the others add 15 %.
+    // One octave has a standard deviation of 0.40 (8 uniform lattice values, interpolated); the others add 15 %.
     constexpr double kSpread = 0.46;
     double sum = 0.0;
     double height = 1.0;
     double frequency = 1.0 / wavelengthM;
     for (int octave = 0; octave < octaves; ++octave) {
-        // The shift keeps the lattices of the octaves from sharing nodes.
+        // The shift prevents the lattices of the octaves from sharing nodes.
         const Eigen::Vector3d place = placeM * frequency + Eigen::Vector3d::Constant(0.37 * octave);
         sum += height * valueNoise(place, seed + static_cast<std::uint64_t>(octave));
         height *= 0.5;

@@ -1,4 +1,4 @@
-// Position-based relaxation, one ball after the other, always in the same order: the outcome depends on nothing but the input.
+// Position-based relaxation, one ball after the other, always in the same order, so that the result depends only on the input.
 #include "core/sim/packing.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Jamming: balls that stand for rocks, pushed apart until they touch.
+// Jamming: balls, which represent rocks, are pushed apart until they touch.
 #pragma once
 
 #include "core/sim/random.h"
@@ -15,15 +15,15 @@ struct Ball {
     double radius = 0.5;
 };
 
-/// Moves a ball back to where it may be.
+/// Moves a ball back into the allowed space.
 using Confine = std::function<void(std::size_t index, Ball& ball)>;
 
-/// Alternates pushing overlapping balls apart and confining each; small balls give way to large ones. The cost grows with the square of the
-/// number of balls.
-/// @param touch distance that two balls settle at, as a share of the sum of their radii; below 1 they stay interlocked
+/// Alternates between pushing overlapping balls apart and confining each ball; small balls give way to large ones. The cost grows with the
+/// square of the number of balls. @param touch distance at which two balls come to rest, as a share of the sum of their radii; below 1 they
+/// stay interlocked
 [[nodiscard]] std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds);
 
-/// Balls of the given radii. Each takes that of twelve random places which is farthest from the balls before it, so that the large ones,
+/// Balls with the given radii. Of twelve random places, each ball takes the one farthest from the balls before it, so that the large ones,
 /// which come first, do not hide behind each other.
 [[nodiscard]] std::vector<Ball> scattered(const std::vector<double>& radii, const std::function<Eigen::Vector3d(Dice&)>& place, Dice& dice);
 

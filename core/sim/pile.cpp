@@ -1,4 +1,4 @@
-// The pile: what lies in the drawpoint when the bell has run, and the empty bell itself.
+// The pile: the rocks in the drawpoint after the bell has run; and the empty bell.
 #include "core/sim/bell.h"
 #include "core/sim/convex_rock.h"
 #include "core/sim/noise.h"
@@ -11,16 +11,17 @@
 namespace edgescan::sim {
 namespace {
 
-constexpr double kLarger = 2.1; // the slope is built at the size of the bell in "hangup", then enlarged, so that there is room before it
+// the slope is built at the size of the bell in "hangup" and then enlarged, so that there is space in front of it
+constexpr double kLarger = 2.1;
 
-/// Surface of the slope below the rocks: up towards -y at the angle of repose.
+/// Surface of the slope below the rocks: rises towards -y at the angle of repose.
 double slopeHeight(double x, double y, std::uint64_t seed) {
     const double rise = 0.72 * std::max(0.0, -y - 1.6 + 0.03 * x * x);
     return kFloorM - 0.2 + std::min(rise, 3.2) + 0.15 * valueNoise({0.9 * x, 0.9 * y, 2.0}, seed);
 }
 
 void settle(Ball& ball, const Bell& bell, std::uint64_t seed) {
-    constexpr double kClearM = 1.7; // nothing lies on the robot
+    constexpr double kClearM = 1.7; // keeps rocks away from the robot
     const double level = slopeHeight(ball.centre.x(), ball.centre.y(), seed) + 0.4 * ball.radius;
     ball.centre.z() = std::max(level, ball.centre.z() - 0.05);
     const double distance = ball.centre.norm();
@@ -58,7 +59,7 @@ Scene pileScene(std::uint64_t seed, const Rocks& rocks) {
     addBell(scene, bell, {.present = false});
     addGround(scene, [&](double x, double y) { return slopeHeight(x, y, seed); });
     addPile(scene, bell, rocks, seed);
-    // The boom leans towards the slope: the middle beam looks along -y, 16 degrees up.
+    // The boom leans towards the slope: the middle beam points along -y, 16 degrees up.
     Eigen::Matrix3f lean;
     lean << 1.0F, 0.0F, 0.0F, 0.0F, 0.28F, 0.96F, 0.0F, -0.96F, 0.28F;
     return turned(scaled(std::move(scene), static_cast<float>(kLarger)), lean);

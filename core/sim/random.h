@@ -1,4 +1,4 @@
-// Random numbers that depend only on (seed, purpose, index): the same bytes for any number of threads and on any machine.
+// Random numbers that depend only on (seed, purpose, index): the same bytes for any number of threads and on every machine.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31U);
 }
 
-/// What a number is drawn for; numbers of different purposes are independent.
+/// The purpose of a random number; numbers for different purposes are independent.
 enum class Purpose : std::uint64_t {
     Noise = 1,
     Dropout,
@@ -41,8 +41,8 @@ constexpr std::uint64_t hashOf(std::uint64_t seed, Purpose purpose, std::uint64_
 /// In [0, 1), 53 bits.
 constexpr double uniformOf(std::uint64_t hash) { return static_cast<double>(hash >> 11U) * 0x1.0p-53; }
 
-/// Mean 0, standard deviation 1, never beyond 6. A sum of twelve uniforms, not Box-Muller: integers alone decide, whereas log and cos
-/// differ in the last bit between C libraries.
+/// Mean 0, standard deviation 1, never beyond 6. A sum of twelve uniform numbers instead of Box-Muller: it needs only integers, whereas log
+/// and cos differ in the last bit between C libraries.
 constexpr double normalOf(std::uint64_t hash) {
     std::uint64_t sum = 0;
     for (int word = 0; word < 3; ++word) {
@@ -52,7 +52,7 @@ constexpr double normalOf(std::uint64_t hash) {
     return (static_cast<double>(sum) + 6.0) / 65536.0 - 6.0;
 }
 
-/// A sequence of draws for building a scene, on one thread.
+/// A sequence of random numbers for building a scene, on one thread.
 class Dice {
 public:
     Dice(std::uint64_t seed, Purpose purpose, std::uint64_t stream = 0) : key_(hashOf(seed, purpose, stream)) {}

@@ -1,4 +1,4 @@
-// Sub-rays of a beam: the centre, a ring of four and a ring of six, each standing for about the same area.
+// The sub-rays of a beam: the centre, a ring of four and a ring of six, each for about the same area.
 #include "core/sim/rays.h"
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@ namespace edgescan::sim {
 namespace {
 
 struct SubRay {
-    double u, v; ///< place in the unit disc
+    double u, v; ///< position in the unit disc
     float power; ///< before normalisation; the beam is brighter in the middle
 };
 constexpr std::array<SubRay, kSubRays> kPattern{{{0.0, 0.0, 1.0F},

@@ -1,4 +1,4 @@
-// One beam as a bundle of sub-rays over its footprint, and what they hit.
+// One beam as a bundle of sub-rays over its footprint, and their hits.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,20 +10,20 @@
 namespace edgescan::sim {
 
 inline constexpr std::size_t kSubRays = 11; ///< per beam (docs/method.md, "Simulator")
-inline constexpr std::size_t kLanes = 12;   ///< sub-rays rounded up to whole vector registers; the last lane repeats the centre
+inline constexpr std::size_t kLanes = 12;   ///< number of sub-rays rounded up to whole vector registers; the last lane repeats the centre
 
 template <class T>
 using Lanes = std::array<T, kLanes>;
 
-/// Metres, scanner frame; directions need no unit length beyond what float gives. Lane 0 is the centre of the beam.
+/// Metres, scanner frame; directions have unit length within the precision of float. Lane 0 is the centre of the beam.
 struct RayBundle {
     alignas(16) Lanes<float> ox, oy, oz;
     alignas(16) Lanes<float> dx, dy, dz;
 };
 
 struct BundleHits {
-    alignas(16) Lanes<float> distanceM;      ///< infinite where nothing is hit
-    alignas(16) Lanes<std::int32_t> surface; ///< index into Scene::surfaces, -1 where nothing is hit
+    alignas(16) Lanes<float> distanceM;      ///< infinite for a sub-ray without a hit
+    alignas(16) Lanes<std::int32_t> surface; ///< index into Scene::surfaces, -1 without a hit
 
     BundleHits() {
         distanceM.fill(std::numeric_limits<float>::infinity());
@@ -31,7 +31,7 @@ struct BundleHits {
     }
 };
 
-/// Where a sub-ray that hit something ends, metres.
+/// The end point of a sub-ray that hit a surface, metres.
 [[nodiscard]] inline Eigen::Vector3f placeOf(const RayBundle& bundle, const BundleHits& hits, std::size_t lane) {
     const float t = hits.distanceM[lane];
     return {bundle.ox[lane] + t * bundle.dx[lane], bundle.oy[lane] + t * bundle.dy[lane], bundle.oz[lane] + t * bundle.dz[lane]};
@@ -45,11 +45,11 @@ struct Footprint {
     [[nodiscard]] double radiusM(double rangeM) const { return 0.5 * (apertureM + divergenceRad * rangeM); }
 };
 
-/// The sub-rays of the beam that leaves the origin, or another place, along a unit direction.
+/// The sub-rays of a beam along a unit direction, from the origin or another point.
 [[nodiscard]] RayBundle bundleAlong(const Eigen::Vector3d& direction, const Footprint& footprint,
                                     const Eigen::Vector3d& fromM = Eigen::Vector3d::Zero());
 
-/// Share of the beam's power that each sub-ray carries; sums to 1.
+/// Share of the beam's power in each sub-ray; the sum is 1.
 [[nodiscard]] const Lanes<float>& subRayPower();
 
 } // namespace edgescan::sim

@@ -1,4 +1,4 @@
-// A real surface scanned again: the points of a cloud as a relief over the scanner.
+// Scans a measured surface again: the points of a cloud as a relief above the scanner.
 #include "core/sim/bell.h"
 #include "core/sim/scenes.h"
 
@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kPointsPerCell = 2.0;
 constexpr int kMostNodes = 1200; // along the longer side
-constexpr int kLargestGap = 6;   // nodes that are filled between points
-constexpr double kBehindM = 0.5; // from the lowest point to what lies behind the surface
-constexpr double kDomeDeg = 100; // of the dome around the surface, from its top down
+constexpr int kLargestGap = 6;   // largest gap between points that is filled, nodes
+constexpr double kBehindM = 0.5; // distance from the lowest point to the surface that fills large gaps
+constexpr double kDomeDeg = 100; // angle of the dome around the surface, from its top down
 
 struct Relief {
     int rows = 0, columns = 0;
@@ -28,7 +28,7 @@ struct Relief {
 
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
-// Nodes without a point take the mean of their neighbours, from the known ones outwards; those too far from any point lie behind the
+// Nodes without a point get the mean of their neighbours, from the known nodes outwards. Nodes too far from any point are placed behind the
 // whole surface.
 void fillUnknown(Relief& relief, float ground) {
     for (int round = 0; round < kLargestGap / 2; ++round) {
@@ -54,7 +54,7 @@ void fillUnknown(Relief& relief, float ground) {
     for (float& height : relief.height) height = height == kUnknown ? ground : height;
 }
 
-// The highest point of each cell: what a scanner above would see first.
+// The highest point of each cell, because a scanner above sees it first.
 Relief reliefOf(const std::vector<Eigen::Vector3f>& points, const Eigen::AlignedBox3f& box) {
     const Eigen::Vector3d size = box.sizes().cast<double>();
     Relief relief;
@@ -80,7 +80,7 @@ Scene rescanScene(const std::vector<Eigen::Vector3f>& points, double distanceM) 
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& p : points) box.extend(p);
     Relief relief = reliefOf(points, box);
-    // What lay below the surveyor hangs over the scanner; its highest point is the nearest.
+    // The surface below the surveyor is flipped and placed above the scanner; its highest point is the nearest.
     const Eigen::Vector3f centre = box.center();
     const auto place = [&](int row, int column) {
         return Eigen::Vector3d(static_cast<double>(box.min().x() - centre.x()) + column * relief.step,
@@ -89,7 +89,7 @@ Scene rescanScene(const std::vector<Eigen::Vector3f>& points, double distanceM) 
     };
     Scene scene;
     addLattice(scene, scene.solids, {relief.rows, relief.columns, false, place}, {.texture = Texture::Smooth});
-    // A dome around the surface: no beam ends in the open, so that every border is one of the surface.
+    // A dome around the surface: every beam ends on something, so that every border is a border of the surface.
     constexpr int kRings = 48;
     const std::vector<Eigen::Vector2d> around = compass(144);
     const Eigen::Vector3d half = 0.5 * box.sizes().cast<double>();

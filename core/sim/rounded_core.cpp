@@ -1,4 +1,4 @@
-// The opening of a convex polyhedron by a ball, and its volume after Steiner.
+// The morphological opening of a convex polyhedron by a ball, and its volume by Steiner's formula.
 #include "core/sim/rounded_core.h"
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@ namespace edgescan::sim {
 namespace {
 
 constexpr double kFlat = 1e-4;      // radians: triangles of one side
-constexpr double kShortestM = 1e-5; // where four sides meet, rounding makes two corners this close to each other
+constexpr double kShortestM = 1e-5; // where four sides meet, rounding gives two corners this close to each other
 
 const Eigen::Vector3d& at(const std::vector<Eigen::Vector3d>& points, int i) { return points[static_cast<std::size_t>(i)]; }
 
@@ -28,9 +28,9 @@ double volumeOf(const RoundedCore& core) {
     return six / 6.0;
 }
 
-/// Finds the ridges; returns the sum of their lengths times the angles that the surface turns by at them.
+/// Finds the ridges; returns the sum of their lengths multiplied by the angles between their sides.
 double findRidges(RoundedCore& core) {
-    std::map<std::array<int, 2>, Eigen::Vector3d> waiting; // the first side of each edge, until the second one comes
+    std::map<std::array<int, 2>, Eigen::Vector3d> waiting; // the first side of each edge, until the second one is found
     double bend = 0.0;
     for (const HullTriangle& t : core.hull) {
         const Eigen::Vector3d normal = areaOf(core.corners, t).normalized();

@@ -1,4 +1,4 @@
-// Building blocks of scenes: surfaces through lattices of points, turning.
+// Building blocks of scenes: surfaces through lattices of points, rotation.
 #include "core/sim/scene.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 void addTriangle(Scene& scene, Mesh& mesh, const std::array<Eigen::Vector3d, 3>& corners, Surface look) {
     Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double area = normal.norm();
-    if (area < 1e-12) return; // a lattice may run together in a point
+    if (area < 1e-12) return; // several nodes of a lattice may coincide
     normal /= area;
     if (normal.dot(corners[0]) > 0.0) normal = -normal;
     look.normal = normal.cast<float>();

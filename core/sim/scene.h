@@ -1,4 +1,4 @@
-// What the beams can hit: the walls of a void, solid surfaces in it, and convex bodies.
+// The surfaces that beams can hit: walls of voids, solid surfaces in them, and convex bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,9 +16,9 @@ inline constexpr std::uint16_t kFirstRock = 2;
 
 enum class Texture : std::uint8_t { Smooth, Rock, Wall };
 
-/// One flat piece, or a rounded ridge. Pieces with the same object and face make one smooth face of that object.
+/// One flat piece, or a rounded ridge. Pieces with the same object and face form one smooth face of that object.
 struct Surface {
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< unit, towards the scanner's side; not used for a rounded ridge
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< unit vector towards the scanner's side; unused for a rounded ridge
     std::uint16_t object = kWallObject;
     std::uint16_t face = 1;
     Texture texture = Texture::Wall;
@@ -45,16 +45,17 @@ struct Ridge {
     std::int32_t surface = -1;
 };
 
-/// The intersection of half-spaces. Where the radius is not 0 it is rounded off: the half-spaces moved in by the radius enclose the core,
-/// and the body is all that lies within the radius of the core: planes where it was flat, cylinders along ridges, spheres at corners.
+/// The intersection of half-spaces. If the radius is not 0 the body is rounded: the half-spaces, moved inwards by the radius, enclose the
+/// core, and the body contains all points within the radius of the core: planes over its flat sides, cylinders along ridges, spheres at
+/// corners.
 struct ConvexBody {
     std::vector<Facet> facets;
     Eigen::AlignedBox3f box;
-    std::vector<Ridge> ridges; ///< of the core; none for a sharp body
+    std::vector<Ridge> ridges; ///< of the core; empty for a sharp body
     float radiusM = 0.0F;
 };
 
-/// A rock as it really is, hidden parts included.
+/// The true dimensions of a rock, including hidden parts.
 struct RockTruth {
     std::uint16_t object = 0;
     Eigen::Vector3f centreM = Eigen::Vector3f::Zero();
@@ -65,19 +66,18 @@ struct RockTruth {
 /// Metres, scanner frame, scanner at the origin.
 struct Scene {
     std::vector<Surface> surfaces;
-    /// Each mesh is the wall of one void that holds the scanner; a beam passes from void to void and ends at the farthest wall.
+    /// Each mesh is the wall of one void that contains the scanner; a beam passes from void to void and ends at the farthest wall.
     std::vector<Mesh> voids;
-    Mesh solids; ///< surfaces that stop a beam wherever they are
+    Mesh solids; ///< surfaces that stop a beam in any void
     std::vector<ConvexBody> bodies;
     std::vector<RockTruth> rocks;
 };
 
-/// Unit normal of a surface at a point of it.
+/// Unit normal of a surface at one of its points.
 [[nodiscard]] Eigen::Vector3f normalAt(const Scene& scene, const Surface& surface, const Eigen::Vector3f& point);
 
-/// Adds the surface through a rows x columns lattice of points, facing the scanner, two triangles per lattice cell.
-/// @param closed joins the last column to the first
-/// @param point place of lattice node (row, column), metres
+/// Adds the surface through a rows x columns lattice of points, facing the scanner, two triangles per lattice cell. @param closed joins the
+/// last column to the first @param point position of lattice node (row, column), metres
 struct Lattice {
     int rows = 2;
     int columns = 2;
@@ -86,10 +86,10 @@ struct Lattice {
 };
 void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface& look);
 
-/// The scene made larger or smaller, the scanner staying where it is.
+/// The scene scaled by a factor about the scanner.
 [[nodiscard]] Scene scaled(Scene scene, float factor);
 
-/// The scene turned about the scanner.
+/// The scene rotated about the scanner.
 [[nodiscard]] Scene turned(Scene scene, const Eigen::Matrix3f& rotation);
 
 } // namespace edgescan::sim

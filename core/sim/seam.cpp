@@ -1,4 +1,4 @@
-// Seams between rays.
+// Computes seams between rays.
 #include "core/sim/seam.h"
 
 #include <algorithm>
@@ -9,15 +9,15 @@
 namespace edgescan::sim {
 namespace {
 
-constexpr std::size_t kParts = 8; // of the way between two rays
+constexpr std::size_t kParts = 8; // parts of the path between two rays
 
-// Where the tangent plane is met along another ray, mm; negative or infinite when it is not.
+// Range at which another ray meets the tangent plane, mm; negative or infinite if it does not.
 double metAlong(const TangentPlane& plane, const Eigen::Vector3d& ray) {
     return plane.rangeMm * plane.normal.dot(plane.ray) / plane.normal.dot(ray);
 }
 
 double tearMm(const TangentPlane& a, const TangentPlane& b) {
-    // How far b's surface lies behind a's, on either ray. With the same sign on both, the planes do not meet between the rays.
+    // Distance of b's surface behind a's on either ray. If both have the same sign, the planes do not meet between the rays.
     const double atA = metAlong(b, a.ray) - a.rangeMm;
     const double atB = b.rangeMm - metAlong(a, b.ray);
     if (!(atA * atB > 0) || !std::isfinite(atA) || !std::isfinite(atB)) return 0.0;
@@ -28,7 +28,7 @@ double foldDeg(const TangentPlane& a, const TangentPlane& b) {
     return std::acos(std::clamp(a.normal.dot(b.normal), -1.0, 1.0)) * 180.0 / std::numbers::pi;
 }
 
-// How much more the steepest quarter of the way rises than the other three do on average, mm.
+// By how much the steepest quarter of the path rises more than the other three quarters do on average, mm.
 float riseOfAQuarter(const std::array<TangentPlane, kParts + 1>& way) {
     const double total = std::abs(way.back().rangeMm - way.front().rangeMm);
     double steepest = 0;

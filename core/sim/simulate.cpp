@@ -1,4 +1,4 @@
-// One sweep: settings checked, scene built, lines cast on all cores.
+// Simulates one sweep: checks the settings, builds the scene, casts the lines on all cores.
 #include "core/sim/simulate.h"
 
 #include "core/base/number_text.h"
@@ -26,14 +26,14 @@ using namespace sim;
 
 constexpr double kFirstBeamDeg = -5.0;
 constexpr double kFanDeg = 190.0;
-constexpr std::uint32_t kStatusCode = 65533; // no LMS511 reports a range as far as this
+constexpr std::uint32_t kStatusCode = 65533; // an LMS511 never reports a range of this size
 
 struct Patch {
     Eigen::Vector3d direction;
     double cosRadius;
 };
 
-/// All that a line needs; shared by the threads, never changed while they run.
+/// The inputs of a line; shared by the threads, constant while they run.
 struct Sweep {
     const SimulationSettings& settings;
     Scene scene;
@@ -134,13 +134,13 @@ PolarGeometry nominalGeometry(const SimulationSettings& s) {
     PolarGeometry polar;
     polar.axis = s.axis;
     for (int j = 0; j < s.beams; ++j) polar.beamDeg.push_back(kFirstBeamDeg + kFanDeg * j / (s.beams - 1));
-    // The sweep is centred on straight up; a spin may start anywhere, and starts at 0.
+    // A sweep is centred on the vertical; a spin may start at any angle, and starts at 0.
     const double first = s.axis == Axis::Sweep ? -s.turnDeg / 2.0 : 0.0;
     for (int i = 0; i < s.lines; ++i) polar.lineDeg.push_back(first + s.turnDeg * i / s.lines);
     return polar;
 }
 
-/// Where the even or odd beams really point.
+/// The true directions of the even or of the odd beams.
 PolarGeometry trueGeometry(const SimulationSettings& s, const PolarGeometry& nominal, bool odd) {
     PolarGeometry polar = nominal;
     for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) {
@@ -174,8 +174,8 @@ bool inPatch(const std::vector<Patch>& patches, const Eigen::Vector3d& direction
     return false;
 }
 
-/// Relief along the ray where a sub-ray ends, metres. It moves the range and never the outline: which object a ray sees stays that of the
-/// smooth body.
+/// Relief along the ray at the end of a sub-ray, metres. It changes the range but never the outline: the object that a ray hits is that of
+/// the smooth body.
 double reliefM(const Sweep& sweep, const Surface& surface, double cosine, const Eigen::Vector3d& place) {
     if (surface.texture == Texture::Smooth) return 0.0;
     const bool wall = surface.texture == Texture::Wall;
@@ -223,7 +223,7 @@ void castLine(const Sweep& sweep, const Caster& caster, const std::array<Aim, 2>
     }
 }
 
-/// Lines are handed out one by one to all cores. False when cancelled.
+/// All cores take lines one by one. Returns false if cancelled.
 bool forAllLines(const SimulationSettings& settings, const SimulationProgress& progress, const std::function<void(int line)>& work) {
     std::atomic<int> next{0};
     std::atomic<int> finished{0};
@@ -244,7 +244,7 @@ bool forAllLines(const SimulationSettings& settings, const SimulationProgress& p
     return !stopped;
 }
 
-/// False when cancelled. A cell depends on nothing but its own index.
+/// Returns false if cancelled. A cell depends only on its own index.
 bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
     const AssemblyErrors& assembly = sweep.settings.assembly;
     const std::array<Aim, 2> aim{Aim(sweep.aim[0], assembly), Aim(sweep.aim[1], assembly)};

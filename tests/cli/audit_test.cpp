@@ -1,4 +1,4 @@
-// edgescan-cli audit from outside: it names the line, in words and as JSON.
+// edgescan-cli audit from outside: it names the altered line, in words and as JSON.
 #include "core/base/audit_log/audit_log.h"
 #include "tests/support/run_program.h"
 

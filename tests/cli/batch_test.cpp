@@ -1,4 +1,4 @@
-// A run over an archive from outside: broken scans, kill -9, parts and their merge; the table is that of an undisturbed run.
+// A run over an archive from outside: broken scans, kill -9, shards and their merge. The table equals that of an undisturbed run.
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
@@ -24,7 +24,7 @@ using test::fileText;
 using test::runCli;
 using test::TemporaryFolder;
 
-// Scans of three formats in folders, two of one name among them, and four that are broken.
+// Scans of three formats in folders. Two have the same name, four are broken.
 void makeArchive(const fs::path& folder, int scans) {
     const char* extensions[]{".pcd", ".json", ".mcap"};
     for (int i = 0; i < scans; ++i) {
@@ -39,7 +39,7 @@ void makeArchive(const fs::path& folder, int scans) {
     fs::create_symlink("/nowhere/gone.las", folder / "bell3/gone.las");
 }
 
-// The rows without what says when and how long.
+// The rows without times and durations.
 std::vector<json> rowsOf(const fs::path& results) {
     std::vector<json> rows;
     std::istringstream lines(fileText(results / "results.ndjson"));
@@ -84,7 +84,7 @@ TEST(CliBatch, EveryScanHasARowAndABrokenOneEndsNothing) {
             EXPECT_FALSE(fs::exists(folder / "r" / row["results"].get<std::string>()));
             continue;
         }
-        // The same as `detect` says and writes.
+        // The same results as `detect`.
         const json alone = json::parse(runCli("detect " + input + " --json -").out);
         for (const char* key : {"edges", "cells", "lines", "beams", "edge_mask_sha256", "warnings"})
             EXPECT_EQ(row[key], alone[key]) << input;
@@ -94,7 +94,7 @@ TEST(CliBatch, EveryScanHasARowAndABrokenOneEndsNothing) {
     }
     EXPECT_EQ(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply --strict")).code, 1);
     const auto again = json::parse(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply")).out);
-    EXPECT_EQ(again["unchanged"], 23) << again; // a file that is not there is looked for again
+    EXPECT_EQ(again["unchanged"], 23) << again; // a missing file is searched for again
     EXPECT_TRUE(fileText(folder / "r/survey.html").find("scan0.pcd") != std::string::npos);
 }
 
@@ -107,14 +107,14 @@ TEST(CliBatch, OnlyWhatChangedIsDoneAgain) {
     EXPECT_EQ(worked(), 14);
     fs::remove(folder / "archive/bell3/gone.las");
     EXPECT_EQ(worked(), 0);
-    ASSERT_TRUE(saveScan(test::boxesScan(24, 30, 77), folder / "archive/bell0/scan0.pcd")); // other contents
+    ASSERT_TRUE(saveScan(test::boxesScan(24, 30, 77), folder / "archive/bell0/scan0.pcd")); // other content
     EXPECT_EQ(worked(), 1);
-    const fs::path counts = folder / "archive/bell1/scan0.u16"; // the file behind the one that is named
+    const fs::path counts = folder / "archive/bell1/scan0.u16"; // the data file of the named description
     std::string bytes = fileText(counts);
     bytes[40] = static_cast<char>(bytes[40] + 1);
     std::ofstream(counts, std::ios::binary) << bytes;
     EXPECT_EQ(worked(), 1);
-    fs::remove(folder / "r" / rowsOf(folder / "r")[1]["results"].get<std::string>() / "edges.png"); // a result that is gone
+    fs::remove(folder / "r" / rowsOf(folder / "r")[1]["results"].get<std::string>() / "edges.png"); // a deleted result
     EXPECT_EQ(worked(), 1);
     EXPECT_EQ(worked("--sensitivity 2"), 13); // other settings
     EXPECT_EQ(worked("--sensitivity 2"), 0);
@@ -218,10 +218,10 @@ TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {
         EXPECT_EQ(shown[i][12], rows[i]["rocks"]["rock_count"]);
         EXPECT_EQ(shown[i][14], rows[i]["rocks"]["size_curve"]["visible_wide_p80_m"]);
     }
-    // Other settings of rocks are other results; the same ones none.
+    // Other settings of rocks give other results; the same settings are recognised as unchanged.
     EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", wanted + "--min-cells 60 --oversize 0.4")).out)["unchanged"], 3);
     EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", wanted + "--min-cells 80 --oversize 0.4")).out)["worked"], 3);
-    // For the table alone; and without rocks their flags say nothing.
+    // Only in the table; without --rocks the flags of rocks have no effect.
     ASSERT_EQ(runCli(inArchive(folder, "t", "--results none --rocks")).code, 0);
     EXPECT_GT(rowsOf(folder / "t")[0]["rocks"]["rock_count"], 3);
     EXPECT_EQ(runCli(inArchive(folder, "u", "--min-cells 60")).code, 2);

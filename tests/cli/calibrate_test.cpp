@@ -1,4 +1,4 @@
-// edgescan-cli calibrate: the file it writes, and what it refuses.
+// edgescan-cli calibrate: its output file, and its refusals.
 #include "core/scan/georef/calibration.h"
 #include "tests/support/run_program.h"
 
@@ -37,7 +37,7 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     EXPECT_GT(told["seam_edges_met_after"].get<double>(), 0.9);
     EXPECT_GT(told["seam_edges_met_before"].get<double>(), 0.5);
 
-    // With the present file of the robot as base; neither it nor the scan is written over.
+    // With the robot's present file as base; neither this file nor the scan is overwritten.
     const std::string robot = fileText(path("robot.json"));
     EXPECT_NE(runCli("calibrate " + path("a.json") + " --base " + path("robot.json") + " -o " + path("robot.json")).code, 0);
     EXPECT_EQ(fileText(path("robot.json")), robot);
@@ -53,7 +53,7 @@ TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
         ASSERT_EQ(runCli("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --repeat " + std::to_string(repeat)).code,
                   0);
     }
-    // Angles that say .2 degrees too little: the stepper stands .2 degrees ahead of them.
+    // Angles that are 0.2 degrees too small: the stepper is 0.2 degrees ahead of them.
     ASSERT_EQ(runCli("convert " + path("said.json") + " " + path("back.json") + " --line-start=-0.2").code, 0);
     const auto run = runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash --json -");
     ASSERT_EQ(run.code, 0) << run.err;

@@ -1,4 +1,4 @@
-// edgescan-cli change: what it tells of a bell before and after a blast, and what it refuses.
+// edgescan-cli change: its report on a bell before and after a blast, and its refusals.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -33,11 +33,11 @@ TEST(CliChange, TellsWhatABlastDid) {
     const auto table = runCli("change " + path("a.json") + " " + path("b.json"));
     EXPECT_NE(table.out.find("OUT OF SPEC"), std::string::npos) << table.out;
     EXPECT_NE(table.out.find("+ gained"), std::string::npos);
-    // Noise alone moves no surface.
+    // Noise alone must not count as a moved surface.
     const auto same = nlohmann::json::parse(runCli("change " + path("a.json") + " " + path("again.json") + " --json -").out);
     EXPECT_EQ(same["regions"].size(), 0U);
     EXPECT_LT(same["cells"]["farther"], told["cells"]["farther"].get<int>() / 10);
-    // Poses that are there are used.
+    // Existing pose files are used.
     std::ofstream(path("a.pose")) << "0 0 0\n0 0 0\n";
     const auto posed =
         runCli("change " + path("a.json") + " " + path("b.json") + " --poses " + path("a.pose") + " " + path("a.pose") + " --json -");

@@ -1,4 +1,4 @@
-// edgescan-cli from outside: exit codes, JSON, files, and what it says when something is wrong.
+// edgescan-cli from outside: exit codes, JSON, files, and error messages.
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/command_text.h"
@@ -106,7 +106,7 @@ TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
     }
     EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " --mask m.png").code, 2);
     EXPECT_EQ(runCli("detect /nonexistent.json").code, 1);
-    EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " -o " + folder.path().string()).code, 2); // one name, two results
+    EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " -o " + folder.path().string()).code, 2); // one name for two results
     const int full = std::system((std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli info " + scanPath + " >/dev/full 2>/dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(full), 1);
     EXPECT_EQ(runCli("--help").code, 0);
@@ -131,7 +131,7 @@ TEST_F(Cli, FlagsOfGrayLevelsAskForCanny) {
     EXPECT_EQ(low["settings"]["method"], "canny");
     EXPECT_GT(low["edges"], method("--lower 30")["edges"]);
     EXPECT_EQ(low["edge_mask_sha256"], method("--preset log --lower 3")["edge_mask_sha256"]);
-    // Not both, and nothing that does nothing; unless the method was chosen, for then every setting of a record may be typed.
+    // Contradicting flags and flags without effect are refused. If a method is given, every setting of a record may be typed.
     for (const char* usage : {"--lower 3 --crease 50", "--log-mask 8"})
         EXPECT_EQ(runCli("detect " + scanPath + " " + usage).code, 2) << usage;
     EXPECT_EQ(runCli("detect " + scanPath + " --method canny --lower 3 --crease 50").code, 0);

@@ -66,14 +66,14 @@ TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
         if (!method["run"].get<bool>()) continue;
         EXPECT_GT(method["ms"]["total"].get<double>(), 0.0) << method["name"];
         if (method["method"] != "PCL RangeImageBorderExtractor") continue;
-        EXPECT_EQ(method["kinds"]["object border"], method["edges"]); // the others are no edges of the nearer surface
+        EXPECT_EQ(method["kinds"]["object border"], method["edges"]); // the other kinds are not edges of the nearer surface
         EXPECT_TRUE(method["kinds"].contains("shadow border") && method["kinds"].contains("veil point"));
     }
     for (const char* name : {"thesis", "canny", "log-range", "roberts", "sobel", "prewitt", "kirsch", "robinson", "marr-hildreth", "log",
                              "log-eight", "log-5x5", "jumps", "outlines", "edgescan+"})
         EXPECT_EQ(names.count(name), 1U) << name;
     EXPECT_EQ(names.size(), 20U);
-    EXPECT_EQ(names.count("edgescan+as-measured"), 0U); // nothing is displaced here
+    EXPECT_EQ(names.count("edgescan+as-measured"), 0U); // this scan has no displaced beams or lines
     EXPECT_EQ(report["table_6_1"]["total"]["thesis_printed_ms"], 297);
     EXPECT_EQ(report["table_6_2"]["pcl_boundary"]["thesis_printed_ms"], 1852880);
     const auto sheet = readPng8(pictures + "/comparison.png");
@@ -139,11 +139,11 @@ TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
     ASSERT_TRUE(found) << found.error().sentence();
     EXPECT_GT(found->beams, 2 * 1100); // 10 pixels per cell
     EXPECT_EQ(runCli("compare " + bell + " --truth " + truth + " --no-peers --tolerance nan").code, 2);
-    EXPECT_EQ(runCli("compare " + bell + " --no-peers --best").code, 2); // best by which truth?
+    EXPECT_EQ(runCli("compare " + bell + " --no-peers --best").code, 2); // --best needs a ground truth
     const auto table = runCli("compare " + bell + " --truth " + truth + " --no-peers --repeats 1");
     EXPECT_NE(table.out.find("Thesis, table 6.1"), std::string::npos);
     EXPECT_NE(table.out.find("1852880 ms"), std::string::npos);
-    EXPECT_EQ(runCli("compare " + scanPath + " --truth " + truth + " --no-peers").code, 1); // of another shape
+    EXPECT_EQ(runCli("compare " + scanPath + " --truth " + truth + " --no-peers").code, 1); // of another grid size
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// edgescan-cli compare A B: the table for two scans of one place, and what it refuses.
+// edgescan-cli compare A B: the table for two scans of one place, and its refusals.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

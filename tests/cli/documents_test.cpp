@@ -1,4 +1,5 @@
-// What comments, messages and documents cite is there: the document, and the heading named behind it, as in docs/method.md, "Step 3".
+// Citations in comments, messages and documents are valid: the document exists, and so does the heading named after it, as in
+// docs/method.md, "Step 3".
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ std::vector<fs::path> filesThatCite() {
     std::vector<fs::path> files;
     for (const char* folder : {"core", "ui", "app", "tests", "packaging", "docs"}) {
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-            const bool found = entry.path().string().find("/tests/fuzz/found/") != std::string::npos; // bytes, not sentences
+            const bool found = entry.path().string().find("/tests/fuzz/found/") != std::string::npos; // fuzzer inputs, not text
             if (entry.is_regular_file() && isText(entry.path()) && !found) files.push_back(entry.path());
         }
     }
@@ -36,7 +37,7 @@ std::vector<fs::path> filesThatCite() {
     return files;
 }
 
-// One line, so that a citation may run on over the end of a comment line; quotes as a reader sees them.
+// The text in one line, so that a citation may continue on the next comment line; escaped quotes become quotes.
 std::string sentencesOf(const fs::path& path) {
     std::string text;
     std::istringstream lines(test::fileText(path));
@@ -57,12 +58,12 @@ std::vector<std::string> headingsOf(const fs::path& document) {
     return headings;
 }
 
-// "Step 3" of "Step 3: jumps"; or the whole heading.
+// True for a whole heading, or its part before the colon: "Step 3" of "Step 3: jumps".
 bool hasHeading(const std::vector<std::string>& headings, const std::string& cited) {
     return std::ranges::any_of(headings, [&](const std::string& h) { return h == cited || h.starts_with(cited + ":"); });
 }
 
-// The part of a link behind '#': small letters, blanks as hyphens, nothing but letters, digits and hyphens.
+// The part of a link after '#': lower case, spaces as hyphens, only letters, digits and hyphens.
 std::string anchorOf(const std::string& heading) {
     std::string anchor;
     for (const char c : heading) {
@@ -73,7 +74,7 @@ std::string anchorOf(const std::string& heading) {
     return anchor;
 }
 
-// Headings in quotes behind a citation that ends at `at`: , "A", "B" and "C" or "A" to "B".
+// Quoted headings after a citation that ends at `at`: , "A", "B" and "C" or "A" to "B".
 std::vector<std::string> headingsCited(const std::string& text, std::size_t at) {
     std::vector<std::string> cited;
     for (bool more = true; more;) {
@@ -91,7 +92,7 @@ std::vector<std::string> headingsCited(const std::string& text, std::size_t at) 
     return cited;
 }
 
-// The file that a name means in a text: counted from the root or, in documents, from their own folder. Empty when there is none.
+// The file with this name in a text: relative to the root or, in documents, to their own folder. Empty if it does not exist.
 fs::path documentNamed(const std::string& name, const fs::path& citing) {
     if (fs::is_regular_file(kRoot / name)) return kRoot / name;
     const fs::path beside = citing.parent_path() / name;
@@ -107,7 +108,7 @@ void checkCitations(const fs::path& file) {
         const std::size_t before = text.find_last_not_of(letters, at);
         const std::size_t begin = before == std::string::npos ? 0 : before + 1;
         const std::string name = text.substr(begin, end - begin);
-        if (begin >= at || name.starts_with('/')) continue; // no name, or somewhere in the web
+        if (begin >= at || name.starts_with('/')) continue; // no name, or a web address
         const fs::path document = documentNamed(name, file);
         if (document.empty()) {
             ADD_FAILURE() << file << " cites " << name << ", which is not there";
@@ -157,7 +158,7 @@ TEST(Documents, EveryRoomHasAReadme) {
         EXPECT_TRUE(fs::is_regular_file(kRoot / folder / "README.md")) << folder;
 }
 
-// `core/edges/gray/canny.h` or `core/sim/seam` in a document; NAME stands for a file that somebody is about to write.
+// `core/edges/gray/canny.h` or `core/sim/seam` in a document; NAME is a placeholder for a new file.
 TEST(Documents, PathsNamedInDocumentsAreThere) {
     for (const fs::path& file : filesThatCite()) {
         if (file.extension() != kMark) continue;

@@ -27,7 +27,7 @@ struct CliEvaluate : public ::testing::Test {
         ASSERT_EQ(run.code, 0) << run.err;
     }
 
-    // A mask whose edges are the cells of gt_class.png that `wanted` takes.
+    // A mask whose edges are the cells of gt_class.png for which `wanted` is true.
     template <class Wanted>
     std::string maskOf(const std::string& name, Wanted wanted) {
         Grid<std::uint8_t> mask = *readPng8(truth + "/gt_class.png");
@@ -51,7 +51,7 @@ TEST_F(CliEvaluate, TheTruthAsAMaskIsPerfect) {
     EXPECT_DOUBLE_EQ(all["fixed"]["all"]["f"], 1.0);
     EXPECT_DOUBLE_EQ(all["fixed"]["pratt"], 1.0);
 
-    // Occluding edges alone. Made thin without the others a cell or two may go.
+    // Occluding edges alone. Thinning without the other edges may remove a cell or two.
     const json occluding = evaluated(maskOf("occluding.png", [](std::uint8_t cell) { return cell == 1; }), "--tolerance 1")["fixed"];
     EXPECT_GT(occluding["occluding"]["f"], 0.97);
     EXPECT_DOUBLE_EQ(occluding["all"]["precision"], 1.0);
@@ -70,7 +70,8 @@ TEST_F(CliEvaluate, ASweepHoldsItsFixedThresholdAndTheBest) {
     const double fixed = report["fixed"]["all"]["f"].get<double>(); // sensitivity 1 is the default and one of the four
     EXPECT_GT(fixed, 0.8);
     EXPECT_GE(best["ods"].get<double>(), fixed);
-    EXPECT_DOUBLE_EQ(best["ois"].get<double>(), best["ods"].get<double>()); // one scan: best for all is best for each
+    // one scan: the best threshold for all scans is the best for each
+    EXPECT_DOUBLE_EQ(best["ois"].get<double>(), best["ods"].get<double>());
     const std::string threshold = std::to_string(best["ods_threshold"].get<double>());
     const json alone = evaluated(scan, "--method edgescan+ --sensitivity " + threshold);
     EXPECT_DOUBLE_EQ(alone["fixed"]["all"]["f"], best["ods"].get<double>());
@@ -101,7 +102,7 @@ TEST_F(CliEvaluate, TheTruthOfAnotherSceneIsRefused) {
             EXPECT_NE(run.err.find("the truth is of another scene: "), std::string::npos) << flags << run.err;
         }
     }
-    // Whatever else was simulated of the same scene belongs to it.
+    // Other simulated files of the same scene are accepted too.
     for (const char* flags :
          {"--noise 10", "--noise 0", "--dropouts 0.4", "--dust 0.2", "--slips 0.2", "--interlace 0.9", "--line-jitter 0.3",
           "--profile standard --noise 3", "--status-codes 0.3", "--motor-skew 1", "--no-footprint --no-echo-loss"}) {
@@ -127,7 +128,7 @@ TEST_F(CliEvaluate, RocksAreListedOneByOne) {
     }
     EXPECT_DOUBLE_EQ(report["fixed"]["rocks"]["at_least_80_percent"].get<double>(),
                      static_cast<double>(good) / static_cast<double>(rocks.size()));
-    // Two files: the second one's rocks say so.
+    // Two files: the second file's rocks name it.
     const auto twice = runCli("evaluate " + scan + " " + scan + " --truth " + truth + " --truth " + truth + " --json -");
     ASSERT_EQ(twice.code, 0) << twice.err;
     const json both = json::parse(twice.out)["rocks"];

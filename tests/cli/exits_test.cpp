@@ -1,5 +1,5 @@
-// What the programs say and write, whatever is given to them: no text of a file or name reaches a terminal as it is, every number has
-// limits, pipes and failures leave nothing hanging and nothing behind.
+// The output of the programs for any input: text of files and names reaches the terminal only with escapes, every number has limits, and
+// after closed pipes and failures no process hangs and no temporary file remains.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using test::TemporaryFolder;
 
 const fs::path kSourceRoot = EDGESCAN_SOURCE_DIR;
 
-// Lines of our own sources in which `pattern` occurs outside of comments, as "core/base/x.cpp:12: text".
+// Lines of the project's sources with `pattern` outside of comments, as "core/base/x.cpp:12: text".
 std::vector<std::string> linesWith(const std::vector<std::string>& folders, const std::regex& pattern, const std::set<std::string>& but) {
     std::vector<std::string> found;
     for (const std::string& folder : folders) {
@@ -54,7 +54,7 @@ TEST(Exits, OnlyOneFileWritesToTheTerminal) {
     const std::regex terminal(
         R"(std::(cout|cerr|clog)\b|\b(f|v|vf)?printf\(|\bfput[cs]\(|\bputs\(|\bperror\(|q(Debug|Info|Warning|Critical)\()");
     EXPECT_EQ(joined(linesWith({"core", "ui", "app"}, terminal, {"app/shared/exits.cpp"})), "");
-    EXPECT_FALSE(linesWith({"app"}, terminal, {}).empty()); // the pattern finds what is there
+    EXPECT_FALSE(linesWith({"app"}, terminal, {}).empty()); // shows that the pattern works
 }
 
 TEST(Exits, OnlyOneFileMakesTextForTheWindow) {
@@ -66,7 +66,7 @@ TEST(Exits, OnlyOneFileWritesJson) {
     EXPECT_EQ(joined(linesWith({"core", "ui", "app"}, std::regex(R"(\bdump\()"), {"core/base/json_text.cpp"})), "");
 }
 
-// What asks the locale of the country: the decimal point may be a comma there, thousands may be apart, and an I may become another letter.
+// Functions that depend on the locale: it may set a decimal comma, thousands separators, and other rules for the case of I.
 TEST(Exits, NothingAsksForTheCountrysWayToWriteNumbers) {
     const std::regex calls(
         R"(\b(v?s?n?printf|sscanf|fscanf|strto[dfl]d?|ato[fil]|std::sto[dfil]\w*|wcsto\w+|strftime|std::format|toupper|tolower|)"
@@ -74,10 +74,10 @@ TEST(Exits, NothingAsksForTheCountrysWayToWriteNumbers) {
         R"(|stringstream|std::locale|setlocale|std::put_time|std::get_time|QLocale\(\)|QLocale::system|toLocal8Bit|%L[0-9])"
         R"(|<<\s*std::(setprecision|fixed)|std::regex)");
     EXPECT_EQ(joined(linesWith({"core", "ui", "app"}, calls, {"ui/base/plain_window.cpp", "ui/base/language/languages.cpp"})),
-              ""); // the second asks for words
-    // Text of a number with a fraction has its own functions (core/base/number_text.h); the library's follows the locale. The template that
-    // it is made with is in a program only where a number with a fraction is given to std::to_string. (Not asked of app/: CLI11 has its
-    // own.)
+              ""); // the second one searches for text
+    // Numbers with a fraction have their own text functions (core/base/number_text.h); the library's functions depend on the locale. The
+    // library's template is in a program only if a number with a fraction is passed to std::to_string. (app/ is not checked: CLI11 has such
+    // a call.)
     const TemporaryFolder folder;
     const std::string list = (folder / "symbols").string();
     const std::string command = "cd " + fs::path(EDGESCAN_BIN_DIR).parent_path().string() +
@@ -101,7 +101,7 @@ struct NumberFlag {
 const std::vector<std::string> kCommands{"info",  "detect", "convert", "simulate", "evaluate", "verify",
                                          "serve", "record", "replay",  "why",      "compare"};
 
-// Every flag of `help` that takes a value, with what the help calls the value.
+// Every flag of `help` that takes a value, with the help's name of the value.
 std::vector<NumberFlag> flagsIn(const std::string& command, const std::string& help) {
     static const std::regex row(R"(^\s+(?:-\w,)?(--[a-z0-9-]+)[ =]([A-Z]+(?: [0-9.e+:-]+)?))");
     std::vector<NumberFlag> flags;
@@ -113,7 +113,7 @@ std::vector<NumberFlag> flagsIn(const std::string& command, const std::string& h
     return flags;
 }
 
-// What a command needs besides the flag that is tried.
+// The arguments that a command needs besides the tested flag.
 std::string rest(const std::string& command) {
     if (command == "convert") return "no-such-file.json out.json";
     if (command == "simulate") return "-o /nowhere/out.json --lines 4 --beams 4";
@@ -129,11 +129,11 @@ TEST(Exits, EveryNumberHasLimitsAndIsRefusedByName) {
     for (const std::string& command : kCommands) {
         const std::string help = runCli(command + " --help").out;
         for (const NumberFlag& flag : flagsIn(command, help)) {
-            // CLI11's own names of numbers: such a flag was added without limits.
+            // CLI11's own names of number types: such a flag was added without limits.
             for (const char* bare : {"FLOAT", "INT", "UINT"}) EXPECT_FALSE(flag.type.starts_with(bare)) << command << " " << flag.flag;
             if (!flag.type.starts_with("NUMBER")) continue;
             ++numbers;
-            // The limits of a list of thresholds are those of the method that is chosen.
+            // The limits of a list of thresholds are those of the chosen method.
             EXPECT_TRUE(flag.flag == "--thresholds" || flag.type.find("..") != std::string::npos) << command << " " << flag.flag;
             std::string others = rest(command);
             if (const auto same = others.find(flag.flag + " "); same != std::string::npos) others.erase(same, flag.flag.size() + 4);
@@ -173,7 +173,7 @@ TEST(Exits, NoParameterOfTheMethodTakesANumberThatIsNone) {
     EXPECT_GT(parameters, 8);
 }
 
-// Escape sequences of both kinds, line breaks, a turned direction, no UTF-8.
+// Escape sequences of both kinds, line breaks, a reversed text direction, invalid UTF-8.
 const std::vector<std::string> kNames{
     "a\x1b[31mred\x1b]0;title\x07", "line\nbreak\r", "\u202egnp.sj", "\u009b31m", "no\xff\xfeutf8", "tab\tand\x7f"};
 
@@ -225,7 +225,7 @@ TEST(Exits, NamesReachNoTerminalAsTheyAre) {
             EXPECT_LE(run.code, 2) << command << "\n" << run.err;
             EXPECT_TRUE(run.code == 0 || lineCount(run.err) + lineCount(run.out) >= 1) << command;
         }
-        // Exports keep the name, and what they were made of, whatever its bytes.
+        // Exports store the name and the source, whatever its bytes.
         const std::string export_ = inQuotes(folder / (name + "_edges.csv"));
         ASSERT_EQ(runCli("detect " + inQuotes(scan) + " --edges " + export_).code, 0) << name;
         EXPECT_EQ(runCli("verify " + export_).code, 0) << runCli("verify " + export_).out;
@@ -260,8 +260,8 @@ TEST(Exits, PipesHangNothing) {
     const TemporaryFolder folder;
     const std::string scan = (folder / "scan.json").string();
     ASSERT_EQ(runCli("simulate -o " + scan + " --lines 12 --beams 16").code, 0);
-    // PIPE stands for a named pipe of its own with nobody at its other end, SCAN for a scan. All at once: a command that reads waits for a
-    // writer until its patience ends.
+    // PIPE is a new named pipe without a process at its other end, SCAN is a scan. All commands run at once: a command that reads waits for
+    // a writer until its time limit.
     const std::vector<std::string> commands{"info PIPE",
                                             "detect PIPE",
                                             "verify PIPE",
@@ -305,7 +305,7 @@ TEST(Exits, AFailedRecordingIsNotInTheWayOfTheNext) {
         EXPECT_EQ(run.err.find("exists"), std::string::npos) << run.err;
         EXPECT_FALSE(fs::exists(path));
     }
-    // What was there before is nobody's to remove.
+    // No program may remove a file that existed before.
     std::ofstream(path) << "mine";
     EXPECT_EQ(runCli("record 127.0.0.1:1 --seconds 0.2 -o " + path).code, 1);
     EXPECT_EQ(fileText(path), "mine");

@@ -1,5 +1,6 @@
 // The order of the modules: app -> ui -> core, and inside core and ui the order of the groups and of the modules in each group. A module
-// includes only the modules that its CMakeLists.txt names, all of them lower in the order: a circle or an arrow upwards cannot arise.
+// includes only the modules that its CMakeLists.txt names, and all of them are lower in the order. Therefore a circle or an upward include
+// is impossible.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ const fs::path kSource = EDGESCAN_SOURCE_DIR;
 
 bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
-// What the files of a folder itself include with quotes, file by file.
+// The quoted includes of the files directly in a folder, per file.
 std::map<std::string, std::set<std::string>> includesOf(const fs::path& folder) {
     static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
     std::map<std::string, std::set<std::string>> found;
@@ -74,12 +75,12 @@ std::string moduleOf(const std::string& include, const std::string& storey) {
     return fs::path(include.substr(storey.size() + 1)).parent_path().string();
 }
 
-// Folders of sources that no CMakeLists.txt lists would escape this test.
+// A folder of sources that is not listed in a CMakeLists.txt would escape this test.
 void expectEveryFolderListed(const std::string& storey, const std::vector<Module>& modules) {
     for (const auto& entry : fs::recursive_directory_iterator(kSource / storey)) {
         if (!entry.is_directory() || includesOf(entry.path()).empty()) continue;
         const std::string name = fs::relative(entry.path(), kSource / storey).string();
-        if (fs::exists(entry.path() / "CMakeLists.txt") && name.find('/') != name.rfind('/')) continue; // a program of its own
+        if (fs::exists(entry.path() / "CMakeLists.txt") && name.find('/') != name.rfind('/')) continue; // a separate program
         EXPECT_TRUE(std::ranges::any_of(modules, [&](const Module& m) { return m.name == name; }))
             << storey << '/' << name << " is not in the list";
     }

@@ -1,4 +1,4 @@
-// serve, record and replay from outside: what is served, recorded and played again has the edges of the file.
+// serve, record and replay from outside: a scan that is served, recorded and played again has the edges of the file.
 #include "core/edges/gray/steady_window.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/provenance/report.h"
@@ -44,7 +44,7 @@ struct Live : public ::testing::Test {
     }
 };
 
-// Played line by line or opened at once: the same report but for the times.
+// Played line by line or opened at once: the same report except for the times.
 void expectReplayAsDetect(const std::string& recording) {
     SCOPED_TRACE(recording);
     const auto replay = runCli("replay --quiet " + recording);
@@ -80,11 +80,11 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     int count = 0;
     json last;
     for (std::string line; std::getline(lines, line); ++count) last = json::parse(line);
-    EXPECT_EQ(count, 91); // a line each, and the result
+    EXPECT_EQ(count, 91); // one per line, and the result
     EXPECT_EQ(last["result"]["edge_mask_sha256"], expected);
 }
 
-// The README's example, with the flags that serve itself gives; the mirror stands where the motor stands.
+// The README's example with the flags that `serve` prints; the mirror has the same angle as the motor.
 TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     const std::string bell = (folder / "draw-bell.json").string();
     const std::string recording = (folder / "draw-bell.mcap").string();
@@ -100,7 +100,7 @@ TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
 
 TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
     const auto recorded = [&](const std::string& name, const std::string& flags) {
-        const Served served(scan + " --rate 0"); // each from the first line on
+        const Served served(scan + " --rate 0"); // each recording begins with the first line
         const std::string path = (folder / name).string();
         const auto record = runCli("record " + served.address() + " -o " + path + " --lines 40 --seconds 30 " + flags);
         EXPECT_EQ(record.code, 0) << record.err;
@@ -128,7 +128,7 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
     const auto [all, allSaid] = recorded("all.mcap", "--line-step 2 --axis sweep");
     EXPECT_TRUE(allSaid["mounting"]["assumed"].empty());
     EXPECT_EQ(told(allSaid).find("ASSUMED"), std::string::npos) << told(allSaid);
-    // Said when it is opened gives what saying it at once gives.
+    // Flags given on opening give the same result as flags given on recording.
     EXPECT_EQ(json::parse(asTold)["edge_mask_sha256"], hashOf(all));
 
     std::ofstream(folder / "robot.json")
@@ -141,18 +141,18 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
 
 TEST_F(Live, WhereNothingComesItIsSaidOnceAndWhy) {
     const std::string recording = (folder / "none.mcap").string();
-    const auto record = runCli("record 127.0.0.1:1 -o " + recording + " --seconds 1"); // nobody listens there
+    const auto record = runCli("record 127.0.0.1:1 -o " + recording + " --seconds 1"); // no program listens on this port
     EXPECT_NE(record.code, 0);
     EXPECT_EQ(record.err, "edgescan-cli: 127.0.0.1:1: the connection is refused; check the port (2111 or 2112) and that no other program "
                           "holds the scanner.\n");
     EXPECT_FALSE(std::filesystem::exists(recording));
 }
 
-// The whole way of a scan through the viewer's core: socket, assembly, edges while it grows, and the sweep as it ends.
+// A scan's whole path through the viewer's core: socket, assembly, edges while the sweep grows, and the completed sweep.
 TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     const std::string bell = (folder / "draw-bell.json").string();
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
-    const Served served(bell + " --rate 500 --split"); // so slow that there is a sweep to look at while it grows
+    const Served served(bell + " --rate 500 --split"); // so slow that the sweep can be observed while it grows
     ASSERT_GT(served.port(), 0);
     SessionSettings scanner;
     scanner.host = "127.0.0.1";
@@ -182,7 +182,7 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     EXPECT_GT(looks, 3);
     EXPECT_EQ(maskSha256(*pipeline.run(now.scan, canny)->mask), hashOf(bell + " --method canny"));
     EXPECT_EQ(maskSha256(*detectEdges(now.scan, Settings{})->mask), hashOf(bell));
-    // Kept growing until the end, with the window of the whole: the same again.
+    // Treated as growing until the end, with the gray window of the whole scan: the same result.
     EXPECT_EQ(maskSha256(*detectEdges(now.scan, SteadyWindow().fix(*now.scan, canny))->mask), hashOf(bell + " --method canny"));
 }
 
@@ -198,7 +198,7 @@ TEST_F(Live, LostLinesAreTold) {
     EXPECT_NE(report["warnings"].dump().find("INCOMPLETE"), std::string::npos) << report["warnings"];
 }
 
-// The same live: the summary counts and tells, the file keeps.
+// The same live: the summary counts and reports them, and the file contains them.
 TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldWhileTheyAreRecorded) {
     struct Case {
         const char* flag;
@@ -241,7 +241,7 @@ TEST_F(Live, ARecordingOfASimulationOpensAsTheSameScan) {
     EXPECT_EQ(hashOf((folder / "converted.mcap").string()), hashOf(scan));
 }
 
-// A scan with cells that telegrams alone cannot tell: masked, out of the window, lost, status codes, unlike beams.
+// A scan with cells that telegrams alone cannot distinguish: masked, out of the window, lost, status codes, unlike beams.
 Scan scanOfManyStates(unsigned seed) {
     Scan scan = test::makeScan({.axis = seed % 2 == 0 ? Axis::Spin : Axis::Sweep, .lines = 60, .beams = 80, .seed = seed});
     std::mt19937 random(seed);
@@ -266,7 +266,7 @@ TEST_F(Live, ReplayAndDetectSayTheSameOfEveryRecording) {
         ASSERT_EQ(runCli("simulate -o " + bell + " --lines 50 --beams 120 --seed " + std::to_string(seed)).code, 0);
         expectReplayAsDetect(bell);
     }
-    // Of two sweeps the one counts of which more was received, not the one with more rows.
+    // Of two sweeps, the one with more received lines counts, not the one with more rows.
     std::vector<RecordingMessagePtr> messages;
     for (int n = 0; n < 110; ++n) {
         const bool lost = n < 60 && n % 3 == 1;
@@ -279,7 +279,7 @@ TEST_F(Live, ReplayAndDetectSayTheSameOfEveryRecording) {
     expectReplayAsDetect(twoSweeps);
 }
 
-/// What a scanner with faults of all kinds would have sent, some of its counters and clocks among them; every seed another mixture.
+/// Messages of a scanner with faults of all kinds, including wrong counters and clocks; every seed gives another mixture.
 std::vector<RecordingMessagePtr> faultyMessages(unsigned seed) {
     std::mt19937 random(seed);
     const auto maybe = [&](int every) { return random() % 2 == 0 ? every : 0; };
@@ -334,7 +334,7 @@ TEST_F(Live, ReplayAndDetectSayTheSameOfFaultyScanners) {
     }
 }
 
-// All that is told of what was wrong with the telegrams comes out of every command.
+// Every command reports all faults of the telegrams.
 TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldByEveryCommand) {
     struct Case {
         const char* word;

@@ -1,4 +1,5 @@
-// What the commands write: never over an input, in the frame that the file can hold, readable by what knows nothing of us.
+// Output files of the commands: inputs are never overwritten, the frame is one that the format can store, and other programs can read the
+// files.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
@@ -61,7 +62,7 @@ TEST(CliOutputs, NoResultTakesThePlaceOfAnotherHoweverItIsSpelled) {
     const test::TemporaryFolder folder;
     const std::string scan = (folder / "a.pcd").string(), out = (folder / "x.pcd").string();
     ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 3), scan));
-    const std::string near = "nowhere-else.pcd"; // in the folder that the program runs in
+    const std::string near = "nowhere-else.pcd"; // in the working directory of the program
     for (const std::string& line : {"detect " + scan + " --edges " + near + " --cloud ./" + near, "detect " + scan + " --edges - --json -",
                                     "detect " + scan + " --edges " + out + " --json " + out + ".provenance.json",
                                     "rocks " + scan + " --json " + out + " --csv " + out,
@@ -134,7 +135,7 @@ TEST(CliOutputs, WhatHoldsNoPlaceIsInMineCoordinates) {
             runCli("convert " + (folder / "s.json").string() + " " + (folder / ("s." + extension)).string() + " --frame scanner");
         EXPECT_NE(scanner.err.find("does not hold the scan's place"), std::string::npos) << extension << scanner.err;
     }
-    // The matrix of PTX: the same place again, cell by cell.
+    // The matrix of PTX stores the place: the same coordinates again, cell by cell.
     const auto info = json::parse(runCli("info " + (folder / "c.ptx").string()).out);
     EXPECT_TRUE(info["pose"].is_object()) << info.dump();
     EXPECT_EQ(runCli("convert " + (folder / "s.json").string() + " " + (folder / "f.json").string() + " --frame mine").code, 1);

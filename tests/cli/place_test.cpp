@@ -33,7 +33,7 @@ protected:
     }
     static Calibration robot() {
         Calibration c = test::exampleCalibration();
-        c.axis = {1, 0, 0}; // the boxes are a sweep
+        c.axis = {1, 0, 0}; // the scan of boxes is a sweep
         return c;
     }
     [[nodiscard]] std::string path(const char* name) const { return (folder / name).string(); }
@@ -71,7 +71,7 @@ TEST_F(CliPlace, APlacedScanIsExportedInTheMineAndNamesTellTheFrame) {
     EXPECT_EQ(record["operator"], "R. Operator");
     EXPECT_EQ(record["role"], "blaster");
     EXPECT_EQ(record["coordinates"]["frame"], "mine grid");
-    // The pose's own numbers are in the record: its files may be gone.
+    // The record contains the pose's numbers: its file may be deleted.
     std::filesystem::remove(folder / "pose.json");
     std::filesystem::remove(folder / "robot.json");
     const auto verified = runCli("verify " + path("mine/boxes_edges.pcd") + " " + path("local/boxes_cloud_OFFSET.pcd") + " --scans " +

@@ -1,4 +1,4 @@
-// The report of a scan: one file that needs no other, in which text of files stays text, and that works in a real browser.
+// The report of a scan: one self-contained file in which text of files is never interpreted as HTML. It works in a real browser.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
@@ -46,7 +46,7 @@ TEST(CliReport, IsOneFileThatLoadsNothingAndPromisesNothing) {
           std::to_string(detect["edges"].get<int>()) + " cells", std::string("candidates: geometry only, one viewpoint"),
           std::string("changed from the default"), std::string("Ann B., surveyor"), std::string("no pose was given")})
         EXPECT_NE(text.find(told), std::string::npos) << told;
-    // The command in the page makes the page again, but for the time in it.
+    // The command in the page makes the same page again, except for the time in it.
     std::smatch command;
     ASSERT_TRUE(std::regex_search(text, command, std::regex("<pre id=\"command\">edgescan-cli ([^<]*)</pre>")));
     const std::string typed = std::regex_replace(command[1].str(), std::regex("&#39;"), "'");
@@ -95,7 +95,7 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
         EXPECT_NE(text.find(told), std::string::npos) << told;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);
     EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
-    // Targets of another scan, and a place that is not there.
+    // Targets of another scan, and an impossible path.
     EXPECT_EQ(runCli("report " + before.string() + " -o " + (folder / "x.html").string() + " --targets " + targets.string()).code, 1);
     EXPECT_EQ(runCli("report " + now.string() + " -o " + (folder / "x.html").string() + " --before " + (folder / "none.pcd").string()).code,
               1);
@@ -121,7 +121,7 @@ TEST(CliReport, TextOfFilesAndNamesStaysText) {
     EXPECT_NE(text.find("&lt;img src=x onerror=alert(2)&gt;"), std::string::npos);
 }
 
-// A page with a script behind it that does what a hand would do and leaves what came of it in the document.
+// A page with an added script that acts like an operator and writes the result into the document.
 std::string inBrowser(const fs::path& folder, const fs::path& page, const std::string& script) {
     std::string text = fileText(page);
     text.insert(text.rfind("</body>"), "<script>" + script + "</script>");
@@ -254,7 +254,7 @@ TEST(CliReport, PrintsOnA4InARealBrowser) {
 
 TEST(CliReport, OfTheLargestScanItStaysBelowItsBound) {
     const test::TemporaryFolder folder;
-    Scan scan = test::boxesScan(1300, 1300, 4, 0.3); // more cells than pixels, and noise that no PNG packs
+    Scan scan = test::boxesScan(1300, 1300, 4, 0.3); // more cells than pixels, and noise that PNG cannot compress
     std::uint32_t state = 1;
     for (float& range : scan.rangeMm.cells) range = static_cast<float>(1000 + (state = state * 1664525U + 1013904223U) / 200000U);
     ASSERT_TRUE(saveScan(scan, folder / "s.mcap"));

@@ -1,4 +1,4 @@
-// edgescan-cli rocks from outside: files, JSON, records, edits, and what is refused.
+// edgescan-cli rocks from outside: files, JSON, records, edits, and refusals.
 #include "core/containers/png/png.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using test::runCli;
 
-// A scene on disk with a place in the mine, once for all tests.
+// A scene on disk with a pose in the mine, once for all tests.
 class CliRocks : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -58,7 +58,7 @@ TEST_F(CliRocks, WritesEverythingIntoAFolderAndVerifyMakesItAgain) {
         const std::string text = test::fileText(name) + test::fileText(name + ".provenance.json");
         EXPECT_NE(text.find("candidate - geometry only, one viewpoint"), std::string::npos) << name;
     }
-    // Other labels are found out.
+    // Altered labels are detected.
     std::string csv = test::fileText(path("out/bell_rocks.csv"));
     ASSERT_FALSE(csv.empty());
     csv[csv.find('\n') + 3] ^= 1;
@@ -116,7 +116,7 @@ TEST_F(CliRocks, AClickSplitsAndTheEditsGiveTheSameLabelsAgain) {
     EXPECT_NE(split["labels_sha256"], plain["labels_sha256"]);
     ASSERT_EQ(split["edits"].size(), 1U);
     EXPECT_EQ(rocks("--edits " + path("edits.json"))["labels_sha256"], split["labels_sha256"]);
-    // Settings go with them, and what is typed goes before.
+    // Edits include settings; typed settings override them.
     const json coarse = rocks("--level 3 --min-cells 150 --region '10,10 200,200' --write-edits " + path("coarse.json"));
     EXPECT_NE(coarse["labels_sha256"], plain["labels_sha256"]);
     EXPECT_EQ(rocks("--edits " + path("coarse.json"))["labels_sha256"], coarse["labels_sha256"]);

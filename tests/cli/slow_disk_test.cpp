@@ -1,4 +1,4 @@
-// record on slow and full disks, killed and stopped: what the file holds, and what is said.
+// record on slow and full disks, killed and stopped: the content of the file, and the messages.
 #include "core/files/recording/recording.h"
 #include "core/files/recording/replay.h"
 #include "tests/support/live_session.h"
@@ -23,7 +23,7 @@ using nlohmann::json;
 #define EDGESCAN_NEEDS_PRELOAD() static_cast<void>(0)
 #endif
 
-/// edgescan-cli record onto a disk as the environment says.
+/// edgescan-cli record on a disk that the environment variables describe.
 class Recorder {
 public:
     Recorder(const EmulatedScanner& scanner, std::string path, const std::string& environment, const std::string& arguments)
@@ -118,7 +118,7 @@ TEST(SlowDiskRecord, StoppingEndsWithAWordWhileEverySyncHangs) {
     const test::TemporaryFolder folder;
     const auto scanner = scannerOf(50);
     Recorder recorder(*scanner, (folder / "a.mcap").string(), "EDGESCAN_SLOW_SYNC_MS=600000",
-                      "--seconds 3"); // ends within this test's time
+                      "--seconds 3"); // finishes within the time of this test
     EXPECT_EQ(recorder.wait(), 0) << recorder.said(".err");
     EXPECT_NE(recorder.said(".err").find("the disk is"), std::string::npos) << recorder.said(".err");
     const json summary = json::parse(recorder.said(".out"));
@@ -128,7 +128,7 @@ TEST(SlowDiskRecord, StoppingEndsWithAWordWhileEverySyncHangs) {
     EXPECT_EQ(linesOf(recorder.recording()), summary["lines"]);
 }
 
-// What a slow disk costs: nothing, as long as the program is not ended by a power failure.
+// A slow disk loses no line unless power fails.
 TEST(SlowDiskRecord, FiveSlowDisksLoseNoLine) {
     EDGESCAN_NEEDS_PRELOAD();
     const test::TemporaryFolder folder;
@@ -169,7 +169,7 @@ TEST(SlowDiskRecord, FiveFullDisksKeepWhatWasThereAndSaySo) {
         ASSERT_TRUE(recording);
         EXPECT_FALSE(recording->clean());
         lines += linesOf(recording);
-        // All but the last chunk is there: 64 KiB or 200 ms.
+        // Everything except the last chunk is in the file: 64 KiB or 200 ms.
         EXPECT_GE(linesOf(recording) * 900 + 2 * 65'536 + 12'000, bytes);
         EXPECT_EQ(Replay(recording).feed().torn(), 0);
     }

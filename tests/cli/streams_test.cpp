@@ -1,4 +1,4 @@
-// Scans that come through standard input and pipes, packed or not.
+// Scans that come through standard input and pipes, compressed or not.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 using test::TemporaryFolder;
 using json = nlohmann::json;
 
-/// A shell's line with what it printed; $CLI is the command line's path.
+/// A shell command with its output; $CLI is the path of the command line program.
 test::ProgramRun runShell(const std::string& line) {
     const TemporaryFolder folder;
     const std::string command = "CLI=" + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli; ( " + line + " ) >" + (folder / "out").string() +

@@ -1,4 +1,4 @@
-// edgescan-cli verify from outside, on what detect wrote.
+// edgescan-cli verify from outside, on files written by detect.
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
@@ -36,7 +36,7 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     EXPECT_EQ(everything.code, 0) << everything.err;
     EXPECT_EQ(std::count(everything.out.begin(), everything.out.end(), '\n'), 4)
         << "a record beside an export stands for it: " << everything.out;
-    // The scan has a place, so the clouds are in mine coordinates.
+    // The scan has a pose, so the clouds are in mine coordinates.
     EXPECT_TRUE(test::fileText(folder / "c.csv").starts_with("easting_m,northing_m,elevation_m,line,beam,range_mm,edge\n"));
     std::string bytes = test::fileText(folder / "e.ply");
     bytes[bytes.size() - 5] = static_cast<char>(bytes[bytes.size() - 5] ^ 4);
@@ -46,7 +46,7 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     const json report = json::parse(bad.out);
     EXPECT_EQ(report["identical"], false);
     EXPECT_EQ(report["first_difference"], bytes.size() - 5);
-    // Away from the scan, and back to it by --scans.
+    // The export is far from the scan; --scans finds it.
     const test::TemporaryFolder away;
     std::filesystem::copy(folder / "m.png", away / "m.png");
     const auto lost = runCli("verify " + (away / "m.png").string());

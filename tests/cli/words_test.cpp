@@ -1,5 +1,4 @@
-// No sentence of the program promises anything (docs/operator.md, "S14"): of every string in its sources, of every help text, of every
-// document.
+// No text of the program makes a promise (docs/operator.md, "S14"): checks every string in the sources, every help text, every document.
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = EDGESCAN_SOURCE_DIR;
 
-// The word of a promise in `text`, or empty.
+// The promising word in `text`, or empty.
 std::string promiseIn(const std::string& text) {
     static const std::regex words(
         R"(\b(safe(ly|ty|r|st)?|unsafe|stabl[ey]|stabili[sz]ed|stability|cleared|clear to|guarant\w+|certif\w+|risk[- ]free|no danger|harmless)\b)",
@@ -25,7 +24,7 @@ std::string promiseIn(const std::string& text) {
     return {};
 }
 
-// What stands between quotes in C++, comments left out; pieces that the compiler joins are joined.
+// String literals of C++ source, without comments; adjacent literals are joined.
 std::vector<std::string> stringsOf(const std::string& source) {
     std::vector<std::string> strings;
     bool joins = false; // only white space since the last string
@@ -75,7 +74,7 @@ TEST(Words, NoStringOfTheProgramPromises) {
             if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
             for (const std::string& text : stringsOf(test::fileText(entry.path()))) {
                 ++strings;
-                // A keyword of Content-Security-Policy promises nothing.
+                // A keyword of Content-Security-Policy is not a promise.
                 EXPECT_EQ(promiseIn(std::regex_replace(text, std::regex("'unsafe-inline'"), "")), "")
                     << entry.path() << ": \"" << text << '"';
             }
@@ -98,7 +97,7 @@ TEST(Words, NoDocumentPromises) {
     int documents = 0;
     const auto check = [&](const fs::path& path) {
         std::string text = test::fileText(path);
-        // The rule itself names the words.
+        // The rule itself contains the words.
         if (const std::size_t rule = text.find("## S14"); rule != std::string::npos) text.erase(rule, text.find("\n## ", rule) - rule);
         ++documents;
         EXPECT_EQ(promiseIn(text), "") << path;

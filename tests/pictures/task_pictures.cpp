@@ -133,10 +133,7 @@ bool live(WindowFixture& on, const Bell& bell) {
     sweep.axis = Axis::Sweep;
     on.viewer.live.connectTo("127.0.0.1", bell.scanner->port(), sweep);
     return QTest::qWaitFor(
-        [&] {
-            return on.window.viewer().engine.picture() && on.window.viewer().engine.picture()->detection->scan->lines() > scan->lines() / 2;
-        },
-        60000);
+        [&] { return on.viewer.engine.picture() && on.viewer.engine.picture()->detection->scan->lines() > scan->lines() / 2; }, 60000);
 }
 
 bool calibrated(WindowFixture& on, const Bell& bell) {

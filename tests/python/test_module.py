@@ -221,7 +221,7 @@ class Rocks(unittest.TestCase):
         cells = np.bincount(rocks.regions.ravel(), (result.scan.state == 0).ravel(), len(rocks.table) + 1)
         areas, apart = [], []
         for row in rocks.table:
-            self.assertLessEqual(row["cells"], cells[row["label"]])  # spikes are measured and do not count
+            self.assertLessEqual(row["cells"], cells[row["label"]])  # spikes are measured but not counted
             if row["kind"] == "rock":
                 self.assertGreaterEqual(row["cells"], 0.9 * cells[row["label"]])
             self.assertEqual(row["kind"] == "rock", row["label"] <= rocks.count)
@@ -232,7 +232,7 @@ class Rocks(unittest.TestCase):
             elif row["cells"] == 0:
                 self.assertTrue(np.isnan(row["x_m"]))
             areas += [row["area_m2"]] if row["kind"] == "rock" else []
-        self.assertLess(np.median(apart), 0.02)  # a spike, which is measured and does not count, moves the mean of some
+        self.assertLess(np.median(apart), 0.02)  # a spike, which is measured but not counted, moves the mean of some regions
         self.assertEqual(areas, sorted(areas, reverse=True))
         np.testing.assert_array_equal(rocks.labels, np.where(rocks.regions <= rocks.count, rocks.regions, 0))
         np.testing.assert_array_equal(rocks.at(1.5).labels, edgescan.rocks(result, level=1.5).labels)
@@ -323,11 +323,11 @@ class Threads(unittest.TestCase):
         ticker = threading.Thread(target=tick)
         ticker.start()
         try:
-            for _ in range(50):  # a loaded machine may not run the other thread at once
+            for _ in range(50):  # a loaded machine may not schedule the other thread at once
                 start = time.monotonic()
                 edgescan.detect(scan)
                 end = time.monotonic()
-                if sum(start < t < end for t in ticks) >= 5:  # with the lock held it is 1 at most, on the way in
+                if sum(start < t < end for t in ticks) >= 5:  # with the lock held it would be at most 1, before the call
                     return
             self.fail("no other thread ran while edges were found")
         finally:
@@ -342,7 +342,7 @@ class Threads(unittest.TestCase):
         opener = threading.Thread(target=lambda: opened.append(edgescan.open(
             fifo, beam_start=0, beam_step=1, line_start=0, line_step=1, axis="spin")))
         opener.start()
-        with open(fifo, "w", encoding="ascii") as pipe:  # stands still here for ever if the opener holds the lock
+        with open(fifo, "w", encoding="ascii") as pipe:  # blocks here for ever if the opener holds the lock
             pipe.write(rows)
         opener.join()
         self.assertEqual(opened[0].range_mm.shape, (20, 181))
@@ -396,7 +396,7 @@ class Sweeps(unittest.TestCase):
         self.assertTrue(sweep.complete)
         np.testing.assert_array_equal(sweep.scan.range_mm, wanted.range_mm)
         np.testing.assert_array_equal(edgescan.open(record).range_mm, wanted.range_mm)
-        # The axis was said and the step was not.
+        # The axis was given, the step was not.
         for scan in (sweep.scan, edgescan.open(record)):
             told = [w for w in scan.warnings if "ASSUMED" in w]
             self.assertEqual(len(told), 1, scan.warnings)

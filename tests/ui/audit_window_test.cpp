@@ -1,4 +1,4 @@
-// What is done in the real window stands in the audit log; a full disk is seen.
+// The audit log contains the actions in the real window; a full disk is reported.
 #include "core/base/audit_log/audit_check.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -65,8 +65,8 @@ private slots:
         for (const char* event : {"started", "opened", "pinned", "changed", "exported", "ended"}) QVERIFY2(last.contains(event), event);
         QCOMPARE(last["opened"].details["scan"].get<std::string>(), scan_);
         QCOMPARE(last["pinned"].details["line"].get<int>(), 45);
-        QCOMPARE(last["exported"].details["content"].get<std::string>(), std::string("report")); // and before it the picture
-        QCOMPARE(linesOf(place / "audit.jsonl").size(), std::size_t{7}); // the pin is also a step that can be undone
+        QCOMPARE(last["exported"].details["content"].get<std::string>(), std::string("report")); // after the picture
+        QCOMPARE(linesOf(place / "audit.jsonl").size(), std::size_t{7});                         // setting a target is also an undo step
         QCOMPARE(last["exported"].details["settings"]["sensitivity"].get<double>(), 1.5);
         QCOMPARE(test::runCli("audit '" + (place / "audit.jsonl").string() + "'").code, 0);
     }
@@ -79,7 +79,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.notice.isVisible() && on.viewer.notice.text().contains("AUDIT LOG"); }, 5000));
         QVERIFY(!on.viewer.audit.written());
-        // Space again: what was done meanwhile is there too.
+        // Space is free again: the lines of the meantime are written too.
         std::filesystem::remove(place / "audit.jsonl");
         on.viewer.views.pin(5);
         QVERIFY(written(on));

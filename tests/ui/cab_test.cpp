@@ -1,4 +1,5 @@
-// Cab mode in the real window: everything large enough for gloves, one hand, no modifier, no hover; fingers turn, move, zoom and ask.
+// Cab mode in the real window: everything is large enough for gloves and works with one hand, without modifiers or hover; fingers rotate,
+// move, zoom and open menus.
 #include "tests/support/scans.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/notice_bar.h"
@@ -72,15 +73,15 @@ private slots:
         QVERIFY2(!on.window.cab().corner().isVisible(), "without a scan there is nothing to show in it");
         QVERIFY(on.open(scan_));
         QTRY_VERIFY(on.window.cab().corner().isVisible());
-        // What is said of all rocks ends where the picture begins.
+        // The caption of all rocks ends where the corner picture begins.
         on.viewer.views.cloud().setCaption("what holds for all of them");
         const auto* overlay = on.viewer.views.cloud().findChild<CloudOverlay*>();
         QTRY_COMPARE(overlay->marks().caption, QString("what holds for all of them"));
         QCOMPARE(on.viewer.views.cloud().width() - overlay->marks().captionRoom, on.window.cab().corner().x());
-        // Its own words have room below the picture, in whatever letters.
+        // The picture's text fits below it in every font.
         CornerPicture& corner = on.window.cab().corner();
         corner.setWords("Image de distance – toucher pour échanger l'image et le nuage");
-        const int pictureAt = 4 * corner.width() / 5; // 200 x 240 cells: no higher than this
+        const int pictureAt = 4 * corner.width() / 5; // 200 x 240 cells: the maximum height
         const QRect words = corner.fontMetrics().boundingRect(0, 0, corner.width() - 16, 1 << 14, Qt::TextWordWrap, corner.text());
         QVERIFY2(corner.height() >= words.height() + std::min(pictureAt, corner.parentWidget()->height() * 2 / 5),
                  qPrintable(QString("%1 of %2").arg(corner.height()).arg(words.height())));
@@ -158,7 +159,7 @@ private slots:
             };
             check();
             QVERIFY2(seen >= 20, qPrintable(QString::number(seen)));
-            press(on.window, "cab-tune"); // the sliders, as steppers
+            press(on.window, "cab-tune"); // the sliders as steppers
             QApplication::processEvents();
             check();
             press(on.window, "cab-tune");
@@ -173,7 +174,7 @@ private slots:
         }
     }
 
-    // Every dialog that a command opens; those of Qt that ask for a file have their own sizes.
+    // Every dialog that a command opens, except Qt's file dialogs, which have their own sizes.
     void dialogsAreLargeEnoughForGlovesToo() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
@@ -218,12 +219,12 @@ private slots:
             const bool asks = text.endsWith("…") || text.startsWith("Why") || text.startsWith("Does This") || text.startsWith("Keys") ||
                               text.startsWith("About");
             if (!asks || !action->isEnabled() || text.startsWith("Connect")) continue;
-            QTimer look; // also while the dialog has a loop of its own
+            QTimer look; // works also during the dialog's own event loop
             look.setInterval(50);
             connect(&look, &QTimer::timeout, this, measure);
             look.start();
             action->trigger();
-            QTest::qWait(150); // those that are not modal
+            QTest::qWait(150); // for dialogs that are not modal
             measure();
         }
         qInfo("%d dialogs measured", static_cast<int>(dialogs.size()));
@@ -262,7 +263,7 @@ private slots:
         QVERIFY(action != nullptr && !action->isChecked());
         action->trigger();
         QVERIFY(on.window.cab().on() && action->isChecked());
-        QVERIFY(!action->isEnabled()); // no tap in the menu leaves it
+        QVERIFY(!action->isEnabled()); // cab mode cannot be left by a tap in the menu
         QVERIFY(on.memory.flag("view/cab", false));
         QToolButton* locked = tool(on.window, "cab-locked");
         QTest::mouseClick(locked, Qt::LeftButton);
@@ -304,7 +305,7 @@ private slots:
         QVERIFY(on.window.findChild<StateBadge*>("cab-origin")->isVisible());
         QCOMPARE(on.window.findChild<StateBadge*>("cab-origin")->accessibleName(), on.viewer.origin.accessibleName());
         CloudView& cloud = on.viewer.views.cloud();
-        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, pointOnCloud(cloud)); // a tap, as most screens tell it
+        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, pointOnCloud(cloud)); // a tap, as most screens report it
         QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         NumbersSide& side = on.window.cab().frame().side();
         QTRY_VERIFY2(side.distanceShown().endsWith(" m"), qPrintable(side.distanceShown()));
@@ -312,7 +313,7 @@ private slots:
         QVERIFY(large->isVisible() && QFontInfo(large->font()).pixelSize() >= 40);
         const CellTarget& known = on.viewer.targets.known().targets.begin()->second;
         QCOMPARE(side.distanceShown(), QString("%1 m").arg(known.distanceM, 0, 'f', 3));
-        // The second number is the rock's, once rocks are shown.
+        // The second number belongs to the rock, once rocks are shown.
         QCOMPARE(side.sizeShown(), QString("–"));
         press(on.window, "cab-rocks");
         QTRY_VERIFY_WITH_TIMEOUT(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind(), 20000);
@@ -320,7 +321,7 @@ private slots:
         const Rock* rock = on.viewer.rocks.picture()->rockAt(known.probe.line * 240 + known.probe.beam);
         const QString size = rock == nullptr ? QString("–") : QString("%1 × %2 m").arg(rock->longM, 0, 'f', 2).arg(rock->wideM, 0, 'f', 2);
         QTRY_COMPARE(side.sizeShown(), size);
-        // Undo is on the screen, and undoes.
+        // The undo button is visible, and works.
         QToolButton* undo = tool(on.window, "cab-undo");
         QVERIFY(undo->isVisible() && undo->isEnabled());
         QTest::mouseClick(undo, Qt::LeftButton);
@@ -346,7 +347,7 @@ private slots:
         QTRY_COMPARE(stepper->value(), QString::number(on.viewer.engine.settings().sensitivity, 'f', 2) + " x");
         press(on.window, "cab-undo");
         QCOMPARE(on.viewer.engine.settings().sensitivity, one);
-        // Choices and automatic values have steps as well.
+        // Choices and automatic values have steps too.
         press(on.window, "cab-tune");
         Stepper* method = on.window.cab().frame().side().stepper("method");
         QVERIFY(method != nullptr && method->isVisible());
@@ -368,12 +369,12 @@ private slots:
         for (int n = 1; n <= 5; ++n) QTest::touchEvent(&cloud, touch_).move(0, a + QPoint(12 * n, 0), &cloud);
         QTest::touchEvent(&cloud, touch_).release(0, a + QPoint(60, 0), &cloud);
         QTRY_VERIFY((cloud.camera().forward() - start.forward()).norm() > 0.05);
-        QVERIFY(on.viewer.targets.notebook().targets.empty()); // no tap
+        QVERIFY(on.viewer.targets.notebook().targets.empty()); // not a tap
 
         const CameraPose turned = cloud.camera();
         const QPoint left = a - QPoint(60, 0);
         const QPoint right = a + QPoint(60, 0);
-        // Apart: nearer, and no turn.
+        // Fingers move apart: closer, without rotation.
         QTest::touchEvent(&cloud, touch_).press(0, left, &cloud).press(1, right, &cloud);
         for (int n = 1; n <= 4; ++n)
             QTest::touchEvent(&cloud, touch_).move(0, left - QPoint(15 * n, 0), &cloud).move(1, right + QPoint(15 * n, 0), &cloud);
@@ -382,7 +383,7 @@ private slots:
         QVERIFY((cloud.camera().forward() - turned.forward()).norm() < 1e-6);
         QVERIFY((cloud.camera().position - turned.position).dot(turned.forward()) > 0.1);
 
-        // Together: the picture goes with them.
+        // Fingers move together: the picture moves with them.
         const CameraPose near = cloud.camera();
         QTest::touchEvent(&cloud, touch_).press(0, left, &cloud).press(1, right, &cloud);
         for (int n = 1; n <= 4; ++n)
@@ -397,7 +398,7 @@ private slots:
     void twoFingersZoomAnImageRoundTheirMiddle() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
-        ImageView& gray = on.viewer.views.gray(); // touch works outside cab mode as well
+        ImageView& gray = on.viewer.views.gray(); // touch works outside cab mode too
         const QPoint middle = gray.rect().center() + QPoint(20, 10);
         const double zoom = gray.viewPort()->zoom();
         const QPointF cell = gray.viewPort()->toCell(middle, gray.size());
@@ -434,12 +435,12 @@ private slots:
         QTRY_VERIFY(asked);
         QTest::touchEvent(&cloud, touch_).release(0, at, &cloud);
         QVERIFY(!low);
-        // The same with a screen that tells touches as a mouse.
+        // The same with a screen that reports touches as a mouse.
         asked = false;
         QTest::mousePress(&cloud, Qt::LeftButton, Qt::NoModifier, at);
         QTRY_VERIFY(asked);
         QTest::mouseRelease(&cloud, Qt::LeftButton, Qt::NoModifier, at);
-        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1)); // asking pinned nothing
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1)); // opening the menu sets no target
     }
 
     void aTapSwapsCloudAndImage() {
@@ -457,7 +458,7 @@ private slots:
         press(on.window, "cab-images"); // the edge map
         QTest::mouseClick(&corner, Qt::LeftButton);
         QTRY_VERIFY(on.viewer.views.edges().isVisible());
-        on.window.cab().set(false); // also from there
+        on.window.cab().set(false); // cab mode can be left from there too
         QTRY_VERIFY(on.viewer.views.cloud().isVisible() && on.viewer.views.gray().isVisible());
         QVERIFY(!back->isVisible() && !corner.isVisible());
     }

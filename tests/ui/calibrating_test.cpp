@@ -1,5 +1,5 @@
-// Scan > Calibrate in the real window: on sweeps with errors of the assembly built into every ray, saved as the command line saves it,
-// applied by a click alone, and refused where a turn tells nothing.
+// Scan > Calibrate in the real window: for sweeps simulated with mounting errors. The file equals that of the command line, it is applied
+// only by a click, and a sweep without enough information is refused.
 #include "core/scan/georef/calibration.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/run_program.h"
@@ -79,7 +79,7 @@ struct Bench : WindowFixture {
     bool ready = false;
 };
 
-/// Types a name into the file dialog once it is there.
+/// Types a name into the file dialog when it appears.
 void typeInto(QTimer& timer, const QString& name) {
     QObject::connect(&timer, &QTimer::timeout, &timer, [&timer, name] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
@@ -151,7 +151,7 @@ private slots:
         QVERIFY2(cli.code == 0, cli.err.c_str());
         QCOMPARE(QString::fromStdString(test::fileText(path("new.json"))), QString::fromStdString(test::fileText(path("cli.json"))));
 
-        // Nothing moved yet; a click moves it, and Ctrl+Z moves it back.
+        // The scan has not moved yet; a click moves it, and Ctrl+Z moves it back.
         const StepperMount before = on.picture().detection->scan->placement->mount;
         QCOMPARE(before.sensorInMover.translationM.norm(), 0.0);
         QVERIFY(apply->isEnabled());
@@ -161,7 +161,7 @@ private slots:
         QVERIFY(std::abs(after.mount.sensorInMover.translationM.x() - 0.001 * found.errors.t1Mm()) < 1e-6);
         QVERIFY(after.source.find("new.json") != std::string::npos);
         QVERIFY(on.viewer.origin.toolTip().contains("new.json"));
-        QVERIFY(on.calibrating->found() != nullptr); // the same scan: what was found stays
+        QVERIFY(on.calibrating->found() != nullptr); // the same scan: the result stays
         on.viewer.undo.undo();
         QVERIFY(on.settled());
         QCOMPARE(on.picture().detection->scan->placement->mount, before);
@@ -199,7 +199,7 @@ private slots:
     void severalScansCountTogetherAndAllAreNamed() {
         Bench on(turned_);
         QVERIFY(on.ready);
-        on.calibrating->add({QString::fromStdString(turned_), QString::fromStdString(other_)}); // one is there already
+        on.calibrating->add({QString::fromStdString(turned_), QString::fromStdString(other_)}); // one of them is already in the list
         QCOMPARE(on.part<QListWidget>("calibration-scans")->count(), 2);
         on.click("calibration-start");
         QVERIFY(on.found());
@@ -213,7 +213,7 @@ private slots:
         const auto file = nlohmann::json::parse(test::fileText(path("both.json")));
         QCOMPARE(file["estimated"]["scans"].size(), std::size_t{2});
         QCOMPARE(file["estimated"]["scans"][1]["name"].get<std::string>(), std::string("other.json"));
-        // Without a pose there is no place to correct, and the card says so.
+        // Without a pose the calibration cannot be applied, and the card says so.
         QVERIFY(!on.part<QPushButton>("calibration-apply")->isEnabled());
         QVERIFY(on.part<QPushButton>("calibration-apply")->toolTip().contains("without a pose"));
         QVERIFY(on.viewer.files.options().calibration.empty());
@@ -237,11 +237,11 @@ private slots:
         QVERIFY(on.ready);
         on.click("calibration-start");
         QVERIFY(on.card->working());
-        on.click("calibration-start"); // "Give Up" now
+        on.click("calibration-start"); // the button is "Give Up" now
         QVERIFY(!on.card->working());
         QCOMPARE(on.card->verdict(), QString("✕ given up"));
         on.click("calibration-start");
-        QVERIFY(on.found()); // the one that was given up told nothing any more
+        QVERIFY(on.found()); // the cancelled question has no effect
         QVERIFY(on.open(half_));
         QVERIFY(on.calibrating->found() == nullptr);
         QVERIFY(!on.card->isVisible());

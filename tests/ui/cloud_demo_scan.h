@@ -31,8 +31,8 @@ inline double rangeM(const Eigen::Vector3d& d) {
     return nearest;
 }
 
-/// Sweep +-30 degrees in lines, +-50 degrees in beams about the z axis; line 0 looks towards +y, beam 0 towards +x.
-/// Every `holeEvery`-th cell has no return (0 = none).
+/// Sweep: lines over +-30 degrees, beams over +-50 degrees about the z axis; line 0 points towards +y, beam 0 towards +x. Every
+/// `holeEvery`-th cell has no return (0 = all cells return).
 inline std::shared_ptr<Scan> room(int lines, int beams, int holeEvery = 0) {
     auto scan = std::make_shared<Scan>();
     scan->name = "room";
@@ -54,7 +54,7 @@ inline std::shared_ptr<Scan> room(int lines, int beams, int holeEvery = 0) {
     return scan;
 }
 
-/// Cells on the near side of a jump of more than 0.3 m.
+/// Cells on the nearer side of a jump of more than 0.3 m.
 inline std::shared_ptr<const std::vector<std::uint32_t>> edges(const Scan& scan) {
     auto out = std::make_shared<std::vector<std::uint32_t>>();
     for (int i = 1; i + 1 < scan.lines(); ++i) {

@@ -1,4 +1,4 @@
-// For the tests of the cloud view: a shown view with the demo scan, real mouse events, counting colours.
+// For the tests of the cloud view: a visible view with the demo scan, real mouse events, counting of colours.
 #pragma once
 
 #include "cloud_demo_scan.h"
@@ -39,7 +39,7 @@ inline int colours(const QImage& image) {
     return static_cast<int>(seen.size());
 }
 
-// For looking at: EDGESCAN_PICTURES=/tmp/somewhere
+// Saves pictures for inspection: EDGESCAN_PICTURES=FOLDER
 inline void keep(const QImage& image, const QString& name) {
     const QString folder = qEnvironmentVariable("EDGESCAN_PICTURES");
     if (!folder.isEmpty()) image.save(folder + "/" + name + ".png");
@@ -65,7 +65,7 @@ inline void wheel(QWidget& view, QPoint at, int notches, Qt::KeyboardModifiers m
     QApplication::sendEvent(&view, &event);
 }
 
-/// A shown view before each test; asserts that there is an OpenGL context.
+/// A visible view before each test; asserts that there is an OpenGL context.
 class CloudFixture : public QObject {
     Q_OBJECT
 protected:

@@ -57,7 +57,7 @@ private slots:
         drag(*view_, Qt::LeftButton, Qt::ControlModifier, {700, 320}, {450, 560}); // clockwise on the screen
         QVERIFY(view_->camera().forward().isApprox(start.forward()));
         QVERIFY(view_->camera().up.dot(start.up) < 0.3);
-        QVERIFY(view_->camera().up.dot(start.right()) < -0.5); // the picture turns clockwise, so the camera turns left
+        QVERIFY(view_->camera().up.dot(start.right()) < -0.5); // the picture rotates clockwise, so the camera rotates to the left
         QCOMPARE(clicked.count(), 0);
     }
 
@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(countColour(view_->grabFrame(), yellowish), 0);
     }
 
-    void timesAtFullSize() { // printed, not asserted: the machine is shared
+    void timesAtFullSize() { // printed, not asserted: other programs use the machine too
         const auto scan = demo::room(1000, 1141);
         const auto edges = demo::edges(*scan);
         const auto cloud = makeCloudGeometry(*scan);

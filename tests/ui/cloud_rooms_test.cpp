@@ -141,7 +141,7 @@ private slots:
         for (int i = 0; i < 500; ++i) {
             pose = turned(pose, centre, up, step(random), step(random));
             QVERIFY(std::abs((pose.position - centre).norm() - distance) < 1e-6 * distance);
-            QVERIFY(std::abs(pose.right().dot(up)) < 1e-6); // the horizon stays level
+            QVERIFY(std::abs(pose.right().dot(up)) < 1e-6); // the horizon stays horizontal
             QVERIFY(pose.up.dot(up) > 0.0);                 // and never flips
         }
     }
@@ -225,7 +225,7 @@ private slots:
         }
         std::size_t hidden = 0;
         for (std::uint32_t k = 0; k < cloud->cells(); k += 17) hidden += isPointHidden(*cloud, view, k);
-        QVERIFY(hidden > 0); // the side view has rock behind rock
+        QVERIFY(hidden > 0); // in the side view rock hides rock
     }
 
     void laserRayIsCutAtTheCamera() {
@@ -244,10 +244,10 @@ private slots:
     }
 
     void budgetKeepsTheFrameTime() {
-        // A machine of 12 ms + 140 ms x fraction, jittering by a fifth.
+        // A simulated machine: 12 ms + 140 ms x fraction, with 20 % jitter.
         std::mt19937 random(3);
         std::uniform_real_distribution<double> jitter(0.9, 1.1);
-        DrawingBudget budget(1000.0); // a bad guess
+        DrawingBudget budget(1000.0); // a wrong first estimate
         double worstMoving = 0.0, worstRest = 0.0;
         for (int i = 0; i < 60; ++i) {
             const bool moving = i % 6 != 0;
@@ -261,7 +261,7 @@ private slots:
         QVERIFY2(worstRest < 100.0 && worstRest > 50.0, qPrintable(QString::number(worstRest)));
     }
 
-    // 2 ms + 1 ms per 10 000 points, while the points become ten times as many: what was learnt from few holds for many.
+    // 2 ms + 1 ms per 10 000 points while the number of points grows tenfold: the measured frames stay useful.
     void budgetFollowsACloudThatGrows() {
         DrawingBudget budget(1000.0);
         double points = 100'000.0;
@@ -318,7 +318,7 @@ private slots:
         QVERIFY(!pickPoint(*cloud, viewOf(*cloud, pose), 100, 100, 8));
     }
 
-    void timesAtFullSize() { // printed, not asserted: the machine is shared
+    void timesAtFullSize() { // printed, not asserted: other programs use the machine too
         const auto scan = demo::room(1000, 1141);
         QElapsedTimer clock;
         clock.start();

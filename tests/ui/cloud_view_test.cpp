@@ -1,4 +1,4 @@
-// The cloud view as the user sees it: a real widget, real frames.
+// The cloud view from the user's side: a real widget, real frames.
 #include "cloud_fixture.h"
 
 #include <QElapsedTimer>
@@ -86,7 +86,7 @@ private slots:
         auto one = std::make_shared<std::vector<std::uint32_t>>();
         view_->viewLeft();
         (void)view_->grabFrame();
-        // The wall at x = -6 is on the right of the scanner: from the left the other wall hides most of it.
+        // The wall at x = -6 is on the right of the scanner. From the left, the other wall hides most of it.
         const auto& cloud = *view_->geometryOfCloud();
         for (std::uint32_t k = 0; k < cloud.cells(); ++k) {
             if (cloud.point(k).x() < -5.9F) one->push_back(k);
@@ -118,7 +118,7 @@ private slots:
         const auto holes = demo::room(60, 80, 2);
         view_->setScan(holes);
         auto all = std::make_shared<std::vector<std::uint32_t>>();
-        for (std::uint32_t k = 0; k < 6000; ++k) all->push_back(k); // invalid ones and beyond the end
+        for (std::uint32_t k = 0; k < 6000; ++k) all->push_back(k); // invalid cells and cells beyond the end
         view_->setEdges(all);
         QVERIFY(countColour(view_->grabFrame(), isGreen) > 1000);
     }
@@ -135,7 +135,7 @@ private slots:
         const int settled = view_->framesDrawn();
         view_->setMarkedCell(cell);
         view_->repaint();
-        QCOMPARE(view_->framesDrawn(), settled); // the marker redraws no point
+        QCOMPARE(view_->framesDrawn(), settled); // moving the marker does not redraw the points
         const QImage image = view_->grabFrame(CloudView::Points::All);
         keep(image, "cloud_marker");
         keep(image.copy(420, 330, 220, 180).scaled(880, 720), "cloud_marker_close");
@@ -144,7 +144,7 @@ private slots:
         const int reach = static_cast<int>(12 * view_->devicePixelRatioF());
         QVERIFY(countColour(image.copy(QRect(at - QPoint(reach, reach), at + QPoint(reach, reach))), white) > 30);
         QCOMPARE(countColour(before, white), 0);
-        // A point behind the rest gets a dotted ring.
+        // A hidden point gets a dotted ring.
         for (std::uint32_t k = 0; k < scan_->cells(); k += 31) {
             const auto seen = view_->pixelOf(k);
             if (!seen || !view_->rect().contains(seen->toPoint())) continue;

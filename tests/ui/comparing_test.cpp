@@ -1,5 +1,5 @@
-// A/B in the real window, by real events: keep, turn, open the scan after the blast, flip all views with a key, gained and lost in colour
-// and numbers.
+// The A/B comparison in the real window, with real events: keep, change a setting, open the scan after the blast, flip all views with a
+// key, gained and lost edges in colours and numbers.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/inspect/change_detection/scene_change.h"
@@ -101,9 +101,9 @@ private slots:
         QVERIFY(numberIn(legend.counted(ChangeRow::Lost)) >= lost);
         QVERIFY(legend.row(ChangeRow::Gained)->text().startsWith("+"));
         QVERIFY2(legend.howText().contains("one scan"), qPrintable(legend.howText()));
-        // No surface can change of one scan.
+        // A comparison within one scan has no changed surfaces.
         QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible());
-        // In the colours of the legend in the edge map, over the range image and in the cloud.
+        // The colours of the legend appear in the edge map, over the range image and in the cloud.
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Kept)), kept);
         QVERIFY(on.viewer.views.gray().overlay() == on.viewer.views.edgesInstead()->overlay);
@@ -115,7 +115,7 @@ private slots:
                           QPoint(8, legend.row(ChangeRow::Kept)->height() / 2));
         QVERIFY(QTest::qWaitFor([&] { return painted(on.viewer.views.edges(), changeColour(ChangeRow::Kept)) == 0; }, 10000));
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
-        // Back at the settings of A nothing is left to tell; without A the picture is as ever.
+        // With the settings of A the difference is empty; without A the picture is normal.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(!on.viewer.views.edgesInstead());
         QVERIFY(on.viewer.legend.isVisible());
@@ -137,7 +137,7 @@ private slots:
         const std::shared_ptr<const Picture> b = on.viewer.engine.picture();
         LinkedViews& views = on.viewer.views;
         CloudView& cloud = views.cloud();
-        // The operator looks at a place, with some cells hidden and some selected.
+        // A view with some cells hidden and some selected.
         cloud.zoomToCells({20000, 20001, 20200});
         on.viewer.selection.select({20000, 20001});
         const CameraPose camera = cloud.camera();
@@ -158,7 +158,7 @@ private slots:
         QVERIFY(cloud.faces() == views.edgesInstead()->points);
         QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
         QVERIFY((cloud.camera().position - camera.position).norm() < 1e-9);
-        // In a field that is typed into it is a character.
+        // In a text field the key types a character.
         auto* box = on.window.findChild<QDoubleSpinBox*>("number-sensitivity");
         box->setFocus();
         QTest::keyPress(box, Qt::Key_Backslash);
@@ -166,7 +166,7 @@ private slots:
         QTest::keyRelease(box, Qt::Key_Backslash);
         views.gray().setFocus();
         QVERIFY2(on.viewer.engine.picture() == b, "flipping opens nothing");
-        // A new picture ends a flip that the key was not let go of.
+        // A new picture ends a flip even while the key is pressed.
         QTest::keyPress(&views.gray(), Qt::Key_Backslash);
         QVERIFY(views.flipped());
         Settings other = on.viewer.engine.settings();
@@ -175,7 +175,7 @@ private slots:
         QVERIFY(!views.flipped() && known(on));
         QVERIFY(cloud.scan() == b->detection->scan);
         QTest::keyRelease(&views.gray(), Qt::Key_Backslash);
-        // Another scan starts anew.
+        // Another scan resets the comparison.
         QVERIFY(on.open(before_));
         QVERIFY(cloud.scan() == on.picture().detection->scan && !views.flipped());
     }
@@ -191,14 +191,14 @@ private slots:
         QVERIFY(comparison.change.ranges.nearer > 100 && comparison.change.ranges.farther > 100);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Nearer)), comparison.change.ranges.nearer);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Farther)), comparison.change.ranges.farther);
-        // Neither scan has a pose: it is said, here and above the views.
+        // Neither scan has a pose: reported here and above the views.
         QVERIFY2(legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));
         QVERIFY2(on.viewer.notice.text().contains("without a pose"), qPrintable(on.viewer.notice.text()));
-        // The points that changed have a colour of their own, all others are dimmed; edges stay over them.
+        // Changed points have their own colour, others are dimmed; edges are drawn over them.
         const auto& points = *on.viewer.views.cloud().faces();
         const auto dimmed = static_cast<std::size_t>(std::ranges::count(points, 0xff545454U));
         QCOMPARE(points.size() - dimmed, comparison.change.ranges.nearer + comparison.change.ranges.farther);
-        // The regions one by one, the largest first.
+        // The regions one after the other, the largest first.
         const CameraPose camera = on.viewer.views.cloud().camera();
         const std::size_t nearer = comparison.change.ranges.nearer;
         QTest::mouseClick(legend.next(), Qt::LeftButton);
@@ -207,21 +207,21 @@ private slots:
         QVERIFY((on.viewer.views.cloud().camera().position - camera.position).norm() > 0.01);
         QTest::keyClick(&on.window, Qt::Key_N, Qt::ShiftModifier);
         QVERIFY2(legend.regionText().startsWith("region 2 of "), qPrintable(legend.regionText()));
-        // At this size both fit, and the picture of a slider keeps what is known of the surfaces.
+        // At this size both legends fit. A picture with another setting keeps the known surfaces.
         QTRY_VERIFY(on.viewer.views.cloud().rect().contains(on.viewer.changeLegend.geometry()));
         Settings other = on.viewer.engine.settings();
         other.method = Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
         QCOMPARE(on.viewer.comparing.comparison()->change.ranges.nearer, nearer);
-        // A slider is no blast: A has the settings of the screen.
+        // A changed slider is not a blast: A is computed with the current settings.
         const auto earlier = detectEdges(on.viewer.comparing.kept()->detection->scan, other);
         const auto expected = sceneChange({on.picture().detection->scan, on.picture().detection->mask}, {earlier->scan, earlier->mask});
         QVERIFY(expected);
         QCOMPARE(on.viewer.comparing.comparison()->change.edges.lost, expected->edges.lost);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Lost)), expected->edges.lost);
         QVERIFY(on.viewer.comparing.kept()->asked != other);
-        // Rocks over the cloud hide the change there, which is said.
+        // Rocks over the cloud hide the change there; the legend says so.
         const auto* covered = legend.findChild<QLabel*>("change-covered");
         QVERIFY(covered->isHidden());
         QTest::keyClick(&on.window, Qt::Key_K);
@@ -237,12 +237,12 @@ private slots:
         QVERIFY(known(on));
         QVERIFY(on.viewer.comparing.comparison() != nullptr);
         QVERIFY(QString::fromStdString(on.picture().detection->scan->path).endsWith("after.json"));
-        // Only one has a place: refused, and nothing is compared.
+        // Only one scan has a pose: refused, no comparison.
         on.viewer.comparing.compareWith(QString::fromStdString(placed_));
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }, 30000));
         QVERIFY2(on.viewer.notice.text().contains("has none"), qPrintable(on.viewer.notice.text()));
         QVERIFY(!on.viewer.views.edgesInstead());
-        // Another place altogether, and a file that is not there.
+        // A scan of another place, and a missing file.
         on.viewer.comparing.compareWith(QString::fromStdString(other_));
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }, 30000));
         QCOMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);
@@ -263,7 +263,7 @@ private slots:
         QVERIFY(!on.viewer.views.flipped());
     }
 
-    // The full grid: both clouds stay in the graphics memory. Time of this thread, which a busy machine does not lengthen.
+    // The full grid: both clouds stay in the graphics memory. Measures the CPU time of this thread, which does not depend on the load.
     void flippingTheFullGridIsQuick() {
         WindowFixture on;
         const auto save = [&](bool after) {
@@ -281,7 +281,7 @@ private slots:
         std::vector<double> times, waits;
         const CloudView& cloud = on.viewer.views.cloud();
         for (int n = 0; n < 8; ++n) {
-            for (const auto press : {true, false}) { // each until the cloud is drawn
+            for (const auto press : {true, false}) { // waits until the cloud is drawn
                 QElapsedTimer timer;
                 timer.start();
                 const double before = threadCpuMilliseconds();
@@ -290,7 +290,7 @@ private slots:
                       : QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
                 QCOMPARE(on.viewer.views.flipped(), press);
                 QVERIFY(QTest::qWaitFor([&] { return cloud.framesDrawn() > frames; }, 10000));
-                if (n == 0) continue; // the first one sends a cloud
+                if (n == 0) continue; // the first flip uploads a cloud
                 times.push_back(threadCpuMilliseconds() - before);
                 waits.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
             }

@@ -1,4 +1,4 @@
-// Edge confidence in the real window: a key shows it, the slider leaves edges out, a new picture is worked out anew, A/B has precedence.
+// Edge confidence in the real window: a key shows it, the slider hides edges, a new picture is computed again, a comparison has priority.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/change/change_legend.h"
@@ -59,7 +59,7 @@ private slots:
         const ConfidenceLegend& legend = on.viewer.confidenceLegend;
         QVERIFY(legend.isVisible() && !on.viewer.legend.isVisible());
         QVERIFY2(legend.words().contains(QString::number(truth->settings)), qPrintable(legend.words()));
-        // The counts of the legend are those of the cells, and all edges are in one band.
+        // The counts of the legend equal those of the cells, and each edge is in one band.
         std::array<std::size_t, kBands> counts{};
         for (const std::uint32_t k : *detection.edges) ++counts[confidenceBand(truth->percent[k])];
         std::size_t sum = 0;
@@ -69,7 +69,7 @@ private slots:
         }
         QCOMPARE(sum, detection.edges->size());
         QVERIFY2(counts[0] > 0 && counts[0] < sum, "all edges are alike");
-        // Each edge cell in the colour of its band in the edge map, and with its size in the cloud.
+        // Each edge cell has the colour of its band in the edge map, and its size in the cloud.
         const QImage& map = *on.viewer.views.edges().image();
         for (const std::uint32_t k : *detection.edges) {
             const QPoint at = on.viewer.views.placeOf(k);
@@ -79,7 +79,7 @@ private slots:
         }
         QVERIFY(on.viewer.views.cloud().edgeColours() == bandColours(false));
         QVERIFY(made.cells.sizes[0] > made.cells.sizes[2] && made.cells.sizes[2] > made.cells.sizes[4]);
-        // By the keyboard: what fewer than seventy per cent of the settings find goes from the views.
+        // With the keyboard: edges that fewer than 70 % of the settings find are hidden.
         QSlider* slider = legend.slider();
         slider->setFocus();
         for (int n = 0; n < 7; ++n) QTest::keyClick(slider, Qt::Key_PageUp);
@@ -89,9 +89,9 @@ private slots:
         for (const std::uint32_t k : *detection.edges) kept += truth->percent[k] >= 70 ? 1 : 0;
         QCOMPARE(on.viewer.confidence.made()->shown(), kept);
         QCOMPARE(on.viewer.views.edgesInstead()->cells.all->size(), kept);
-        // The detection, and with it every export, is what it was.
+        // The detection, and so every export, does not change.
         QCOMPARE(on.picture().detection->edges->size(), sum);
-        // Off: as ever.
+        // Off: the normal picture.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
         QVERIFY(!on.viewer.views.edgesInstead() && on.viewer.legend.isVisible() && !legend.isVisible());
         QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
@@ -113,7 +113,7 @@ private slots:
         QVERIFY(on.viewer.confidence.made()->of == on.viewer.engine.picture());
         QVERIFY(on.viewer.changeLegend.isVisible() && !on.viewer.confidenceLegend.isVisible());
         QCOMPARE(on.viewer.views.edgesInstead()->map, on.viewer.comparing.comparison()->map);
-        // The difference put away: confidence again; and back.
+        // The difference is switched off: confidence appears again; and back.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(on.viewer.confidenceLegend.isVisible());
         QCOMPARE(on.viewer.views.edgesInstead()->map, on.viewer.confidence.made()->images[0]);
@@ -130,7 +130,7 @@ private slots:
             QVERIFY(on.showWith(scan_) && on.activate());
             const Detection first = *on.picture().detection;
             const auto truth = edgeConfidence(first);
-            // An edge that a lower threshold finds as well, and that not every setting does.
+            // An edge that a lower threshold finds too, and that some settings miss.
             const auto doubtful = std::ranges::find_if(*first.edges, [&](std::uint32_t k) { return truth->percent[k] < 90; });
             QVERIFY(doubtful != first.edges->end());
             const std::uint32_t cell = *doubtful;
@@ -148,13 +148,14 @@ private slots:
                 return QString("%1 % of %2 settings").arg(of.percent[k]).arg(of.settings);
             };
             QTRY_VERIFY2_WITH_TIMEOUT(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()), 60000);
-            // The views show the plain edges: nobody asked for a picture.
+            // The views show the plain edges: the confidence picture is off.
             QVERIFY(!on.viewer.views.edgesInstead() && !on.viewer.confidence.made());
-            // Shown by the key it is the same figure, and not worked out again.
+            // The key shows the same value, without a second computation.
             QVERIFY(showByKey(on));
             QCOMPARE(int(*on.viewer.confidence.at(cell)), int(truth->percent[cell]));
             QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-            // Turned by a key of the slider: what it was stays on the card, first beside the dots, then beside the new figure.
+            // A key of the slider changes the setting: the former value stays on the card, first next to the dots, then next to the new
+            // value.
             QSlider* slider = on.slider("sensitivity");
             slider->setFocus();
             QTest::keyClick(slider, Qt::Key_Left);
@@ -166,7 +167,7 @@ private slots:
             const QString now = "Confidence: " + figure(*then, cell);
             QTRY_VERIFY2_WITH_TIMEOUT(card().contains(now), qPrintable(card()), 60000);
             QVERIFY(then->percent[cell] == truth->percent[cell] || card().contains(now + "\nwas " + figure(*truth, cell)));
-            // A cell without an edge has no such row.
+            // A cell that is not an edge has no such row.
             const auto plain = std::ranges::find(second.mask->cells, 0) - second.mask->cells.begin();
             on.viewer.views.pinByClick(static_cast<std::size_t>(plain));
             QTRY_VERIFY(on.viewer.targets.active()->cell != cell && card().contains("Edge: none"));
@@ -174,7 +175,7 @@ private slots:
             QTRY_VERIFY(on.viewer.targets.settled());
             text = figure(*truth, cell).toStdString();
         }
-        // The file of the targets keeps what the card said of the picture that the cell was pinned on.
+        // The file of the targets stores the value from the picture on which the target was set.
         const std::filesystem::path targets = folder_ / "own" / "targets";
         std::string file;
         for (const auto& entry : std::filesystem::directory_iterator(targets)) {

@@ -1,4 +1,4 @@
-// The contact sheet in the real window: pictures come one after the other, a click takes the value and can be undone, closing gives up.
+// The contact sheet in the real window: pictures appear one after the other, a click adopts the value and can be undone, closing cancels.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/controllers/contact_sheets.h"
@@ -41,7 +41,7 @@ private slots:
         }
         QCOMPARE(inUse, 1);
         QVERIFY(steady != 1);
-        // What is shown at a value is what the window shows once it is taken.
+        // The picture of a value equals the window after adopting this value.
         const std::size_t last = pictures.size() - 1;
         QTest::mouseClick(pictures[last], Qt::LeftButton);
         QCOMPARE(on.viewer.engine.settings().sensitivity, sheets->entries()[last].value);
@@ -64,7 +64,7 @@ private slots:
         QVERIFY(on.viewer.engine.settings().creaseDeg < 40);
     }
 
-    // On a screen of 1280 x 720, as 1920 x 1080 is at 150 %, it stays whole.
+    // On a screen of 1280 x 720 (1920 x 1080 at 150 %) the sheet is completely visible.
     void itIsNoLargerThanItsWindow() {
         WindowFixture on;
         on.window.resize(900, 620);
@@ -82,7 +82,7 @@ private slots:
         auto* sheets = on.window.findChild<ContactSheets*>();
         sheets->show();
         sheets->card()->close();
-        sheets->show(); // and again, at once
+        sheets->show(); // immediately again
         QTRY_VERIFY_WITH_TIMEOUT(!sheets->card()->working(), 20000);
         QCOMPARE(sheets->entries().size(), sheets->card()->pictures().size());
     }

@@ -1,4 +1,4 @@
-// Files in the real window: opening, refusing, straightening, series, exports that equal those of the command line.
+// Files in the real window: opening, refusals, straightening, series, and exports that equal those of the command line.
 #include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
@@ -88,7 +88,7 @@ private slots:
         const auto skew = [&] { return std::get<PolarGeometry>(window.viewer().engine.picture()->detection->scan->geometry).lineSkewDeg; };
         const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
         QVERIFY(!tilted());
-        // The button in the note does it ...
+        // The button in the notice corrects it ...
         auto* offered = window.viewer().notice.findChild<QToolButton*>("notice-action");
         QVERIFY(offered != nullptr && offered->isVisible());
         QTest::mouseClick(offered, Qt::LeftButton);
@@ -96,14 +96,14 @@ private slots:
         QVERIFY(QTest::qWaitFor(tilted, 20000));
         QVERIFY(straighten->isChecked());
         QVERIFY2(window.viewer().notice.text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.viewer().notice.text()));
-        // ... and the menu takes it back.
+        // ... and the menu undoes the correction.
         straighten->trigger();
         QVERIFY(QTest::qWaitFor([&] { return !tilted(); }, 20000));
         QVERIFY(on.settled());
         QVERIFY(!straighten->isChecked());
         straighten->trigger();
         QVERIFY(QTest::qWaitFor(tilted, 20000));
-        // Another file starts as it was recorded.
+        // Another file opens as recorded.
         QVERIFY(on.open(real_));
         QVERIFY(!straighten->isChecked());
     }
@@ -128,7 +128,7 @@ private slots:
             QVERIFY2(test::fileText(path) == test::fileText(other), name);
             QVERIFY(!test::fileText(path).empty());
         }
-        // A failed export names the path and leaves nothing behind.
+        // A failed export names the path and leaves no file.
         QSignalSpy failures(&window.viewer().engine, &Engine::failed);
         window.viewer().engine.save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
         QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
@@ -201,7 +201,7 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
         const auto before = window.viewer().engine.picture();
-        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string())); // no demo in the cache: it must be made
+        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string())); // an empty cache: the demo must be simulated
         QSignalSpy progress(&window.viewer().engine, &Engine::workProgressed);
         window.viewer().files.openDemo();
         QTRY_VERIFY(progress.count() > 0);
@@ -209,7 +209,7 @@ private slots:
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(QTest::qWaitFor([&] { return !window.viewer().engine.working(); }, 10000));
         QCOMPARE(window.viewer().engine.picture(), before);
-        // Two in a row: the second one is shown.
+        // Two openings in a row: the second one is shown.
         window.viewer().files.openDemo();
         window.viewer().files.open({QString::fromStdString(real_)});
         QVERIFY(QTest::qWaitFor([&] { return window.viewer().engine.picture() != before && !window.viewer().engine.working(); }, 20000));

@@ -1,4 +1,4 @@
-// Filled gaps in the real window: counted, striped, told in the status line, and gone again.
+// Filled gaps in the real window: counted, striped, named in the status line, and removed again.
 #include "core/exports/provenance/provenance.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -45,7 +45,7 @@ private slots:
         }
         const Probe probe = probeCell(*on.picture().detection, filling.cells.front().cell);
         QVERIFY(probeWords(probe).verdict.startsWith("filled, not measured: "));
-        // The question before an export counts what the export writes.
+        // The dialog before an export shows the number of points that the export writes.
         for (const ExportContent content : {ExportContent::FullCloud, ExportContent::EdgeCloud}) {
             ExportDialog dialog(on.picture().detection, content);
             const std::size_t measured = dialog.count();

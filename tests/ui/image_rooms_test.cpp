@@ -21,7 +21,7 @@ private slots:
         QCOMPARE(half.size(), QSize(2, 2));
         QCOMPARE(half.format(), QImage::Format_Grayscale8);
         QCOMPARE(int(half.scanLine(0)[0]), 25);
-        QCOMPARE(int(half.scanLine(0)[1]), 10); // the odd column stands for itself
+        QCOMPARE(int(half.scanLine(0)[1]), 10); // the odd column is copied
         QCOMPARE(int(half.scanLine(1)[0]), 75);
         QCOMPARE(int(half.scanLine(1)[1]), 7);
         const QImage brightest = halved(image, Shrink::KeepBrightest);
@@ -98,10 +98,10 @@ private slots:
         QCOMPARE(port.toCell(port.toPixel(cell, QSizeF(400, 300)), QSizeF(400, 300)), cell);
         port.panPixels({20, 10});
         QVERIFY(QLineF(port.toPixel(cell, QSizeF(400, 300)), before + QPointF(20, 10)).length() < 1e-9);
-        port.setViewSize(&view, {500, 300}); // zoomed: stays
+        port.setViewSize(&view, {500, 300}); // zoomed: does not change
         QCOMPARE(port.zoom(), 1.5);
         port.fit();
-        port.setViewSize(&view, {800, 600}); // fitted: follows
+        port.setViewSize(&view, {800, 600}); // fitted: follows the size
         QCOMPARE(port.zoom(), 1.0);
         port.panPixels({1e7, 1e7});
         QCOMPARE(port.centre(), QPointF(0, 0)); // cannot be lost
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(port.cellSize().height(), 4.0);
         port.setTrueAngle(0.5, 0.25);
         QCOMPARE(port.cellSize(), QSizeF(4, 2)); // still fits
-        port.setAspect(0.0);                     // nonsense is ignored
+        port.setAspect(0.0);                     // invalid values are ignored
         QCOMPARE(port.aspect(), 2.0);
         port.setSquarePixels();
         QCOMPARE(port.cellSize(), QSizeF(4, 4));

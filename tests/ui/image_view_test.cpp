@@ -53,7 +53,7 @@ void wheel(QWidget& view, QPoint at, int notches) {
     QApplication::sendEvent(&view, &event);
 }
 
-// Device pixels: run the tests with QT_SCALE_FACTOR=2 too.
+// In device pixels: run the tests with QT_SCALE_FACTOR=2 too.
 QImage grab(QWidget& view) {
     QImage image = view.grab().toImage();
     image.setDevicePixelRatio(1.0);
@@ -111,7 +111,7 @@ private slots:
         for (int i = 0; i < 6; ++i) wheel(*view_, {133, 71}, 1);
         const QImage shown = grab(*view_);
         QCOMPARE(count(shown, [](QRgb p) { return qGray(p) != 0 && qGray(p) != 255; }), 0);
-        // Every screen pixel shows the cell that cellAt() names there.
+        // Every screen pixel shows the cell that cellAt() returns for it.
         const double dpr = view_->devicePixelRatioF();
         int wrong = 0, looked = 0;
         for (int y = 0; y < shown.height(); y += 3) {
@@ -121,7 +121,7 @@ private slots:
                 if (cell) wrong += qGray(shown.pixel(x, y)) != qGray(image->pixel(*cell));
             }
         }
-        QVERIFY2(wrong * 50 < looked, qPrintable(QString::number(wrong))); // rounding on the rims of cells
+        QVERIFY2(wrong * 50 < looked, qPrintable(QString::number(wrong))); // rounding at the borders of cells
         keep(shown, "image_squares");
     }
 
@@ -133,7 +133,7 @@ private slots:
             port_->zoomAt(port_->centre(), out);
             const QImage shown = grab(*view_);
             const double dpr = view_->devicePixelRatioF();
-            // Each column of the screen inside the image holds a piece of the line.
+            // Each screen column inside the image contains a part of the line.
             const QPointF a = port_->toPixel({0, 0}, view_->size()), b = port_->toPixel({1141, 1000}, view_->size());
             for (int x = static_cast<int>(std::ceil(a.x() * dpr)); x < static_cast<int>(b.x() * dpr) - 1; ++x) {
                 int bright = 0;
@@ -201,7 +201,7 @@ private slots:
         move(*view_, at); // the same cell: no second signal
         QCOMPARE(hovered.count(), 1);
         QCOMPARE(hovered[0], (QVariantList{30, 120}));
-        move(*view_, {5, 5}); // beside the image
+        move(*view_, {5, 5}); // outside the image
         QCOMPARE(left.count(), 1);
         QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::NoModifier, at);
         QCOMPARE(clicked.count(), 1);
@@ -286,7 +286,7 @@ private slots:
         QCOMPARE(count(grab(*view_), green), 0);
     }
 
-    void timesAtFullSize() { // printed, not asserted: the machine is shared
+    void timesAtFullSize() { // printed, not asserted: other programs use the machine too
         view_->resize(700, 800);
         auto colour = std::make_shared<QImage>(ramp(1141, 1000)->convertToFormat(QImage::Format_RGB32));
         const auto edges = edgeMap(1141, 1000);

@@ -1,4 +1,4 @@
-// The window in other languages: every text has its translation, and nothing but words changes.
+// The window in other languages: every text has a translation, and only texts change.
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
 #include "core/rocks/selection/rock_settings.h"
@@ -52,7 +52,7 @@ QSet<QString> keysOf(const QWidget& window) {
     return keys;
 }
 
-/// What a user reads: texts of actions, labels, buttons, titles.
+/// Visible texts: actions, labels, buttons, titles.
 QStringList shownIn(const QWidget& window) {
     QStringList shown;
     for (const QAction* action : window.findChildren<QAction*>()) shown << action->text() << action->toolTip();
@@ -62,7 +62,7 @@ QStringList shownIn(const QWidget& window) {
     return shown;
 }
 
-/// The same and all else: lists, tables, fields, names for screen readers, tools. One line per text.
+/// The same and all other texts: lists, tables, fields, names for screen readers, tools. One line per text.
 QSet<QString> everyTextIn(const QWidget& window) {
     QSet<QString> shown;
     for (const QString& text : shownIn(window)) shown << text;
@@ -89,7 +89,7 @@ QSet<QString> everyTextIn(const QWidget& window) {
     return lines;
 }
 
-/// With a scan, rocks, a pin, a measurement, A/B, confidence and the scanner's panel on the screen.
+/// With a scan, rocks, a target, a measurement, A/B, confidence and the scanner's panel on the screen.
 bool laidOut(WindowFixture& on, const std::string& scan) {
     on.window.resize(1920, 1080);
     if (!on.showWith(scan)) return false;
@@ -143,7 +143,7 @@ private slots:
             QVERIFY2(mnemonicsIn(text.value()) == mnemonicsIn(text.key()), qPrintable(text.value()));
             QVERIFY2(!promise.match(text.value()).hasMatch(), qPrintable(text.value()));
         }
-        // The tables of the core, asked for themselves: labels may be names that are the same everywhere, sentences are not.
+        // Checks the tables of the core directly: labels may be names that are the same in all languages, sentences may not.
         const auto expectSentence = [&](const std::string& text) {
             QVERIFY2(catalogue.texts().contains(QString::fromStdString(text)), text.c_str());
         };
@@ -183,13 +183,13 @@ private slots:
             words += catalogue.texts().values().contains(text) ? 1 : 0;
         }
         QVERIFY2(words > 150, "the window shows texts of its own");
-        // Numbers keep their point.
+        // Numbers keep their decimal point.
         auto* number = on.window.findChild<QDoubleSpinBox*>("number-sensitivity");
         QVERIFY(number != nullptr);
         QVERIFY2(number->text().startsWith("1.00"), qPrintable(number->text()));
     }
 
-    // What says the same in two languages bypasses the translations, unless it is a name, or a sentence of the core about scans.
+    // A text that is equal in two languages bypasses the translations, unless it is a name, or a sentence of the core about scans.
     void nothingIsLeftInEnglish_data() { everyTextHasItsTranslation_data(); }
     void nothingIsLeftInEnglish() {
         QFETCH(QString, code);
@@ -204,7 +204,7 @@ private slots:
         Catalogue catalogue;
         QVERIFY(catalogue.read(kTexts + "/" + code + ".ts"));
         static const QRegularExpression keyOrCount(R"( +\([^)]*\)$)");
-        QSet<QString> meantAlike; // lines of texts that are the same in both
+        QSet<QString> meantAlike; // lines of texts that are rightly the same in both languages
         for (auto text = catalogue.texts().begin(); text != catalogue.texts().end(); ++text) {
             const QString source = QString(text.key()).remove('&');
             if (source == QString(text.value()).remove('&')) meantAlike << source << QString(source).remove(keyOrCount);
@@ -242,7 +242,7 @@ private slots:
         QVERIFY(on.window.findChild<QAction*>("language-es")->isChecked());
     }
 
-    // What a file keeps is in one language; a target pinned in another one has not changed.
+    // Files use one language; a target set in another language counts as unchanged.
     void whatIsKeptIsInTheWordsOfTheSources() {
         const QString ini = QString::fromStdString((folder_ / "kept" / "memory.ini").string());
         QDir().mkpath(QString::fromStdString((folder_ / "kept").string()));
@@ -256,7 +256,7 @@ private slots:
             QVERIFY(kept.size() > 3);
             QCOMPARE(kept.front().first, std::string("Distance"));
             QVERIFY(std::ranges::any_of(kept, [](const auto& row) { return row.first == "Resolves"; }));
-            // So does the audit log; the menu speaks the window's language.
+            // The audit log uses the language of the sources too; the menu uses the window's language.
             on.viewer.markedEdges.mark(on.viewer.views.cellAt(20, 30), true);
             const QUndoStack& undo = on.viewer.undo;
             QCOMPARE(undo.text(undo.index() - 1), QString("Mark of an Edge"));

@@ -1,4 +1,4 @@
-// Where things stand in the real window: the cloud has the room at every size, no panel is cut off, nothing covers what must be read.
+// The layout of the real window: the cloud has enough space at every size, no panel is cut off, and important texts are not covered.
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
 #include "tests/support/placements.h"
@@ -57,7 +57,7 @@ private slots:
         if (screen.width() > 1700) QVERIFY2(on.window.width() != 1600, "it follows the screen");
         QVERIFY2(on.window.minimumSizeHint().width() <= 853 && on.window.minimumSizeHint().height() <= 533,
                  qPrintable(QString("%1 x %2").arg(on.window.minimumSizeHint().width()).arg(on.window.minimumSizeHint().height())));
-        // One that was remembered on a larger screen is made to fit.
+        // A window size stored on a larger screen is reduced.
         const QString ini = QString::fromStdString((folder_ / "large.ini").string());
         {
             WindowFixture large(ini);
@@ -78,7 +78,7 @@ private slots:
             const QRect window(number(-3000, 3000), number(-500, 2500), number(300, 3500), number(300, 2500));
             const QRect fits = insideScreen(window, frame, room);
             QVERIFY(room.contains(fits.marginsAdded(frame)));
-            if (room.contains(window.marginsAdded(frame))) QCOMPARE(fits, window); // nothing moves by itself
+            if (room.contains(window.marginsAdded(frame))) QCOMPARE(fits, window); // a window that fits does not move
             const QRect most = room.marginsRemoved(frame);
             QCOMPARE(fits.size(), window.size().boundedTo(most.size()));
         }
@@ -99,7 +99,7 @@ private slots:
                                       .arg(dock(window)->isHidden() ? 0 : dock(window)->width())
                                       .toUtf8();
             QVERIFY2(cloud.width() >= 0.54 * size.width(), at.constData());
-            // The images stand above one another, never three panes in a row.
+            // The images are one above the other; three panes in a row never occur.
             QCOMPARE(window.viewer().views.gray().mapTo(&window, QPoint()).x(), window.viewer().views.edges().mapTo(&window, QPoint()).x());
             QVERIFY2(window.viewer().views.gray().width() >= 140, at.constData());
             QCOMPARE(dock(window)->isHidden(), size.width() < 1100);
@@ -117,7 +117,7 @@ private slots:
         for (const MethodTraits& method : methodTraits()) {
             Settings settings = cannySettings();
             settings.method = method.method;
-            settings.ratio = 2.5; // unlocked: its row is there as well
+            settings.ratio = 2.5; // unlocked: its row is visible too
             QVERIFY(on.use(settings));
             QApplication::processEvents();
             QString wide = QString("%1: %2 of %3").arg(method.key).arg(scroll->widget()->width()).arg(scroll->viewport()->width());
@@ -148,7 +148,7 @@ private slots:
             QVERIFY(rail->isVisible());
             QTest::mouseClick(rail, Qt::LeftButton);
             QTRY_VERIFY(dock(on.window)->isVisible());
-            resizeTo(on.window, {900, 700}); // opened by hand: it stays also where it is narrow
+            resizeTo(on.window, {900, 700}); // opened by the operator: it stays open in a narrow window too
             QVERIFY(dock(on.window)->isVisible());
             QTest::mouseClick(dock(on.window)->findChild<QToolButton*>("fold"), Qt::LeftButton);
             QTRY_VERIFY(dock(on.window)->isHidden());

@@ -1,4 +1,4 @@
-// What must be read is read whole, at every width and in every language: status line, tools, cards.
+// Important texts are completely readable at every width and in every language: status line, tools, cards.
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/language/languages.h"
@@ -52,7 +52,7 @@ private slots:
                 qPrintable(QString::number(width) + ": " + text));
             QVERIFY2(text.contains("EDGE") || text.contains("not an edge"), qPrintable(text));
             QVERIFY2(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(text), qPrintable(text));
-            // Whole, and beside it: nothing lies over anything else.
+            // Complete, and without overlap.
             QList<QRect> places{QRect(probe->mapTo(&on.window, QPoint()), probe->size())};
             bool spec = false;
             for (const QLabel* label : on.viewer.statusLine.findChildren<QLabel*>()) {
@@ -70,7 +70,8 @@ private slots:
         QVERIFY(on.window.findChild<QLabel*>("counts")->isVisible());
     }
 
-    // Without a pose the cell, its line and beam too, is told whole at 1280, in every language: what tells least gives way.
+    // Without a pose the whole text about the cell, with line and beam, is visible at 1280 px in every language: less important facts are
+    // dropped.
     void theCellIsToldWholeOnASmallScreenInEveryLanguage() {
         for (const char* code : {"fr", "es", "pt", "en"}) {
             QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
@@ -134,7 +135,8 @@ private slots:
         QVERIFY(!measure->isChecked() && on.viewer.views.tool() == Tool::Pin);
     }
 
-    // Three panels above each other, a rock and a target with their cards: what does not fit scrolls, nothing is squeezed or cut off.
+    // Three panels, one above the other, with the cards of a rock and a target: content that does not fit scrolls, and no widget is
+    // squeezed or cut off.
     void cardsAreWholeWhateverRoomTheyHave() {
         WindowFixture on;
         QVERIFY(on.showWith(placed_));

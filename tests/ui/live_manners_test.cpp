@@ -1,4 +1,4 @@
-// What the window owes its operator while a scanner is connected: it never calls a picture live that is not, loses nothing by a stray key.
+// The window while a scanner is connected: an outdated picture is never marked live, and a stray key loses no data.
 #include "core/files/recording/writer.h"
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
@@ -75,7 +75,7 @@ private slots:
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("HELD"));
         QVERIFY(badge.sign() != StateBadge::Sign::Good);
-        // The badge of the picture says the same, with the time of its newest line.
+        // The badge of the picture agrees, with the time of its newest line.
         const QRegularExpression time("^HELD · [0-9]{4}-[0-9]{2}-[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2} UTC$");
         QVERIFY2(time.match(window.viewer().origin.text()).hasMatch(), qPrintable(window.viewer().origin.text()));
         QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Waiting);
@@ -127,7 +127,7 @@ private slots:
             QTest::keyClick(at, Qt::Key_Return);
             QVERIFY2(!window.viewer().live.scanner().connected(), byKey ? "after a key" : "after a click");
             if (byKey) break;
-            // By the keyboard: the button that was pressed means something else by now.
+            // With the keyboard: the pressed button has another meaning by now.
             auto* button = window.viewer().live.panel().findChild<QPushButton*>("live-connect");
             button->setFocus(Qt::TabFocusReason);
             QTest::keyClick(button, Qt::Key_Space); // Connect
@@ -212,7 +212,7 @@ private slots:
         QVERIFY(window.viewer().live.scanner().connected());
     }
 
-    // A recording that says the wrong mounting: put right when it is opened, while it is scrubbed too.
+    // A recording with wrong mounting values: corrected on opening, and during scrubbing too.
     void aRecordingsMountingIsPutRight() {
         const std::string path = (folder_ / "wrong.mcap").string();
         {

@@ -1,4 +1,4 @@
-// A session of a sweep that is being recorded: what was pinned on it is there again when the program was killed in the middle of it.
+// A session of a sweep during recording: its targets are restored after the program was killed in the middle of the sweep.
 #include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
 #include "core/scanner/emulator/emulator.h"
@@ -65,7 +65,7 @@ class LiveSessionTest : public QObject {
         sweep.firstLineDeg = -90;
         sweep.axis = Axis::Sweep;
         on.viewer.live.connectTo("127.0.0.1", scanner.port(), sweep);
-        press(on, "live-record"); // before the first line comes
+        press(on, "live-record"); // before the first line arrives
         return on.viewer.live.scanner().recording() && QTest::qWaitFor([&] { return lines(on) >= 50; }, 20000);
     }
 
@@ -88,7 +88,7 @@ private slots:
             QVERIFY(connectAndRecord(on, *scanner, home));
             clickCell(on, 20, 150);
             clickCell(on, 40, 200);
-            // The session says which recording the sweep is in; a file that grows has no hash.
+            // The session names the recording of the sweep; a growing file has no hash.
             QVERIFY(QTest::qWaitFor(
                 [&] {
                     const auto now = saved(home / "sessions");
@@ -97,9 +97,9 @@ private slots:
                 20000));
             QVERIFY(lines(on) < kLines);
             QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
-            // What a kill leaves behind: the files as they are at this moment.
+            // The state after a kill: the files at this moment.
             fs::copy(home, left, fs::copy_options::recursive);
-            // Once it is closed the recording has its hash.
+            // A closed recording has a hash.
             press(on, "live-record");
             QVERIFY(QTest::qWaitFor(
                 [&] {
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(on.settled());
         QVERIFY2(QTest::qWaitFor([&] { return on.viewer.targets.notebook().targets.size() == 2; }, 20000),
                  qPrintable(on.viewer.notice.text()));
-        // The recording beside the session that was taken, not the one that went on; its line and beam are what was clicked.
+        // The recording next to the copied session, not the one that continued; line and beam are those of the click.
         QVERIFY2(on.viewer.files.path().startsWith(QString::fromStdString(left.string())), qPrintable(on.viewer.files.path()));
         QVERIFY(lines(on) >= 41 && lines(on) < kLines);
         const auto& targets = on.viewer.targets.notebook().targets;
@@ -130,7 +130,7 @@ private slots:
             QCOMPARE(scan.rangeMm[static_cast<std::size_t>(n)], scan_.rangeMm[static_cast<std::size_t>(n)]);
     }
 
-    // Another sweep in the file's place: nothing is pinned on rocks that it was never pinned on.
+    // Another sweep at the path of the file: targets are not placed on rocks of this other sweep.
     void anotherSweepInItsPlaceIsToldApart() {
         namespace fs = std::filesystem;
         const fs::path home = folder_ / "mixed";

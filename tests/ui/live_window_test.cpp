@@ -1,4 +1,5 @@
-// The real window on a live scanner and on recordings: grows, keeps its place, tells what is stale, records, plays again.
+// The real window with a live scanner and with recordings: the picture grows, keeps its place, is marked when stale, is recorded and played
+// again.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/provenance/report.h"
 #include "core/scanner/emulator/emulator.h"
@@ -46,7 +47,7 @@ class LiveWindowTest : public QObject {
         return settings;
     }
 
-    // An emulated scanner in this process, so that the test can make it fail.
+    // An emulated scanner in this process, so that the test can cause faults.
     [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner(const EmulatedScannerSettings& settings) const {
         auto telegrams = telegramsOf(scan_);
         if (!telegrams) return nullptr;
@@ -72,11 +73,11 @@ class LiveWindowTest : public QObject {
     static void press(MainWindow& window, const char* name) {
         QTest::mouseClick(window.viewer().live.panel().findChild<QPushButton*>(name), Qt::LeftButton);
     }
-    // What an image view has on the screen, texts and stale overlay included.
+    // The visible pixels of an image view, with texts and stale overlay.
     static QImage seen(QWidget& view) { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
 
 private slots:
-    // S2: what counters, beams and clock do that they should not is on the screen while it happens.
+    // S2: irregularities of counters, beams and clock are on the screen while they occur.
     void whatIsWrongWithTheTelegramsIsTold() {
         struct Case {
             ScannerFaults faults;
@@ -103,7 +104,7 @@ private slots:
                        QString::fromStdString(strip.shown().remark) == each.remark;
             };
             QVERIFY2(QTest::qWaitFor(told, 5000), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
-            QCOMPARE(on.viewer.statusLine.recordedShown(), QString()); // it is live
+            QCOMPARE(on.viewer.statusLine.recordedShown(), QString()); // the picture is live
             on.viewer.live.scanner().hangUp();
         }
     }
@@ -125,7 +126,7 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        // As a hand does it.
+        // Like an operator.
         QVERIFY(on.activate());
         QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
         auto* host = window.viewer().live.panel().findChild<QLineEdit*>("live-host");
@@ -151,7 +152,7 @@ private slots:
         QVERIFY(window.viewer().live.panel().findChild<QLabel*>("live-lines")->text().startsWith("INCOMPLETE "));
         QVERIFY(window.viewer().live.panel().findChild<QLabel*>("live-lines")->text().endsWith("/160 lines"));
 
-        // Every picture belongs together and equals the whole method with the settings that it names.
+        // Every picture is consistent, and equals the complete method with the settings that it names.
         const auto growing = window.viewer().engine.picture();
         QVERIFY(growing->source.growth.growing);
         QCOMPARE(*growing->detection->mask, *detectEdges(growing->detection->scan, growing->detection->settings)->mask);
@@ -182,9 +183,9 @@ private slots:
         QVERIFY2(lines.size() > 8, "line by line, not all at once");
         QVERIFY2(windows.size() <= 6, "the range window stays while the sweep grows");
         QCOMPARE(growingSizes, std::set<std::string>{"381x160"});
-        // The next sweep does not push the finished one aside.
+        // The next sweep does not replace the finished one.
         QSignalSpy health(&window.viewer().live.scanner(), &ScannerLink::healthChanged);
-        QTRY_VERIFY(health.count() > 5); // lines of the next sweep are coming in
+        QTRY_VERIFY(health.count() > 5); // lines of the next sweep arrive
         QCOMPARE(linesShown(window), kLines);
         QVERIFY(!window.viewer().live.scanner().following());
         QVERIFY(window.viewer().views.gray().note().startsWith("Held: sweep 1"));
@@ -239,7 +240,7 @@ private slots:
         for (int x = 0; x < stale.width(); ++x) greyer += stale.pixel(x, stale.height() / 4) != fresh.pixel(x, stale.height() / 4) ? 1 : 0;
         QVERIFY2(greyer > stale.width() / 2, "the whole picture is greyed, not a corner");
         QVERIFY(window.viewer().live.panel().strip().badge().sign() != StateBadge::Sign::Good);
-        // When it goes on, so does the picture.
+        // When data arrives again, the picture continues.
         QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.gray().stale().isEmpty(); }, 8000));
         QCOMPARE(window.viewer().live.panel().strip().badge().text(), QString("LIVE"));
     }
@@ -247,7 +248,7 @@ private slots:
     void aDroppedConnectionIsLostAndComesBack() {
         EmulatedScannerSettings settings;
         settings.linesPerSecond = 60;
-        settings.keepTurning = true; // lines pass meanwhile: they are lost, and said to be
+        settings.keepTurning = true; // lines pass meanwhile: they are lost, and reported as lost
         const auto emulated = scanner(settings);
         QVERIFY(emulated);
         WindowFixture on;
@@ -286,7 +287,7 @@ private slots:
         window.viewer().live.setRecordingFolder(folder);
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", served.port(), sweep());
-        press(window, "live-record"); // before the first line comes
+        press(window, "live-record"); // before the first line arrives
         QVERIFY(window.viewer().live.scanner().recording());
         QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; },
                                 20000));

@@ -1,4 +1,4 @@
-// The real window, driven by real events: what it shows belongs together and equals what the command line computes.
+// The real window with real events: the shown data is consistent and equals the result of the command line.
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
@@ -25,7 +25,7 @@ using namespace edgescan::ui;
 
 namespace {
 
-// Pure green as drawn for edge points.
+// Pure green, the colour of edge points.
 int greenPixels(const QImage& image) {
     return countPixels(image, [](QRgb p) { return qGreen(p) > 200 && qRed(p) < 60 && qBlue(p) < 60; });
 }
@@ -42,7 +42,7 @@ QPoint sliderHandle(QSlider* slider) {
     return slider->style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider).center();
 }
 
-// Everything on the screen tells of the same frame, and that frame is what edgescan-cli computes.
+// All widgets show the same frame, and this frame equals the result of edgescan-cli.
 void compareWithCommandLine(WindowFixture& on) {
     MainWindow& window = on.window;
     const Detection& detection = *on.picture().detection;
@@ -89,7 +89,7 @@ private slots:
         QSignalSpy pictures(&window, &MainWindow::pictureShown);
         QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, handle);
         for (int x = 2; x <= 60; x += 2) {
-            // QTest::mouseMove() moves the cursor without the button held down.
+            // QTest::mouseMove() would move the cursor without the pressed button.
             const QPoint at = handle + QPoint(x, 0);
             QMouseEvent move(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
             QCoreApplication::sendEvent(slider, &move);
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(window.viewer().statusLine.countsShown() != countsBefore);
         compareWithCommandLine(on);
 
-        // One drag is one step of undo.
+        // One drag is one undo step.
         QVERIFY(on.activate());
         QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.settled());
@@ -144,7 +144,7 @@ private slots:
         const QPoint pixel = gray.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), gray.size()).toPoint();
         QTest::mouseMove(&gray, pixel - QPoint(20, 0));
         QTest::mouseMove(&gray, pixel);
-        // A view pixel may cover more than one cell; the move to the place before may still be on its way.
+        // A view pixel may cover more than one cell; the event of the previous move may still be pending.
         const auto marks = [&] {
             return window.viewer().views.edges().markedCell() &&
                    (*window.viewer().views.edges().markedCell() - cell).manhattanLength() <= 2;
@@ -157,17 +157,17 @@ private slots:
         QVERIFY2(probe.contains(QString("  line %1  beam %2  ").arg(marked.y()).arg(marked.x())), qPrintable(probe));
         QVERIFY(probe.contains("gray"));
 
-        // A click sticks, Esc takes it away.
+        // A click fixes the crosshair, Esc removes it.
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixel);
         QCOMPARE(*window.viewer().views.edges().crosshair(), marked);
-        window.viewer().notice.hide(); // Esc would close it first: the beams of the real scan are interlaced, and it says so
+        window.viewer().notice.hide(); // Esc would first close the notice about the interlaced beams of the real scan
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!window.viewer().views.edges().crosshair().has_value());
     }
 
     void settingsAndLayoutSurviveAKill() {
         const QString ini = QString::fromStdString((folder_ / "viewer.ini").string());
-        // Never closed before the copy is taken: what a kill leaves behind is what is on the disk by then.
+        // Not closed before the copy is made: after a kill only the data on the disk exists.
         WindowFixture on(ini);
         MainWindow& window = on.window;
         QVERIFY(on.show());
@@ -179,7 +179,7 @@ private slots:
         window.viewer().panel.row("ratio")->number()->setValue(2.5);
         QString killed;
         int copies = 0;
-        const auto copied = [&] { // under a name of its own each time: Qt remembers what it read
+        const auto copied = [&] { // a new name each time: Qt caches files that it read
             killed = QString("%1.%2").arg(ini).arg(++copies);
             QFile::copy(ini, killed);
             const Memory there(killed);
@@ -225,7 +225,7 @@ private slots:
             QVERIFY(window.viewer().engine.settings() == own);
             QVERIFY(window.viewer().panel.preset().name != "thesis");
         }
-        // From the program itself, too.
+        // The same from the program itself.
         const QString config = QString::fromStdString((folder_ / "config").string());
         QProcess viewer;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -268,7 +268,7 @@ private slots:
         QVERIFY(on.open(large));
         QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.cloud().drawnFraction() < 1.0; }, 15000)); // coarse first
         QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.cloud().drawnFraction() >= 1.0; }, 15000));
-        // Part after part on top of each other gives the picture that one single frame gives.
+        // The parts drawn one after the other give the same picture as one frame.
         const QImage grown = window.viewer().views.cloud().grabFrame();
         const QImage whole = window.viewer().views.cloud().grabFrame(CloudView::Points::All);
         if (const QByteArray pictures = qgetenv("EDGESCAN_PICTURES"); !pictures.isEmpty()) {
@@ -297,7 +297,7 @@ private slots:
         compareWithCommandLine(on);
         window.viewer().panel.row("lower")->number()->setValue(33);
         QVERIFY(window.viewer().panel.modified());
-        // A double-click on the slider goes back to the preset's value.
+        // A double-click on the slider restores the preset's value.
         QTest::mouseDClick(on.slider("lower"), Qt::LeftButton);
         QCOMPARE(window.viewer().engine.settings().lower, 10.0);
         QVERIFY(!window.viewer().panel.modified());

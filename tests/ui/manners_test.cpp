@@ -1,4 +1,4 @@
-// What the window owes its user whatever it opens: plain labels, numbers with a point, warnings that stay, settings that can be told and
+// General behaviour of the window: plain labels, numbers with a decimal point, warnings that stay, settings that are visible and can be
 // restored.
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(saveScan(scan, hostile_));
     }
 
-    // Qt runs neither of two commands with one key, and says so to nobody.
+    // If two commands have the same key, Qt runs neither and shows no message.
     void noTwoCommandsShareAKey() {
         WindowFixture on;
         QVERIFY(on.show());
@@ -132,7 +132,7 @@ private slots:
         QVERIFY(on.viewer.notice.text().count('\n') < 25);
     }
 
-    // The country of the environment (./test runs this in two of them) must not matter.
+    // The locale of the environment (./test uses two of them) must not matter.
     void numbersHaveAPointInEveryCountry() {
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
@@ -179,7 +179,7 @@ private slots:
         QVERIFY(on.viewer.notice.isVisible());
         QVERIFY(on.viewer.notice.text().contains("The pose carries no time"));
         on.viewer.notice.hide();
-        // Another setting does not bring it back as new, another scan does.
+        // Another setting does not show it as new again, another scan does.
         QVERIFY(on.use(cannySettings()));
         QVERIFY(warnings.acknowledged() && warnings.isVisible());
         QVERIFY(on.open(hostile_));
@@ -195,7 +195,7 @@ private slots:
         const QImage with = on.window.screenshot();
         const int strip = with.height() - static_cast<int>(on.window.height() * with.devicePixelRatio());
         QVERIFY2(strip >= 20, qPrintable(QString::number(strip)));
-        // Letters in the strip, of nearly the colour of the pen.
+        // The strip contains text, nearly in the colour of the pen.
         const QImage below = with.copy(0, with.height() - strip, with.width(), strip);
         QVERIFY(countPixels(below, [](QRgb p) { return qRed(p) > 220 && qGreen(p) > 220 && qBlue(p) > 200; }) > 100);
         Scan bare = test::boxesScan(60, 80, 3, 0.05);
@@ -244,7 +244,7 @@ private slots:
         QVERIFY(on.use(turned));
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
         QVERIFY(on.window.findChild<QLabel*>("settings")->toolTip().contains("Crease angle: 37 instead of 30"));
-        // Also where a preset is chosen whose settings these are.
+        // Also if a preset with these settings is chosen.
         on.viewer.tuning.usePreset({"mine", "", turned, {}});
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);

@@ -1,4 +1,4 @@
-// "This is an edge, this is not" in the real window: marks by keys, proposals looked at and adopted; range gate, tape and throat.
+// "This is an edge, this is not" in the real window: marks by keys, proposals previewed and adopted; range gate, tape and throat.
 #include "core/inspect/measure/throat.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -37,7 +37,7 @@ class MarkedEdgesTest : public QObject {
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier,
                           view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint());
     }
-    // Pinned by the controller, so that the cell is exact; the key does the rest.
+    // The controller pins the cell, so that it is exact; the key marks it.
     static void markByKey(WindowFixture& on, std::size_t cell, Qt::Key key) {
         on.viewer.views.pin(cell);
         QTest::keyClick(&on.window, key, Qt::ShiftModifier);
@@ -89,17 +89,17 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("Nothing is marked"), qPrintable(on.viewer.notice.text()));
         for (const std::size_t k : wanted) markByKey(on, k, Qt::Key_E);
         for (const std::size_t k : unwanted) markByKey(on, k, Qt::Key_X);
-        markByKey(on, wanted.front(), Qt::Key_X); // said wrongly, and put right
+        markByKey(on, wanted.front(), Qt::Key_X); // wrong at first, then corrected
         markByKey(on, wanted.front(), Qt::Key_E);
         QCOMPARE(on.viewer.markedEdges.marks().wanted.size(), std::size_t{3});
         QCOMPARE(on.viewer.markedEdges.marks().unwanted.size(), std::size_t{2});
-        // They hang on their cells in all views, told apart by sign and word.
+        // The marks appear at their cells in all views, with different icons and words.
         const auto& tags = on.viewer.views.cloud().marks().targets;
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ no edge"; }), 2);
         action(on, "Settings for These Marks…")->trigger();
         ProposalsCard* card = on.viewer.markedEdges.card();
-        // What is under way is said at once, and Esc ends it.
+        // Running work is visible at once, and Esc cancels it.
         QVERIFY(card != nullptr && card->isVisible() && card->working());
         QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
         QTest::keyClick(card, Qt::Key_Escape);
@@ -110,7 +110,7 @@ private slots:
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
-        // A click previews; closing brings back what was set.
+        // A click previews; closing restores the former settings.
         const auto choose = [&](int row) {
             QTest::mouseClick(card->list()->viewport(), Qt::LeftButton, Qt::NoModifier,
                               card->list()->visualItemRect(card->list()->item(row)).center());
@@ -124,7 +124,7 @@ private slots:
         QTest::keyClick(card, Qt::Key_Escape);
         QVERIFY(on.settled());
         QVERIFY(on.viewer.engine.settings() == loose);
-        // Adopted it is one step of undo.
+        // Adoption is one undo step.
         action(on, "Settings for These Marks…")->trigger();
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled() && card->isVisible(); }, 60000));
         QVERIFY(choose(0));
@@ -133,7 +133,7 @@ private slots:
         QVERIFY(on.settled() && on.viewer.engine.settings() == previewed && !card->isVisible());
         on.viewer.undo.undo();
         QVERIFY(on.settled() && on.viewer.engine.settings() == loose);
-        // Cells of another scan are none of this one.
+        // Marks of another scan are not shown on this one.
         QVERIFY(on.open(slot_));
         QVERIFY(on.viewer.markedEdges.marks().empty());
     }
@@ -159,7 +159,7 @@ private slots:
         QCOMPARE(on.picture().detection->edges->size(), edges);
         on.viewer.undo.undo();
         QVERIFY(on.viewer.selection.hidden().empty());
-        // The box round what is selected.
+        // The box around the selection.
         const CellSet some{14000, 14010, 15900};
         on.viewer.selection.select(some);
         action(on, "Clip to Box round Selected")->trigger();
@@ -198,7 +198,7 @@ private slots:
         click(on.viewer.views.gray(), line, first - 10);
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 2; }, 20000));
         QVERIFY(on.viewer.targets.notebook().measures.back().kind == MeasureKind::Path);
-        // Between two cells of the plain wall there is no throat.
+        // Two cells of the plain wall enclose no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
         click(on.viewer.views.gray(), line, first - 60);
         click(on.viewer.views.gray(), line, first - 30);

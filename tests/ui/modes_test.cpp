@@ -1,5 +1,5 @@
-// Every mode of the window at every size and in the language of the longest words: nothing is cut off, squeezed or covered. With
-// EDGESCAN_LOOK=FOLDER the pictures are kept for somebody to look at.
+// Every mode of the window at every size and in the language with the longest words: no widget is cut off, squeezed or covered. With
+// EDGESCAN_LOOK=FOLDER the pictures are saved for inspection.
 #include "tests/support/placements.h"
 #include "tests/ui/whole_widgets.h"
 #include "tests/ui/window_fixture.h"
@@ -106,10 +106,10 @@ class ModesTest : public QObject {
             painter.drawPixmap(dialog->mapToGlobal(QPoint()) - on.window.mapToGlobal(QPoint()), dialog->grab());
         return picture;
     }
-    /// Faults, each with where it was seen.
+    /// Faults, each with the mode in which it was found.
     static QStringList look(WindowFixture& on, const QString& where) {
-        (void)QTest::qWaitFor([&] { return on.viewer.views.cloud().atRest(); }, 10000); // titles tell how much is drawn
-        for (int n = 0; n < 5; ++n) QApplication::processEvents();                      // layouts that still wait
+        (void)QTest::qWaitFor([&] { return on.viewer.views.cloud().atRest(); }, 10000); // titles show the share of drawn points
+        for (int n = 0; n < 5; ++n) QApplication::processEvents();                      // pending layouts
         QStringList found;
         for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
         if (const QDialog* dialog = dialogOf(on)) {
@@ -156,7 +156,7 @@ private slots:
             QVERIFY2(mode.enter(on), mode.name);
             for (const QSize size :
                  {QSize(853, 533), QSize(1280, 800), QSize(1366, 768), QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)}) {
-                if (!resizedTo(on, size)) { // where the screen is high, panels stand above each other and need its height
+                if (!resizedTo(on, size)) { // on a high screen panels are one above the other and need its height
                     QVERIFY2(size.height() < 800, qPrintable(QString("%1: %2 x %3").arg(mode.name).arg(size.width()).arg(size.height())));
                     continue;
                 }
@@ -167,7 +167,7 @@ private slots:
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
     }
 
-    // What is on the screen itself: no strip of the page is left unpainted while the window takes its size.
+    // The pixels of the screen itself: no strip of the page stays unpainted during a resize.
     void theStartPageHasNoHoles() {
         WindowFixture on;
         QVERIFY(on.show());
@@ -203,7 +203,7 @@ private slots:
         QStringList faults;
         for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1080)}) {
             QVERIFY(resizedTo(on, size));
-            // No row stands empty below the switches that are left.
+            // No empty row below the visible switches.
             int lowest = 0;
             for (const auto* box : on.viewer.legend.findChildren<QCheckBox*>())
                 lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);

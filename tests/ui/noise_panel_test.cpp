@@ -1,4 +1,4 @@
-// The panel says which noise the edges were found with, as the record does, and lets another one be chosen.
+// The panel shows the noise with which the edges were found, as in the record, and offers others.
 #include "core/edges/settings/settings.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"

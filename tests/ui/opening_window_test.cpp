@@ -1,4 +1,5 @@
-// "Does this look right?" in the real window: a file read in the wrong unit is told of, another reading is looked at, adopted and undone.
+// "Does this look right?" in the real window: a file read in the wrong unit causes a notice; another reading is previewed, adopted and
+// undone.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/language/languages.h"
@@ -21,7 +22,7 @@ class OpeningWindowTest : public QObject {
     test::TemporaryFolder folder_;
     std::string metres_;
 
-    // Whole numbers that are tenths of a metre: taken as millimetres, ten to twenty times too near.
+    // Whole numbers in tenths of a metre: read as millimetres they are ten to twenty times too near.
     static void writeTable(const std::string& path) {
         const Scan scan = test::boxesScan(40, 1141, 3, 0.0);
         std::ofstream file(path);
@@ -40,7 +41,7 @@ class OpeningWindowTest : public QObject {
         std::sort(ranges.begin(), ranges.end());
         return static_cast<double>(ranges[ranges.size() / 2]) / 1000.0;
     }
-    // A click on the reading whose words begin so.
+    // Clicks the reading whose text begins with these words.
     static bool choose(OpeningCard& card, const QString& words) {
         QTreeWidget* list = card.list();
         for (int n = 0; n < list->topLevelItemCount(); ++n) {
@@ -60,7 +61,8 @@ class OpeningWindowTest : public QObject {
             const QRect room(0, 0, list.columnWidth(1) - margin, 10000);
             const QRect needed = list.fontMetrics().boundingRect(room, Qt::TextWordWrap, row->text(1));
             const int high = list.visualItemRect(row).height();
-            if (high < needed.height() || high > needed.height() + 3 * list.fontMetrics().height()) return false; // nor holes between
+            // no gaps between rows either
+            if (high < needed.height() || high > needed.height() + 3 * list.fontMetrics().height()) return false;
         }
         return true;
     }
@@ -89,15 +91,15 @@ private slots:
         OpeningCard* card = on.viewer.opening.card();
         QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card));
         QVERIFY(!card->isModal());
-        // Looked at: the scan is ten times larger, and no step of undo was made.
+        // Preview: the scan is ten times larger, without an undo step.
         QVERIFY(choose(*card, "centimetres"));
         QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
         QVERIFY(!on.viewer.undo.canUndo());
-        // Closed: as it was.
+        // Closed: restored.
         card->reject();
         QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
         QVERIFY(!on.viewer.files.options().unitMm);
-        // Adopted: it stays, is one step, and undo brings back what was there.
+        // Adopted: one undo step; undo restores the former reading.
         QVERIFY(checked(on));
         on.viewer.opening.show();
         QVERIFY(choose(*card, "centimetres"));
@@ -111,7 +113,7 @@ private slots:
         QVERIFY(!on.viewer.files.options().unitMm);
     }
 
-    // Something else went wrong before the note was read: it is a button away, with what it offers.
+    // Another error replaced the notice before it was read: a button shows the notice again, with its action.
     void aNoteThatWasReplacedIsNotLost() {
         WindowFixture on;
         on.window.resize(1280, 800);
@@ -127,18 +129,18 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_I);
             QVERIFY2(notice.text().startsWith("Nothing is selected"), qPrintable(notice.text()));
             QVERIFY(!offer->isVisible() && earlier->isVisible());
-            QCOMPARE(earlier->text(), QString("1 earlier")); // the same told twice is one
+            QCOMPARE(earlier->text(), QString("1 earlier")); // the same notice twice counts once
         }
         QTest::mouseClick(earlier, Qt::LeftButton);
         QCOMPARE(notice.text(), first);
         QVERIFY(offer->isVisible());
-        QTest::mouseClick(earlier, Qt::LeftButton); // round and round
+        QTest::mouseClick(earlier, Qt::LeftButton); // the button cycles
         QVERIFY(notice.text().startsWith("Nothing is selected"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
         QVERIFY(on.viewer.opening.card() != nullptr && QTest::qWaitForWindowExposed(on.viewer.opening.card()));
         on.viewer.opening.card()->reject();
-        // Closed is read.
+        // A closed notice counts as read.
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Escape);
         QVERIFY(!notice.isVisible());
@@ -171,7 +173,7 @@ private slots:
         QCOMPARE(on.viewer.files.path(), QString::fromStdString(path));
     }
 
-    // In each language: what is said of the scan is translated, its numbers are not, and every row is high enough for all its words.
+    // In each language: sentences about the scan are translated, numbers are not, and every row is high enough for its text.
     void whatItSaysOfTheScanIsInTheLanguageOfTheWindow() {
         for (const auto& [code, words] : {std::pair{"fr", "la moitié des distances est inférieure à "},
                                           {"es", "la mitad de las distancias es inferior a "},
@@ -189,7 +191,7 @@ private slots:
             const OpeningPoint& unit = on.viewer.opening.points()->front();
             const QString said = list->topLevelItem(0)->text(1);
             QVERIFY2(said.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(said));
-            // Every sentence has its place, and none is left in English.
+            // Every sentence is translated; none stays English.
             const auto& points = *on.viewer.opening.points();
             int others = 0;
             for (int n = 0; n < list->topLevelItemCount(); ++n) {
@@ -204,7 +206,7 @@ private slots:
                 }
             }
             QVERIFY(others > 4);
-            for (const int width : {680, 1000}) { // rows follow the width
+            for (const int width : {680, 1000}) { // row heights depend on the width
                 card->resize(width, 500);
                 QTRY_VERIFY2(allIsRead(*list), qPrintable(QString("%1 %2").arg(code).arg(width)));
             }

@@ -1,4 +1,4 @@
-// The panes of the views: their titles tell how much of the scan is shown, a button or a double-click shows one alone.
+// The panes of the views: titles show how much of the scan is drawn; a button or a double-click shows one view alone.
 #include "tests/ui/sized_window.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
@@ -84,19 +84,19 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_C);
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by class"));
         QTest::keyClick(&on.window, Qt::Key_C);
-        // The ranges of the image, also when its window is changed.
+        // The ranges of the image, also after a change of the window.
         const RangeSpan usual = on.viewer.views.rangesShown();
         QCOMPARE(range.note(), QString("%1 to %2 m").arg(usual.nearM, 0, 'f', 2).arg(usual.farM, 0, 'f', 2));
         on.viewer.views.setRangeWindow(RangeSpan{1.0, 2.5});
         QCOMPARE(range.note(), QString("1.00 to 2.50 m"));
-        // What is hidden is not shown: as many points as are left.
+        // Hidden cells are not drawn: the title shows the number of remaining points.
         on.viewer.selection.hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
         const std::size_t hidden = on.viewer.selection.hidden().size();
         QVERIFY(hidden > 0 && hidden < valid);
         QCOMPARE(cloud.note(), counted(valid - hidden) + " of " + counted(valid) + " points");
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
         QCOMPARE(cloud.note(), counted(valid) + " points");
-        // Another number of edges with the settings; what fewer settings find is left out of the confidence picture and told.
+        // The number of edges changes with the settings; uncertain edges that the confidence picture hides are counted in the title.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.confidence.made() != nullptr; }, 60000));
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by confidence"));
@@ -126,7 +126,7 @@ private slots:
         }
     }
 
-    // A title never makes its pane wider: what has no room ends in "…" and the remark goes first.
+    // A title never widens its pane: text that does not fit ends in "…", and the remark is dropped first.
     void aLongNoteMakesNoPaneWider() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_));

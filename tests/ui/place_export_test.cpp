@@ -1,4 +1,4 @@
-// Where a scan stands, as the window tells it, and the question before an export.
+// The pose of a scan in the window, and the dialog before an export.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/scan/georef/placed_points.h"
 #include "tests/support/placements.h"

@@ -1,4 +1,4 @@
-// Pointing, clicking, boxes and menus in the three views, and acts that are taken back.
+// Pointing, clicking, boxes and menus in the three views, and undo.
 #include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -40,7 +40,7 @@ class PointingTest : public QObject {
         window_->viewer().views.cloud().setFocus();
         QTest::keyClick(window_, Qt::Key_Escape);
     }
-    // The entry of the menu that a right click opens; chosen.
+    // Chooses an entry of the menu that a right click opens.
     bool chooseInMenu(QWidget& view, QPoint at, const QString& words) {
         bool found = false;
         QTimer look;
@@ -90,7 +90,7 @@ private slots:
         const std::size_t pinned = *window_->viewer().views.pinned();
         const QString told = window_->viewer().statusLine.probeShown();
         QVERIFY(!told.isEmpty());
-        // Hovering over any view takes neither the numbers, nor the ring, nor W away from it.
+        // Hovering over a view removes neither the numbers nor the ring, and W still refers to the cell.
         const auto isThere = [&] {
             QCOMPARE(window_->viewer().statusLine.probeShown(), told);
             QCOMPARE(*window_->viewer().views.marked(), pinned);
@@ -117,12 +117,12 @@ private slots:
         const QString words = QString("line %1, beam %2:").arg(pinned / 160).arg(pinned % 160);
         QTRY_VERIFY2(window_->viewer().explanation.card()->text().startsWith(words),
                      qPrintable(window_->viewer().explanation.card()->text()));
-        // Another setting leaves it where it is, too.
+        // A change of another setting does not move it either.
         Settings other;
         other.creaseDeg = 50;
         QVERIFY(on_->use(other));
         QCOMPARE(*window_->viewer().views.pinned(), pinned);
-        escape(); // what lies on top first
+        escape(); // the topmost item first
         QVERIFY(!window_->viewer().explanation.card()->isVisible());
         QCOMPARE(*window_->viewer().views.pinned(), pinned);
         escape();
@@ -145,7 +145,7 @@ private slots:
         QVERIFY(chooseInMenu(cloud, *at, "Why"));
         QTRY_VERIFY(window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->isVisible());
         QTRY_VERIFY(window_->viewer().explanation.card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
-        QVERIFY(!window_->viewer().views.pinned()); // asking why pins nothing
+        QVERIFY(!window_->viewer().views.pinned()); // asking for an explanation sets no target
         QVERIFY(chooseInMenu(cloud, *at, "Pin"));
         QCOMPARE(*window_->viewer().views.pinned(), static_cast<std::size_t>(cell));
         QVERIFY(chooseInMenu(cloud, *at, "Let go"));
@@ -201,7 +201,7 @@ private slots:
             QCOMPARE(*colour, kUsualColours[static_cast<std::size_t>(n)].rgb());
         }
         QVERIFY(classes >= 2);
-        QTest::keyClick(window_, Qt::Key_C, Qt::ShiftModifier); // the colour-blind set
+        QTest::keyClick(window_, Qt::Key_C, Qt::ShiftModifier); // the colour-blind palette
         QCOMPARE(*colourOfClass(DepthEdge::Jump), kColourBlindColours.front().rgb());
         Settings other;
         other.creaseDeg = 40; // a new picture keeps them
@@ -232,7 +232,7 @@ private slots:
                 choose(visited);
             choose("Canny (thesis)");
             QCOMPARE(window_->viewer().engine.settings().lower, lower);
-            // Also where another setting was turned there, and where it is undone and done again.
+            // Also after a change of another setting there, undone and redone.
             choose("Laplacian of Gaussian");
             window_->viewer().panel.row("kernel")->choice()->setCurrentIndex(2);
             choose("Canny (thesis)");
@@ -244,7 +244,7 @@ private slots:
             choose("Canny (thesis)");
             QCOMPARE(window_->viewer().engine.settings().lower, lower);
         }
-        // A threshold that was chosen there counts.
+        // A threshold chosen in that method is used again.
         choose("Laplacian of Gaussian");
         window_->viewer().panel.row("lower")->number()->setValue(40);
         choose("Canny (thesis)");
@@ -272,7 +272,7 @@ private slots:
         QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
         QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
         QVERIFY(straighten->isChecked());
-        // Of a file that is gone nothing is taken back: the step before it is.
+        // The step of a closed file is obsolete: undo takes the step before it.
         QVERIFY(on_->open(boxes_));
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(window_->viewer().engine.settings().creaseDeg, 30.0);
@@ -318,7 +318,7 @@ private slots:
         QVERIFY(on_->settled());
         window_->viewer().undo.undo();
         QTRY_VERIFY(axis() == Axis::Spin);
-        // What is refused leaves scan and options as they were.
+        // A refused option leaves scan and options unchanged.
         answer("pose", "/no/such/pose.json");
         QTRY_VERIFY(window_->viewer().notice.isVisible() && window_->viewer().notice.kind() == NoticeBar::Kind::Error);
         QVERIFY(on_->settled());

@@ -1,4 +1,4 @@
-// A picture in which each cell can be told from its neighbours.
+// A picture in which each cell differs from its neighbours.
 #pragma once
 
 #include <QImage>

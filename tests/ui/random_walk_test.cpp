@@ -1,5 +1,5 @@
-// A walk of random events over the real window: every action, slider, list, key and view, in whatever order. Nothing may crash, hang or
-// leak. EDGESCAN_WALK: how many events (10000 for a long one), EDGESCAN_WALK_SEED: another walk.
+// Random events in the real window: every action, slider, list, key and view, in random order. The program must not crash, hang or leak.
+// EDGESCAN_WALK: number of events (10000 for a long walk), EDGESCAN_WALK_SEED: another walk.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/window/cab_mode.h"
@@ -37,7 +37,7 @@ class RandomWalkTest : public QObject {
     T* anyOf(const QList<T*>& all) {
         return all.isEmpty() ? nullptr : all[static_cast<int>(below(static_cast<std::size_t>(all.size())))];
     }
-    // One of several, every second time one that was not used yet. What was there and what was used is counted by kind and name.
+    // A random element; every second time one that was not used yet. Counts available and used elements by kind and name.
     template <class T, class Name>
     T* freshOf(const QString& kind, const QList<T*>& all, Name name) {
         QList<T*> fresh;
@@ -60,7 +60,7 @@ class RandomWalkTest : public QObject {
         }
         return usable;
     }
-    // A name that is the same as often as the widget is built: its own, or that of the nearest parent that has one.
+    // A name that is the same each time the widget is built: its own, or that of the nearest named parent.
     static QString nameOf(const QWidget& widget) {
         QString name = widget.objectName().isEmpty() ? widget.accessibleName() : widget.objectName();
         for (const QWidget* parent = widget.parentWidget(); name.isEmpty() && parent != nullptr; parent = parent->parentWidget()) {
@@ -74,7 +74,7 @@ class RandomWalkTest : public QObject {
         file >> all >> resident;
         return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
     }
-    // What would end the walk, leave the machine or take long for its own good reasons.
+    // Actions that would end the walk, affect the machine or rightly take long.
     static bool isLeftOut(const QAction& action) {
         const QString text = QString(action.text()).remove('&');
         static const QStringList left{"Quit", "Open Demo", "Connect", "Record", "Keep Last Minute", "Full Screen"};
@@ -161,7 +161,7 @@ class RandomWalkTest : public QObject {
         QApplication::processEvents(QEventLoop::AllEvents, 20);
     }
 
-    // How many of each kind were used, and which were there and were not.
+    // Used elements of each kind, with the names of used and unused ones.
     QString whatWasUsed() const {
         QString told;
         for (const auto& [kind, met] : met_) {
@@ -201,7 +201,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(scans_.front()) && on.activate());
-        // Menus and dialogs run loops of their own: closed from within.
+        // Menus and dialogs have their own event loops: closed by a timer.
         QTimer closer;
         QObject::connect(&closer, &QTimer::timeout, this, [] { closeDialogs(); });
         closer.start(30);
@@ -211,7 +211,7 @@ private slots:
             timer.start();
             step(on);
             slowest.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
-            // Out of cab mode, where most panels are away, as a hold of its button does.
+            // Leaves cab mode, which hides most panels, as holding its button does.
             if (n % 200 == 199 && on.window.cab().on()) emit on.window.cab().leaveWanted();
             if (slowest.back() > 2000) qInfo("event %d took %.0f ms: %s", n, slowest.back(), qPrintable(last_));
             QVERIFY2(on.window.isVisible(), qPrintable("the window is gone after: " + last_));
@@ -221,7 +221,7 @@ private slots:
         }
         closer.stop();
         closeDialogs();
-        // It still does what it is told.
+        // The window still works.
         for (QDialog* dialog : on.window.findChildren<QDialog*>()) dialog->close();
         QVERIFY(QTest::qWaitFor([&] { return !on.viewer.engine.working(); }, 30000));
         QVERIFY(on.open(scans_.front()));
@@ -232,7 +232,7 @@ private slots:
         qInfo("%d events; a step: median %.1f ms, 99 of 100 below %.1f ms; memory, MB:%s", events, slowest[slowest.size() / 2],
               slowest[slowest.size() * 99 / 100], qPrintable(curve));
         qInfo("used: %s", qPrintable(whatWasUsed()));
-        if (events < 4000) return; // too few to tell growth from what is built once
+        if (events < 4000) return; // too few events to separate growth from one-time construction
         for (const auto& [kind, met] : met_) QVERIFY2(10 * used_[kind].size() >= 9 * met.size(), qPrintable(whatWasUsed()));
         const double middle = memory[memory.size() / 2];
         QVERIFY2(memory.back() < 1.15 * middle + 20, qPrintable("memory grows:" + curve));

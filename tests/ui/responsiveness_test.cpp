@@ -1,4 +1,4 @@
-// How long the GUI thread is away while a slider moves over a full sweep, from a file and from a scanner. Prints; asserts no time.
+// How long the GUI thread is blocked while a slider moves over a full sweep, from a file and from a scanner. Prints times; asserts none.
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
 #include "core/files/open_save/save_scan.h"
@@ -25,7 +25,7 @@ double threadMs() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Knows which single event kept the GUI thread longest.
+/// Records the event that blocked the GUI thread longest.
 class TimedApplication : public QApplication {
 public:
     using QApplication::QApplication;
@@ -94,7 +94,7 @@ private slots:
     void openingAndTuningAFullSweep() {
         const std::string path = (folder_ / "bell.json").string();
         SimulationSettings bell;
-        bell.footprint = false; // the picture does not matter here, the number of points does
+        bell.footprint = false; // only the number of points matters here, not the picture
         QVERIFY(saveScan(simulate(bell)->scan, path));
         WindowFixture on;
         MainWindow& window = on.window;
@@ -146,7 +146,7 @@ private slots:
         const auto gaps = gapsWhile([&] {
             const auto move = [&](int n) { on.slider("lower")->setValue(100 + 20 * n % 100); };
             static_cast<void>(movesUntil(
-                200, move, [&](int) { return lines() >= 1000; }, 20000)); // a slow machine gets less far
+                200, move, [&](int) { return lines() >= 1000; }, 20000)); // a slow machine reaches fewer lines
         });
         application.watching = false;
         tell("a growing sweep", gaps);

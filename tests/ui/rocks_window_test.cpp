@@ -1,4 +1,4 @@
-// Rocks in the real window, driven by real events: faces in all views, slider, pointing, table, edits by hand, undo, a sweep that grows.
+// Rocks in the real window with real events: faces in all views, slider, pointing, table, the operator's edits, undo, a growing sweep.
 #include "core/base/whole_file.h"
 #include "core/sim/simulate.h"
 #include "tests/ui/window_fixture.h"
@@ -37,7 +37,7 @@ class RocksWindowTest : public QObject {
     static bool settled(WindowFixture& on) {
         return on.settled() && QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000);
     }
-    // With the scan in it and rocks shown, by their key.
+    // Opens the scan and shows rocks by their key.
     bool showRocks(WindowFixture& on) {
         on.window.resize(1600, 950);
         if (!on.showWith(bell_) || !on.activate()) return false;
@@ -48,7 +48,7 @@ class RocksWindowTest : public QObject {
     static QPoint pixelOf(const ImageView& view, QPoint cell) {
         return view.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), view.size()).toPoint();
     }
-    // A pixel of the view whose cell lies on the rock.
+    // A pixel of the view whose cell belongs to the rock.
     static QPoint pixelOn(WindowFixture& on, ImageView& view, std::uint32_t label) {
         const Grid<std::uint32_t>& labels = picture(on).labels;
         const QPoint first = pixelOf(view, on.viewer.views.placeOf(picture(on).rock(label)->cell));
@@ -66,7 +66,7 @@ class RocksWindowTest : public QObject {
         ImageView& view = on.viewer.views.gray();
         QTest::mouseClick(&view, Qt::LeftButton, modifiers, pixelOn(on, view, label));
     }
-    // Two rocks with a border between them, the larger one first.
+    // Two rocks with a common border, the larger one first.
     static std::pair<std::uint32_t, std::uint32_t> neighbours(WindowFixture& on) {
         for (const RegionBorder& border : picture(on).study.map.borders) {
             if (border.a != 0 && border.b <= picture(on).study.map.rocks) return {border.a, border.b};
@@ -97,7 +97,7 @@ private slots:
         QVERIFY(saveScan(scan_, bell_));
     }
 
-    void init() { // what a test before edited is kept beside the scan
+    void init() { // edits of the previous test are in the sidecar of the scan
         std::error_code none;
         std::filesystem::remove(rockPresetPath(bell_), none);
     }
@@ -116,7 +116,7 @@ private slots:
         QVERIFY(on.viewer.rocksPanel.text().contains(rockCaveat()));
         QVERIFY(on.viewer.rockTable.remark().contains(rockCaveat()));
         QCOMPARE(on.viewer.rockTable.table()->model()->rowCount(), static_cast<int>(count));
-        // In the cloud each point has the colour of its rock, shaded; gray points are as red as they are green.
+        // In the cloud each point has the shaded colour of its rock; gray points have equal red and green.
         const auto coloured = [](QRgb p) { return std::abs(qRed(p) - qGreen(p)) + std::abs(qGreen(p) - qBlue(p)) > 40; };
         QVERIFY(countPixels(views.cloud().grabFrame(CloudView::Points::All), coloured) > 5000);
 
@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(views.gray().outline(), views.edges().outline());
         QVERIFY(views.cloud().outline());
 
-        // The row of another rock: its outline in the views. Sorted by a the first row is the longest.
+        // The row of another rock: its outline appears in the views. Sorted by a, the first row is the longest rock.
         QTableView* table = on.viewer.rockTable.table();
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 0)).center());
         const std::vector<std::uint32_t> chosen = on.viewer.rockTable.selected();
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(on.viewer.rocksPanel.card().text().startsWith(QString("Rock %1\n").arg(chosen[0])));
         QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
 
-        // In the cloud: the point of a rock that is seen.
+        // In the cloud: a visible point of a rock.
         for (const Rock& each : picture(on).study.rocks) {
             const auto pixel = views.cloud().pixelOf(each.cell);
             if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
@@ -261,14 +261,14 @@ private slots:
         WindowFixture on;
         QVERIFY(showRocks(on));
         SizeCurveView* view = on.viewer.rockTable.sizeCurve();
-        const std::vector<Rock> rocks = picture(on).study.rocks; // a copy: the picture goes when another is shown
+        const std::vector<Rock> rocks = picture(on).study.rocks; // a copy: the picture is freed when another one is shown
         QCOMPARE(view->curve().rocks(), rocks.size());
         const auto over = [&](double wideM) {
             return static_cast<double>(std::count_if(rocks.begin(), rocks.end(), [&](const Rock& r) { return r.wideM > wideM; })) /
                    static_cast<double>(rocks.size());
         };
         QVERIFY(std::abs(over(view->curve().p80M) - 0.2) < 0.03);
-        // Half of the rocks, but for the one that may lie just beside the pointer, and the rounding.
+        // Half of the rocks, up to rounding and the one rock at the pointer's position.
         const QString told = view->textAt(view->placeOf(view->curve().p50M, 0.3));
         QVERIFY2(told.contains(" % of the rocks"), qPrintable(told));
         QVERIFY2(std::abs(told.section(' ', 0, 0).toDouble() - 50) <= 0.5 + 100.0 / static_cast<double>(rocks.size()), qPrintable(told));
@@ -280,7 +280,7 @@ private slots:
         const QString share = QString("%1 % over 0.50 m").arg(100 * over(0.5), 0, 'f', 0);
         QVERIFY2(view->accessibleDescription().contains(share), qPrintable(view->accessibleDescription()));
         QVERIFY(on.viewer.rocksPanel.text().contains(share));
-        // The dot of the rock that is selected, in the ink of nothing else.
+        // The dot of the selected rock has a colour of its own.
         const QImage before = view->grab().toImage();
         click(on, 2);
         QCOMPARE(view->marked(), std::vector<double>{picture(on).rock(2)->wideM});
@@ -304,12 +304,12 @@ private slots:
         QTest::mouseClick(on.viewer.rocksPanel.card().merge(), Qt::LeftButton);
         QVERIFY(settled(on));
         QVERIFY(one());
-        // A constraint: it holds at the fine end of the slider.
+        // An edit is a constraint: it also holds at the fine end of the slider.
         on.viewer.rocksPanel.slider()->setFocus();
         QTest::keyClick(on.viewer.rocksPanel.slider(), Qt::Key_Home);
         QVERIFY(settled(on));
         QVERIFY(one());
-        // The slider is a step as well.
+        // A change of the slider is an undo step too.
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
@@ -322,7 +322,7 @@ private slots:
         QVERIFY(settled(on));
         QVERIFY(one());
 
-        // Split by a click on a rock that has parts.
+        // A click on a rock with several segments splits it.
         for (const Rock& rock : picture(on).study.rocks) {
             const QPoint pixel = pixelOn(on, on.viewer.views.gray(), rock.label);
             const auto cell = on.viewer.views.gray().cellAt(pixel);
@@ -366,7 +366,7 @@ private slots:
         QTest::mouseMove(&view, to);
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
         QVERIFY(view.trail().cells.empty());
-        QCOMPARE(view.viewPort()->toCell(QPointF(0, 0), view.size()), centre); // it did not pan
+        QCOMPARE(view.viewPort()->toCell(QPointF(0, 0), view.size()), centre); // the view did not pan
         QVERIFY(on.viewer.rocks.tool() == RockTool::None);
         QVERIFY(settled(on));
         QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
@@ -375,7 +375,7 @@ private slots:
         QVERIFY(settled(on));
         QVERIFY(picture(on).labels == before);
 
-        // Through the largest rock, from side to side.
+        // A line through the largest rock, from side to side.
         const Rock rock = *picture(on).rock(1);
         const QPoint middle = on.viewer.views.placeOf(rock.cell);
         int left = middle.x(), right = middle.x();
@@ -418,7 +418,7 @@ private slots:
             tip = view.tip();
         }
         QVERIFY2(tip.contains("larger than the rock"), qPrintable(tip));
-        QCOMPARE(view.viewPort()->cellSize().width(), scale); // it did not zoom
+        QCOMPARE(view.viewPort()->cellSize().width(), scale); // the view did not zoom
         QVERIFY(!view.outline().empty());
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at);
         QVERIFY(settled(on));
@@ -469,16 +469,16 @@ private slots:
             QVERIFY(showKept(on));
             QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
             QVERIFY(picture(on).labels == labels);
-            // The command line takes the same.
+            // The command line reads the same file.
             const auto run = test::runCli("rocks '" + file + "' --edits '" + beside.string() + "' --json -");
             QVERIFY2(run.code == 0, run.err.c_str());
             QCOMPARE(nlohmann::json::parse(run.out)["rock_count"].get<std::size_t>(), picture(on).study.rocks.size());
-            // Another scan has none of it.
+            // Another scan has no such edits.
             QVERIFY(on.open(bell_));
             QVERIFY(settled(on));
             QVERIFY(on.viewer.rocks.edits().empty());
             QVERIFY(on.viewer.rocks.settings().region.empty());
-            // Taken back by hand there is nothing to keep.
+            // After the operator's undo no sidecar is needed.
             QVERIFY(on.open(file));
             QVERIFY(settled(on));
             QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
@@ -486,7 +486,7 @@ private slots:
             QVERIFY(settled(on));
         }
         QVERIFY(!std::filesystem::exists(beside));
-        // A file of another scan is told, left alone, and nothing is written over it.
+        // The sidecar of another scan is reported, not changed and not overwritten.
         const std::string other = rockPresetText({std::nullopt, {{RockEditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
         QVERIFY(writeWholeFile(beside, other));
         {
@@ -569,7 +569,7 @@ private slots:
         QVERIFY2(on.viewer.notice.kind() == NoticeBar::Kind::Done, qPrintable(on.viewer.notice.text()));
         const QString text = QString::fromStdString(test::fileText(page));
         QVERIFY(text.contains(QString("%1 rocks, each a ").arg(picture(on).study.rocks.size()) + rockCaveat()));
-        // Its command makes it again, but for the time in it.
+        // Its command makes the same page again, except for the time.
         const QRegularExpressionMatch command = QRegularExpression("<pre id=\"command\">edgescan-cli ([^<]*)</pre>").match(text);
         QVERIFY(command.hasMatch());
         std::filesystem::rename(page, folder_ / "before.html");
@@ -599,7 +599,7 @@ private slots:
         QVERIFY(on.viewer.rocks.edits().empty());
         QVERIFY(on.viewer.rocks.selected().empty());
         QVERIFY(on.activate());
-        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier); // of the scan that is gone: nothing
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier); // a step of the closed scan: no effect
         QVERIFY(settled(on));
         QVERIFY(on.viewer.rocks.edits().empty());
     }
@@ -629,7 +629,7 @@ private slots:
     }
 
 private:
-    // As a sweep that is not at its end.
+    // An unfinished sweep.
     [[nodiscard]] Scan firstLines(int lines) const {
         Scan scan = scan_;
         const auto cut = [&](auto& grid) {

@@ -1,4 +1,5 @@
-// Saving in the real window: no file is replaced without a question about that very file, and a preset never replaces what is none.
+// Saving in the real window: a file is replaced only after a question that names it, and a preset never replaces a file that is not a
+// preset.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
@@ -32,7 +33,7 @@ Dialog* shownDialog() {
     return nullptr;
 }
 
-// Types a name into the file dialog once it is there, and then answers the questions that follow, one after the other.
+// Types a name into the file dialog when it appears, and then answers the following questions, one after the other.
 struct Hand : QObject {
     Hand(const QString& name, QStringList answers) : name_(name), answers_(std::move(answers)) {
         connect(&timer_, &QTimer::timeout, this, &Hand::look);
@@ -52,10 +53,10 @@ private:
         }
         auto* dialog = shownDialog<QFileDialog>();
         if (dialog == nullptr) return;
-        if (typed_) return QTest::keyClick(dialog, Qt::Key_Escape); // asked again: the hand gives up
+        if (typed_) return QTest::keyClick(dialog, Qt::Key_Escape); // asked again: cancels
         typed_ = true;
         auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit");
-        edit->setText(name_); // typed, it would open the list of completions
+        edit->setText(name_); // keyboard input would open the list of completions
         QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
     }
 
@@ -95,7 +96,7 @@ private slots:
             QCOMPARE(hand.asked, QStringList("kept-file"));
         }
         QVERIFY(text("other.json") == before);
-        // A new name needs no question, an old preset one that can be declined.
+        // A new name needs no question; an existing preset needs one, which can be declined.
         {
             Hand hand(path("mine"), {});
             on.viewer.tuning.askSavePreset();
@@ -132,7 +133,7 @@ private slots:
             QCOMPARE(hand.asked, QStringList("replace-question"));
         }
         QVERIFY(text("shot.png") == "precious");
-        QVERIFY(on.activate()); // the question had the focus
+        QVERIFY(on.activate()); // the question dialog had the focus
         {
             Hand hand(path("shot"), {"replace"});
             QTest::keyClick(&on.window, Qt::Key_F12);
@@ -141,7 +142,7 @@ private slots:
         QVERIFY(QImage(path("shot.png")).width() > 100);
     }
 
-    // By the dialog, whether the ending was typed or not: the file has it once, and opens again as the session that it is.
+    // With the dialog, whether the extension was typed or not: the file has it once, and opens as a session.
     void aSessionHasItsEndingAndOpensAgain() {
         for (const char* typed : {"day", "night.edgescan-session.json"}) {
             const QString file = path(QString(typed).contains('.') ? typed : "day.edgescan-session.json");
@@ -163,7 +164,7 @@ private slots:
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
     }
 
-    // The record beside it is a file that would be lost as well.
+    // The provenance record of the file would be lost as well.
     void anExportAsksForTheRecordToo() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
@@ -227,7 +228,7 @@ private slots:
         QVERIFY2(proposed().contains("_edges_canny_lower7_"), qPrintable(proposed()));
     }
 
-    // Where a person looks first: beside the scan, with a memory and without one; never where the program was started.
+    // The first folder is that of the scan, with or without a settings memory; never the folder in which the program was started.
     void aDialogBeginsWhereTheScanLies() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
@@ -250,7 +251,7 @@ private slots:
         QCOMPARE(begins([&] { on.viewer.exports.askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
         QCOMPARE(begins([&] { on.window.sessions().ask(); }), beside);
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), beside);
-        // What was saved elsewhere is looked for there, until that folder is gone.
+        // After saving elsewhere the dialog begins there, until that folder is deleted.
         const QString elsewhere = path("elsewhere");
         QVERIFY(QDir().mkpath(elsewhere));
         on.memory.keepFolder("presets", elsewhere + "/mine.json");
@@ -259,7 +260,7 @@ private slots:
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), beside);
     }
 
-    // What the command line can ask of a format, the dialog can too; the record says it.
+    // The dialog has the same writing choices as the command line; the record names them.
     void theWritingChoicesAreThoseOfTheCommandLine() {
         const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(scan_)), Settings{});
         ExportDialog dialog(detection, ExportContent::EdgeCloud);
@@ -268,7 +269,7 @@ private slots:
         for (const WritingChoice& choice : kWritingChoices) {
             auto* box = dialog.findChild<QCheckBox*>(choice.key);
             QVERIFY2(box != nullptr, choice.key);
-            QCOMPARE(box->isEnabled(), choice.member != &WritingChoices::filled); // nothing was filled here
+            QCOMPARE(box->isEnabled(), choice.member != &WritingChoices::filled); // this scan has no filled cells
             if (!box->isEnabled()) continue;
             QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2});
             QVERIFY2(dialog.options().choices.*choice.member, choice.key);

@@ -1,5 +1,5 @@
-// How the scan itself looks: points by range, height and line with a scale in metres, axes, scale bar, ground grid, and the window of the
-// range image on its histogram.
+// The display of the scan itself: points by range, height and line with a scale in metres, axes, scale bar, ground grid, and the window of
+// the range image on its histogram.
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -38,7 +38,7 @@ class ScanLookTest : public QObject {
         const QPoint at = on.viewer.views.placeOf(k);
         return qRed(on.viewer.views.gray().image()->pixel(at));
     }
-    // One mouse button over the handles, from one range to another.
+    // Drags with one mouse button over the handles, from one range to another.
     static void drag(RangeHandles& handles, double fromM, double toM) {
         const auto at = [&](double metres) { return QPoint(static_cast<int>(std::lround(handles.toX(metres))), handles.height() / 3); };
         QTest::mousePress(&handles, Qt::LeftButton, Qt::NoModifier, at(fromM));
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(cloud.pointColours());
         QVERIFY2(plate(on).scaleTitle().contains("[m]"), qPrintable(plate(on).scaleTitle()));
         const Scan& scan = *on.picture().detection->scan;
-        // The ends stand for the 1 and 99 percent of the ranges, and every cell has the colour between that is its own.
+        // The ends of the scale are the 1st and 99th percentile of the ranges, and every cell has the colour of its range.
         std::vector<double> ranges;
         for (std::size_t k = 0; k < scan.cells(); ++k) {
             if (scan.state[k] == CellState::Valid) ranges.push_back(static_cast<double>(scan.rangeMm[k]) / 1000.0);
@@ -91,12 +91,12 @@ private slots:
         QVERIFY(ticks.size() >= 2);
         for (const auto& [share, text] : ticks)
             QVERIFY(std::abs(low + share * (high - low) - text.toDouble()) < 0.02 * (high - low) + 0.01);
-        // Edges stay over them; it is on the screen, in the colours of the scale.
+        // Edges are drawn over them; the frame contains the colours of the scale.
         const QImage frame = cloud.grabFrame(CloudView::Points::All);
         QVERIFY(countPixels(frame, [](QRgb p) { return qGreen(p) > 200 && qRed(p) < 60; }) > 50);
         QVERIFY(countPixels(frame, [](QRgb p) { return qBlue(p) > qRed(p) + 30 && qBlue(p) > qGreen(p) + 20; }) > 200);
         QVERIFY(countPixels(frame, [](QRgb p) { return qRed(p) > qBlue(p) + 30; }) > 200);
-        // Rocks have colours of their own; without them the range's are back.
+        // Rocks have their own colours; without rocks the range colours return.
         const auto coloured = cloud.pointColours();
         QTest::keyClick(&on.window, Qt::Key_K);
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000));
@@ -104,7 +104,7 @@ private slots:
         QVERIFY(plate(on).scaleTitle().isEmpty());
         QTest::keyClick(&on.window, Qt::Key_K);
         QTRY_VERIFY(cloud.pointColours() == coloured && !plate(on).scaleTitle().isEmpty());
-        // Another scan has colours of its own.
+        // Another scan has its own colours.
         QVERIFY(on.open(other_) && rested(on));
         QVERIFY(cloud.pointColours() && cloud.pointColours() != coloured);
         on.window.findChild<QAction*>("colour-gray")->trigger();
@@ -120,7 +120,7 @@ private slots:
             QVERIFY(rested(on));
             QCOMPARE(plate(on).scaleTitle().contains("Elevation"), placed);
             QCOMPARE(plate(on).axisNames()[2] == "El", placed);
-            // Of two cells the higher one lies further along the scale.
+            // Of two cells the higher one is further along the scale.
             const Detection& detection = *on.picture().detection;
             const auto heightOf = [&](std::size_t k) {
                 const Probe probe = probeCell(detection, k);
@@ -134,7 +134,8 @@ private slots:
             const auto blue = [&](double share) {
                 return qBlue(colourOf(on, heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))].second));
             };
-            for (double share = 0.05; share < 0.9; share += 0.1) QVERIFY(blue(share) >= blue(share + 0.05)); // blue falls along the scale
+            // blue decreases along the scale
+            for (double share = 0.05; share < 0.9; share += 0.1) QVERIFY(blue(share) >= blue(share + 0.05));
             QVERIFY(blue(0.02) > blue(0.98) + 100);
         }
     }
@@ -159,12 +160,12 @@ private slots:
             const QPointF way = pixel(middle + metres * pose.right()) - pixel(middle);
             QVERIFY2(std::abs(std::hypot(way.x(), way.y()) - plate(on).barPixels()) < 0.5 + 0.01 * plate(on).barPixels(), qPrintable(text));
             QCOMPARE(text.contains("at"), !parallel);
-            // That far away is what is seen in the middle.
+            // The depth of the point in the middle.
             if (const auto cell = cloud.cellAt(QRectF(cloud.rect()).center()); cell && !parallel)
                 QTRY_VERIFY2(std::abs(plate(on).barText().section(' ', 3, 3).toDouble() -
                                       pose.forward().dot(cloud.geometryOfCloud()->point(*cell).cast<double>() - pose.position)) < 0.06,
                              qPrintable(text));
-            for (int n = 0; n < 3; ++n) { // an axis points where its direction goes
+            for (int n = 0; n < 3; ++n) { // an axis points along its projected direction
                 const QPointF along = pixel(pose.focus + 0.01 * Eigen::Vector3d::Unit(n)) - pixel(pose.focus);
                 const Eigen::Vector2d axis = plate(on).axesOnScreen()[static_cast<std::size_t>(n)];
                 QVERIFY(axis.norm() < 0.05 || std::abs(along.x() * axis.y() + along.y() * axis.x()) <
@@ -213,7 +214,7 @@ private slots:
             drag(handles, before.second, wanted);
             QVERIFY(std::abs(handles.window().second - wanted) < 0.05);
             QCOMPARE(handles.window().first, nearM);
-            // The range image shows these ranges from black to white; the edges are those of before.
+            // The range image shows these ranges from black to white; the edges do not change.
             const Scan& scan = *on.picture().detection->scan;
             const auto [low, high] = handles.window();
             for (std::size_t k = 0; k < scan.cells(); k += 53) {
@@ -222,7 +223,7 @@ private slots:
                 QVERIFY(std::abs(grayAt(on, k) - level) <= 1.0);
             }
             QVERIFY(!on.viewer.undo.canUndo() && on.viewer.engine.settings() == Settings{});
-            // Keys move the ends as well.
+            // Keys move the ends too.
             handles.setFocus();
             QTest::keyClick(&handles, Qt::Key_Right);
             QVERIFY(handles.window().second > high);
@@ -239,7 +240,7 @@ private slots:
             QVERIFY(on.open(boxes_) && rested(on));
             QVERIFY(handles.window() == locked);
             QVERIFY(on.viewer.views.gray().image() != on.picture().gray);
-            // A drag with the right button over the image turns the same window.
+            // A drag with the right button over the image changes the same window.
             ImageView& gray = on.viewer.views.gray();
             QTest::mousePress(&gray, Qt::RightButton, Qt::NoModifier, gray.rect().center());
             for (const int dx : {10, 30, 60}) {
@@ -250,7 +251,7 @@ private slots:
             QTest::mouseRelease(&gray, Qt::RightButton, Qt::NoModifier, gray.rect().center() + QPoint(60, 0));
             QVERIFY(handles.window().second - handles.window().first > locked.second - locked.first);
         }
-        // It is there again at the next start.
+        // It is restored at the next start.
         WindowFixture on(ini);
         QVERIFY(shown(on, other_));
         QVERIFY(on.viewer.rangeWindow.locked() && on.viewer.views.rangeWindow());

@@ -1,4 +1,4 @@
-// Sessions in the real window and the real program: saved as they change, back after kill -9, carried by screenshots.
+// Sessions in the real window and the real program: saved as they change, restored after kill -9, embedded in screenshots.
 #include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
 #include "tests/support/scans.h"
@@ -55,7 +55,7 @@ class SessionsTest : public QObject {
         QDropEvent event(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &event);
     }
-    /// How the views look, by keys and mouse where there are some.
+    /// Changes display settings, by keys and mouse if possible.
     static void setLooks(WindowFixture& on) {
         MainWindow& w = on.window;
         QTest::keyClick(&w, Qt::Key_J, Qt::ShiftModifier); // colours by range
@@ -71,7 +71,7 @@ class SessionsTest : public QObject {
         QTest::mouseClick(w.viewer().changeLegend.row(ChangeRow::Lost), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
         QVERIFY(!w.viewer().comparing.rows()[static_cast<std::size_t>(ChangeRow::Lost)]);
     }
-    /// Something of everything.
+    /// Changes every kind of state.
     static void work(WindowFixture& on) {
         MainWindow& w = on.window;
         QTest::keyClick(&w, Qt::Key_A, Qt::ShiftModifier); // keep as A
@@ -100,7 +100,7 @@ class SessionsTest : public QObject {
         w.viewer().views.gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
         QVERIFY(atRest(on));
     }
-    /// Of the window: what a session says, but when.
+    /// The session text of the window, without its time.
     static std::string state(WindowFixture& on) {
         auto read = sessionFromText(on.window.sessions().textFor("/"), "/", "test");
         return read ? sessionText(read->state, "/", "") : std::string();
@@ -125,7 +125,7 @@ private slots:
             on.window.resize(1300, 850);
             QVERIFY(on.showWith(boxes_) && on.activate());
             on.window.sessions().saveAs(file);
-            // Told once it is on the disk, with its size.
+            // Reported when it is on the disk, with its size.
             QTRY_VERIFY2(QRegularExpression("day.*changes, [1-9][0-9]* kB").match(on.viewer.notice.text()).hasMatch(),
                          qPrintable(on.viewer.notice.text()));
             work(on);
@@ -145,14 +145,14 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
         QVERIFY(atRest(on));
         QTRY_VERIFY(on.viewer.comparing.kept() != nullptr);
-        QVERIFY(on.viewer.comparing.kept()->detection->scan == on.picture().detection->scan); // read once
+        QVERIFY(on.viewer.comparing.kept()->detection->scan == on.picture().detection->scan); // the scan was read only once
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.viewer.rocks.shown() && on.viewer.rocks.picture() != nullptr);
         QVERIFY(on.viewer.look.colourBy() == ColourBy::Range && on.window.findChild<QAction*>("colour-range")->isChecked());
         QVERIFY(on.viewer.views.rangeWindow() && on.viewer.look.rangeLocked());
         QCOMPARE(on.viewer.views.cloud().clip().nearShare, 0.1);
         QCOMPARE(on.viewer.confidence.least(), 40);
-        // Another scan leaves the file as it is.
+        // Another scan does not change the file.
         QVERIFY(on.open(other_));
         QVERIFY(atRest(on));
         QVERIFY(on.window.sessions().path().isEmpty());
@@ -175,7 +175,7 @@ private slots:
             named(on, "&Wheel the other way")->trigger();
             QVERIFY(named(on, "&Wheel the other way")->isChecked());
             QWidget* title = on.viewer.views.edges().parentWidget()->findChild<QLabel*>()->parentWidget();
-            QTest::mouseDClick(title, Qt::LeftButton); // it has all the room
+            QTest::mouseDClick(title, Qt::LeftButton); // it is shown alone
             QVERIFY(!on.viewer.views.cloud().isVisible());
             on.window.sessions().saveAs(file);
             QVERIFY(atRest(on));
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(atRest(on));
         QVERIFY(!named(on, "&Wheel the other way")->isChecked());
         QVERIFY(!on.viewer.views.cloud().isVisible() && on.viewer.views.edges().isVisible());
-        // What is saved in a cab says nothing of docks: in the office they stand as they stood.
+        // A session saved in cab mode does not change docks: outside cab mode they have their former places.
         on.window.cab().set(true);
         QVERIFY(on.window.layoutKept().empty());
         on.window.useLayout({{"docks", "AAAA"}});
@@ -218,7 +218,7 @@ private slots:
         auto* locate = on.window.findChild<QToolButton*>("notice-action");
         QVERIFY(locate->isVisible());
         QCOMPARE(locate->text(), QString("Locate…"));
-        // Another scan is none of its.
+        // Another scan is refused.
         on.window.sessions().locate(QString::fromStdString(other_));
         QVERIFY(on.settled());
         QTRY_VERIFY2(on.viewer.notice.text().contains("is not the scan of this session"), qPrintable(on.viewer.notice.text()));
@@ -227,7 +227,7 @@ private slots:
         on.window.sessions().locate(inFolder("elsewhere/moves.json"));
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
         QTRY_COMPARE(on.window.sessions().path(), file);
-        // A damaged file is one sentence, and nothing changes.
+        // A damaged file gives one sentence, and the window does not change.
         QVERIFY(bool(writeWholeFile(file.toStdString(), before.substr(0, before.size() / 2))));
         on.window.sessions().openSession(file);
         QTRY_VERIFY(on.viewer.notice.kind() == NoticeBar::Kind::Error);
@@ -295,7 +295,7 @@ private slots:
             QCOMPARE(::kill(static_cast<pid_t>(viewer.processId()), SIGKILL), 0);
             QVERIFY(viewer.waitForFinished());
         }
-        // The pins are in the session, not only where the viewer keeps those of scans.
+        // The targets are in the session too, not only in the viewer's folder of targets.
         QDir(home + "/config/edgescan/targets").removeRecursively();
         {
             QProcess viewer;
@@ -308,7 +308,7 @@ private slots:
             ::kill(static_cast<pid_t>(viewer.processId()), SIGKILL);
             QVERIFY(viewer.waitForFinished());
         }
-        // A window says so, and goes on by its button.
+        // The window reports it, and its button continues the session.
         WindowFixture on(home + "/config/edgescan/viewer.ini");
         QVERIFY(on.show());
         on.window.sessions().offerToGoOn();
@@ -317,7 +317,7 @@ private slots:
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QVERIFY(on.window.sessions().autosaves().leftBehind().size() <= 1); // the first one; the second is taken up
+        QVERIFY(on.window.sessions().autosaves().leftBehind().size() <= 1); // the first one; the second was continued
     }
 
     void theStartPageIsUsedByKeys() {
@@ -337,9 +337,9 @@ private slots:
         QVERIFY2(list.item(0)->text().contains("boxes.json\n120 × 160 · FILE"), qPrintable(list.item(0)->text()));
         QVERIFY(!list.item(0)->icon().isNull() && list.item(2)->icon().isNull());
         QVERIFY2(list.item(2)->text().contains("not found") && list.item(2)->text().contains("Locate"), qPrintable(list.item(2)->text()));
-        // Nothing of the window is under it.
+        // No part of the window shows below it.
         QVERIFY(page->geometry().contains(on.window.centralWidget()->geometry()));
-        // Its pictures are kept: the second time no scan is read.
+        // Its pictures are stored: the second time no scan is read.
         const QStringList kept = QDir(inFolder("start/cache/edgescan/recent")).entryList({"*.png"});
         QCOMPARE(kept.size(), 2);
         QVERIFY(recentScan(QString::fromStdString(boxes_), inFolder("start/cache/edgescan/recent"), [] {
@@ -348,7 +348,7 @@ private slots:
         QVERIFY(!recentScan(QString::fromStdString(boxes_), QString(), [] { return false; }).words.contains("120"));
         trimThumbnails(inFolder("start/cache/edgescan/recent"), 1);
         QCOMPARE(QDir(inFolder("start/cache/edgescan/recent")).entryList({"*.png"}).size(), 1);
-        // Keys alone: to the list, down, and open.
+        // Only with keys: to the list, down, and open.
         QTRY_COMPARE(QApplication::focusWidget()->objectName(), QString("start-open"));
         for (int n = 0; n < 10 && QApplication::focusWidget() != &list; ++n) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(&list));
@@ -358,14 +358,14 @@ private slots:
         QVERIFY(on.settled());
         QTRY_VERIFY(page->isHidden());
         QCOMPARE(QString::fromStdString(on.picture().detection->scan->path), QString::fromStdString(other_));
-        // A scanner that is asked for ends it too.
+        // Connecting a scanner closes it too.
         on.memory.keepRecentFile(gone);
         page->show();
         on.viewer.live.panel().hide();
         QTest::mouseClick(page->findChild<QAbstractButton*>("start-connect"), Qt::LeftButton);
         QVERIFY(page->isHidden() && on.viewer.live.panel().isVisible());
         qunsetenv("XDG_CACHE_HOME");
-        page->show(); // a window that goes with its page on it
+        page->show(); // a window that is closed while its page is shown
     }
 
     void everyActIsTakenBackAndDoneAgain() {
@@ -385,11 +385,11 @@ private slots:
         while (on.viewer.undo.canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
         QTRY_VERIFY(w.viewer().comparing.kept() != nullptr);
         QVERIFY(atRest(on));
-        // Where the mouse's cell is, is no act.
+        // The cell under the mouse is not part of the state.
         auto again = sessionFromText(state(on), "/", "test"), first = sessionFromText(after, "/", "test");
         again->state.targets.active = first->state.targets.active;
         QCOMPARE(QString::fromStdString(sessionText(again->state, "/", "")), QString::fromStdString(sessionText(first->state, "/", "")));
-        // The log has the words of the sources, whatever the window speaks.
+        // The log uses the language of the sources, whatever the language of the window.
         QCOMPARE(w.viewer().undo.text(0), QString("Keep as A"));
     }
 };

@@ -1,4 +1,4 @@
-// Keys that the operator changes: in the real window, by real keys; the palette and the sheet say what holds now.
+// Shortcuts that the operator changes: in the real window, with real keys; the palette and the sheet show the current ones.
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/shortcut_editor.h"
@@ -52,7 +52,7 @@ class ShortcutsTest : public QObject {
     }
     static void press(ShortcutEditor& editor, Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
         QTest::keyClick(editor.keyField(), key, with);
-        QTRY_VERIFY(editor.keyField()->keySequence().isEmpty()); // the field waits a second for more
+        QTRY_VERIFY(editor.keyField()->keySequence().isEmpty()); // the field waits a second for further keys
     }
 
 private slots:
@@ -62,7 +62,7 @@ private slots:
         const QList<KeyedCommand> all = keyedCommands(on.window.actions());
         int named = 0;
         for (const QAction* action : on.window.actions()) named += action->isSeparator() ? 0 : 1;
-        QCOMPARE(all.size(), named); // two of one name would be one row
+        QCOMPARE(all.size(), named); // two commands of the same name would be one row
         QVERIFY(all.size() > 60);
         QCOMPARE(commandOf(on.window, "View/From Scanner").usual, QList<QKeySequence>{QKeySequence("0")});
     }
@@ -80,13 +80,13 @@ private slots:
                 QVERIFY2(editor.said().startsWith("✓"), qPrintable(editor.said()));
                 QVERIFY(editor.table()->item(editor.table()->currentRow(), 1)->text().contains("changed"));
             });
-            QVERIFY(on.activate()); // the dialog had the keys
+            QVERIFY(on.activate()); // the dialog had the keyboard focus
             on.viewer.views.cloud().setFocus();
             QTest::keyClick(&on.window, Qt::Key_E);
             QVERIFY2(edges->isChecked(), "the old key does nothing");
             QTest::keyClick(&on.window, Qt::Key_F8);
             QVERIFY(!edges->isChecked());
-            // The palette says the key that holds.
+            // The palette shows the current shortcut.
             CommandPalette palette(on.window.actions(), &on.window);
             QTest::keyClicks(palette.words(), "edge points");
             QVERIFY2(palette.list()->item(0)->text().endsWith("F8"), qPrintable(palette.list()->item(0)->text()));
@@ -112,11 +112,11 @@ private slots:
             choose(editor, "edge points");
             press(editor, Qt::Key_K);
             QVERIFY2(editor.said().contains("Rocks > Show Rocks"), qPrintable(editor.said()));
-            press(editor, Qt::Key_Backslash); // no command, but the window's own
+            press(editor, Qt::Key_Backslash); // a fixed key of the window, not a command
             QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said()));
         });
         QCOMPARE(edges.action->shortcuts(), edges.usual);
-        // Free once its owner has none.
+        // Free once its owner has no shortcut.
         inEditor(on.window, [](ShortcutEditor& editor) {
             choose(editor, "show rocks");
             QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-none"), Qt::LeftButton);
@@ -125,7 +125,7 @@ private slots:
             QVERIFY2(editor.said().startsWith("✓"), qPrintable(editor.said()));
             choose(editor, "show rocks");
             QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset"), Qt::LeftButton);
-            QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said())); // it would be a key of two
+            QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said())); // otherwise the key would have two owners
             QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset-all"), Qt::LeftButton);
         });
         for (const KeyedCommand& each : keyedCommands(on.window.actions())) QCOMPARE(each.action->shortcuts(), each.usual);

@@ -1,4 +1,4 @@
-// Windows of a size, and the scan that they show.
+// Windows of a given size, and their scan.
 #pragma once
 
 #include "tests/support/scans.h"
@@ -8,14 +8,14 @@
 
 namespace edgescan::ui {
 
-/// Waits until the desktop has given the size.
+/// Waits until the desktop has set the size.
 inline void resizeTo(MainWindow& window, QSize size) {
     window.resize(size);
     QTRY_COMPARE(window.size(), size);
     QApplication::processEvents();
 }
 
-/// Boxes before a wall, 300 lines x 340 beams, some cells without a range.
+/// Boxes in front of a wall, 300 lines x 340 beams, some cells without a range.
 inline Scan boxesToShow() { return test::boxesScan(300, 340, 3, 0.05); }
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Switches, lists and colours of the real window: what the wheel turns, what the legend tells, what can be told apart.
+// Switches, lists and colours of the real window: effects of the wheel, content of the legend, distinct colours.
 #include "core/edges/settings/presets.h"
 #include "core/rocks/attributes/faces.h"
 #include "tests/support/scans.h"
@@ -24,7 +24,7 @@ using namespace edgescan::ui;
 
 namespace {
 
-// As the window system sends it: Qt may give the focus before the widget gets the wheel.
+// Like the window system: Qt may set the focus before the widget gets the wheel event.
 void wheelOver(QWidget& widget, int notches) {
     const QPointF at(widget.width() / 2.0, widget.height() / 2.0);
     QWheelEvent event(at, widget.mapToGlobal(at.toPoint()), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, Qt::NoModifier,
@@ -43,7 +43,7 @@ double contrast(QColor a, QColor b) {
     return std::max(x, y) / std::min(x, y);
 }
 
-// Machado, Oliveira and Fernandes 2009, severity 1: what is left of linear red, green and blue.
+// Machado, Oliveira and Fernandes 2009, severity 1: remaining linear red, green and blue.
 struct Sight {
     const char* name;
     std::array<double, 9> matrix;
@@ -59,7 +59,7 @@ Triple times(const std::array<double, 9>& m, const Triple& v) {
     return {m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2], m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
 }
 
-// CIE L*a*b* of what such an eye sees.
+// CIE L*a*b* of the colour seen by such an eye.
 Triple asSeen(const QColor& colour, const Sight& sight) {
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
     Triple seen = times(sight.matrix, {linear(colour.redF()), linear(colour.greenF()), linear(colour.blueF())});
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(!on.viewer.views.cloud().edgesVisible());
         QTest::keyClick(&on.window, Qt::Key_E);
         QVERIFY(legend.edges()->isChecked() && on.viewer.views.cloud().edgesVisible());
-        QVERIFY(on.use(cannySettings())); // tells no classes apart
+        QVERIFY(on.use(cannySettings())); // has no edge classes
         QVERIFY(legend.edges()->isVisible() && !legend.classSwitch(0)->isVisible());
     }
 
@@ -154,13 +154,14 @@ private slots:
         }
     }
 
-    // The colour of what is selected is no rock's, to whatever eye, and edges over it are seen as over the cloud.
+    // The colour of the selection differs from every rock colour for every kind of colour vision, and edges are visible on it as on the
+    // cloud.
     void whatIsSelectedIsNoRockAndHidesNoEdge() {
         const QColor selected(kSelectedColour);
         for (const EdgeColours& colours : {kUsualColours, kColourBlindColours}) {
             for (const QColor& colour : colours) QVERIFY2(contrast(colour, selected) >= 3.0, qPrintable(colour.name()));
         }
-        QVERIFY(contrast(selected, QColor(48, 48, 48)) >= 3.0); // the ground of the views
+        QVERIFY(contrast(selected, QColor(48, 48, 48)) >= 3.0); // the background of the views
         for (const Sight& sight : kSights) {
             for (const Rgb& rock : kRockFaceColours) {
                 const double apart = distance(asSeen(selected, sight), asSeen(QColor(rock.red, rock.green, rock.blue), sight));
@@ -169,7 +170,7 @@ private slots:
         }
     }
 
-    // Greyed words are thinner than usable ones, not bolder: no shadow is drawn beside them.
+    // Disabled text is thinner than enabled text, not bolder: it has no shadow.
     void whatCannotBeUsedLooksLess() {
         QMenu menu;
         menu.addAction("Reload the file")->setEnabled(true);

@@ -1,4 +1,4 @@
-// The operator's desk in the real window, by real events: pins and their card, measuring, selecting, where the picture comes from.
+// The operator's work in the real window, with real events: targets and their card, measuring, selecting, the source of the picture.
 #include "core/base/whole_file.h"
 #include "core/exports/provenance/verify.h"
 #include "core/inspect/measure/cell_sets.h"
@@ -68,7 +68,7 @@ class TargetsTest : public QObject {
         const auto at = on.viewer.views.gray().cellAt(pixelOf(on.viewer.views.gray(), line, beam));
         return static_cast<std::uint32_t>(*on.viewer.views.cellAt(at->y(), at->x()));
     }
-    // A plate of 50 mm before a wall, 10 m away.
+    // A plate 50 mm in front of a wall, 10 m away.
     static Scan plateScan() {
         Scan scan = test::makeScan(41, 41, [](int, int) { return 1000.0F; });
         auto& polar = std::get<PolarGeometry>(scan.geometry);
@@ -110,7 +110,7 @@ private slots:
             QCOMPARE(targets(on)[static_cast<std::size_t>(n)].number, n + 1);
             QCOMPARE(targets(on)[static_cast<std::size_t>(n)].cell, cells[static_cast<std::size_t>(n)]);
         }
-        // The same marks in all three views, the last one on the card.
+        // The same marks in all three views; the card shows the last one.
         QCOMPARE(static_cast<int>(gray.marks().targets.size()), 3);
         QVERIFY(gray.marks() == edges.marks() && gray.marks() == on.viewer.views.cloud().marks());
         QCOMPARE(on.viewer.targets.active()->number, 3);
@@ -123,7 +123,7 @@ private slots:
             move(*view, QPoint(view->width() / 3, view->height() / 2), Qt::NoButton);
         }
         QCOMPARE(on.viewer.targetsPanel.card().text(), card);
-        // A click on one that is pinned shows it again, and makes no other.
+        // A click on a target shows its card again, and makes no other target.
         click(edges, 20, 30);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         QCOMPARE(on.viewer.targets.active()->number, 1);
@@ -131,7 +131,7 @@ private slots:
         auto* list = on.viewer.targetsPanel.targets();
         QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(1)).center());
         QCOMPARE(on.viewer.targets.active()->number, 2);
-        // Esc lets go of it; of one that is locked it only turns away.
+        // Esc removes it; for a locked target Esc only hides the card.
         QTest::mouseClick(on.viewer.targetsPanel.card().lock(), Qt::LeftButton);
         QVERIFY(on.viewer.targets.active()->locked);
         QVERIFY(!on.viewer.targetsPanel.card().close()->isEnabled());
@@ -148,7 +148,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         QCOMPARE(targets(on)[2].cell, cells[2]);
-        // All but the locked one.
+        // All except the locked one.
         QTest::mouseClick(on.viewer.targetsPanel.letGoOfAll(), Qt::LeftButton);
         QCOMPARE(static_cast<int>(targets(on).size()), 1);
         QVERIFY(targets(on)[0].locked);
@@ -184,7 +184,7 @@ private slots:
         QVERIFY2(card.text().contains("Picture: FILE boxes · no time"), qPrintable(card.text()));
         QVERIFY2(card.text().contains(QString::fromUtf8(kRockCaveat)), qPrintable(card.text()));
         QVERIFY(!card.text().contains("was "));
-        // A slider takes the edge away: the card says so, and what it was. The distance is the same.
+        // A slider removes the edge: the card shows it, with the former value. The distance does not change.
         const QString distance = card.text().split('\n').at(1);
         Settings other;
         other.classes = kClassConvex;
@@ -196,7 +196,7 @@ private slots:
         QVERIFY(on.use(Settings{}));
         QVERIFY(known(on));
         QTRY_VERIFY2(!card.text().contains("was "), qPrintable(card.text()));
-        // Its buttons.
+        // The buttons of the card.
         QTest::mouseClick(card.copy(), Qt::LeftButton);
         QCOMPARE(QGuiApplication::clipboard()->text(), card.text());
         QTest::mouseClick(card.why(), Qt::LeftButton);
@@ -238,7 +238,7 @@ private slots:
             QCOMPARE(targets(on)[1].name, std::string("keystone"));
             QVERIFY(on.viewer.views.gray().marks().targets[1].tag.startsWith("2 keystone"));
             on.viewer.targets.keepMeasure({MeasureKind::Distance, {targets(on)[0].cell, targets(on)[1].cell}});
-            // Another scan has its own; back on this one they are there again.
+            // Another scan has its own targets; back on this scan they are restored.
             QVERIFY(on.open(plate_));
             QVERIFY(targets(on).empty());
             QVERIFY(on.open(boxes_));
@@ -256,7 +256,7 @@ private slots:
             QVERIFY(again.window.viewer().targets.notebook() == before);
             QTRY_COMPARE(static_cast<int>(again.window.viewer().views.cloud().marks().targets.size()), 2);
         }
-        // What is damaged is refused with a sentence, and left as it is whatever is pinned then.
+        // A damaged file is refused with a sentence. It is not changed, whatever targets are set then.
         const std::string damaged = "{\"format\": \"edgescan-targets/1\", \"targets\": [{\"cell\": [9999, 0]}]}";
         QVERIFY(bool(writeWholeFile(file, damaged)));
         {
@@ -279,7 +279,7 @@ private slots:
         QVERIFY2(on.viewer.tools.shown().contains("click the one end"), qPrintable(on.viewer.tools.shown()));
         const std::vector<std::uint32_t> ends{cellUnder(on, 20, 30), cellUnder(on, 90, 120)};
         click(gray, 20, 30);
-        QVERIFY(targets(on).empty()); // no pin
+        QVERIFY(targets(on).empty()); // no target
         QVERIFY2(on.viewer.tools.shown().contains("click the other end"), qPrintable(on.viewer.tools.shown()));
         click(on.viewer.views.edges(), 90, 120);
         QVERIFY(known(on));
@@ -291,13 +291,13 @@ private slots:
         QVERIFY2(label.startsWith(QString("%1 m ± 0.").arg(between, 0, 'f', 3)), qPrintable(label));
         QVERIFY(gray.marks() == on.viewer.views.cloud().marks() && gray.marks() == on.viewer.views.edges().marks());
         QVERIFY(on.viewer.targetsPanel.measures()->item(0)->text().contains(" and "));
-        // The lines and the label are on the screen, in the cloud as well.
+        // The lines and the label are on the screen, in the cloud too.
         const auto blue = [](QRgb p) {
             return std::abs(qRed(p) - 120) < 12 && std::abs(qGreen(p) - 190) < 12 && std::abs(qBlue(p) - 255) < 12;
         };
         QVERIFY(countPixels(gray.grab().toImage(), blue) > 60);
         QTRY_VERIFY(countPixels(on.window.screenshot(), blue) > 300);
-        // An angle takes three clicks; Esc takes the last one back, then leaves the tool.
+        // An angle takes three clicks; Esc removes the last one, then leaves the tool.
         QTest::keyClick(&on.window, Qt::Key_A);
         click(gray, 20, 30);
         click(gray, 60, 100);
@@ -311,7 +311,7 @@ private slots:
         QVERIFY(gray.marks().measures[1].label.contains("°"));
         QTest::keyClick(&on.window, Qt::Key_Escape);
         QVERIFY(!on.viewer.measures.kind() && on.viewer.views.tool() == Tool::Pin);
-        // A slider leaves them where they are; undo takes them away.
+        // A slider does not change them; undo removes them.
         Settings other;
         other.creaseDeg = 50;
         QVERIFY(on.use(other));
@@ -324,7 +324,7 @@ private slots:
         QCOMPARE(static_cast<int>(gray.marks().measures.size()), 2);
     }
 
-    // Each of the others by its key and as many clicks as it takes; what is told is what the core works out of these cells.
+    // Each of the other kinds by its key and clicks; the shown value equals the core's value for these cells.
     void everyKindIsMeasuredByClicks() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
@@ -349,7 +349,7 @@ private slots:
             const auto told = measureCells(*on.picture().detection->scan, {}, kind, cells);
             QVERIFY(bool(told));
             const QString label = gray.marks().measures.back().label;
-            // The noise that the window measured is not this one's: the numbers alone are the same.
+            // The noise measured by the window differs from this one: only the values are equal.
             const double value = kind == MeasureKind::Angle ? told->angleDeg : told->lengths.front().valueM;
             const double shown = QString(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
             QVERIFY2(std::abs(shown - value) < (kind == MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
@@ -391,7 +391,7 @@ private slots:
         QVERIFY(qAlpha(gray.selection()->pixel(60, 50)) > 0 && qAlpha(gray.selection()->pixel(20, 50)) == 0);
         QVERIFY(targets(on).empty());
         QVERIFY2(on.viewer.tools.shown().contains("cells selected"), qPrintable(on.viewer.tools.shown()));
-        // Shift adds, Ctrl takes away; a lasso goes as the hand does.
+        // Shift adds, Ctrl removes; a lasso follows the mouse.
         QTest::keyClick(&on.window, Qt::Key_L);
         const QVector<QPoint> lasso{pixelOf(gray, 90, 20), pixelOf(gray, 90, 60), pixelOf(gray, 110, 40), pixelOf(gray, 100, 25)};
         drag(gray, lasso, Qt::ShiftModifier);
@@ -401,7 +401,7 @@ private slots:
                 !std::ranges::binary_search(selection.cells(), 108U * 160 + 22));
         drag(gray, lasso, Qt::ControlModifier);
         QVERIFY(selection.cells() == wanted);
-        // Hidden cells are dark in the images, and no point of the cloud; all comes back.
+        // Hidden cells are dark in the images and absent from the cloud; showing all restores them.
         const std::size_t points = cloud.geometryOfCloud()->validCount;
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ShiftModifier);
         QVERIFY(selection.cells().empty() && selection.hidden() == wanted);
@@ -414,16 +414,16 @@ private slots:
         std::size_t left = 0;
         for (const std::uint32_t k : wanted) left += on.picture().detection->scan->state[k] == CellState::Valid ? 1 : 0;
         QCOMPARE(cloud.geometryOfCloud()->validCount, left);
-        // A slider changes nothing of it.
+        // A slider does not change it.
         Settings other;
         other.creaseDeg = 50;
         QVERIFY(on.use(other));
         QCOMPARE(cloud.geometryOfCloud()->validCount, left);
-        QVERIFY(selection.cells() == wanted && !cloud.selection()); // alone it needs no colour of its own
+        QVERIFY(selection.cells() == wanted && !cloud.selection()); // if only the selection is visible it needs no colour
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
         QCOMPARE(cloud.geometryOfCloud()->validCount, points);
         QVERIFY(cloud.selection() && *cloud.selection() == wanted);
-        // Another scan knows nothing of it.
+        // Another scan has no selection.
         QVERIFY(on.open(plate_));
         QVERIFY(selection.cells().empty() && selection.hidden().empty() && !gray.selection() && !cloud.selection());
     }
@@ -468,7 +468,7 @@ private slots:
         emit on.viewer.views.gray().clicked(static_cast<int>(k / 160), static_cast<int>(k % 160));
         const CellSet chain = chainAt(*detection.mask, k);
         QVERIFY(chain.size() > 4 && on.viewer.selection.cells() == chain);
-        // Beside edges and rocks nothing is selected, and it is said why.
+        // A click outside edges and rocks selects nothing, and gives the reason.
         std::uint32_t none = 0;
         while ((*detection.mask)[none] != 0) ++none;
         emit on.viewer.views.gray().clicked(static_cast<int>(none / 160), static_cast<int>(none % 160));
@@ -494,7 +494,7 @@ private slots:
         const QString spans = QString("no. 1: %1 × %2 ± ").arg(largest.longM, 0, 'f', 2).arg(largest.wideM, 0, 'f', 2);
         QVERIFY2(on.viewer.targetsPanel.card().text().contains("Rock, visible: " + spans),
                  qPrintable(on.viewer.targetsPanel.card().text()));
-        // A click with the tool takes all its cells, and leaves the rocks' own selection alone.
+        // A click with the tool selects all its cells; the selection of rocks does not change.
         QTest::keyClick(&on.window, Qt::Key_B);
         std::uint32_t inside = largest.cell;
         while (rocks.labelAt(inside) == 1 && (*on.picture().detection->mask)[inside] != 0) ++inside;
@@ -506,7 +506,7 @@ private slots:
         }
         QVERIFY(on.viewer.selection.cells() == wanted);
         QVERIFY(on.viewer.rocks.selected().empty());
-        // Isolated, it is alone in the cloud; its face keeps its colour.
+        // Isolated: only this rock is in the cloud; its face keeps its colour.
         QTest::keyClick(&on.window, Qt::Key_I);
         QVERIFY(on.viewer.views.cloud().geometryOfCloud()->validCount <= wanted.size());
         QVERIFY(on.viewer.views.cloud().faces() != nullptr);
@@ -538,7 +538,7 @@ private slots:
         QVERIFY(dialog.options().selection == nullptr && dialog.count() > valid);
     }
 
-    // Images and cloud come nearer and go back by keys alone.
+    // Keys alone zoom images and cloud in and out.
     void plusAndMinusZoomWhatHasTheFocus() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
@@ -575,13 +575,13 @@ private slots:
         QTest::keyClick(&gray, Qt::Key_Return);
         QCOMPARE(static_cast<int>(targets(on).size()), 1);
         QCOMPARE(targets(on).front().cell, 59U * 160 + 71);
-        // With a cell pinned it goes on, and takes nothing from it; never out of the grid.
+        // With a cell pinned the cursor moves on and does not change the pin; it never leaves the grid.
         for (int n = 0; n < 30; ++n) QTest::keyClick(&gray, Qt::Key_Down, Qt::ShiftModifier);
         QCOMPARE(*gray.markedCell(), QPoint(71, 119));
         QCOMPARE(*on.viewer.views.edges().markedCell(), QPoint(71, 59));
         QTest::keyClick(&gray, Qt::Key_Return);
         QCOMPARE(targets(on).back().cell, 119U * 160 + 71);
-        // Zoomed in, the view follows.
+        // When zoomed in, the view follows the cursor.
         gray.viewPort()->fitTo(QRectF(60, 100, 10, 10));
         for (int n = 0; n < 5; ++n) QTest::keyClick(&gray, Qt::Key_Right, Qt::ControlModifier);
         QVERIFY(gray.rect().contains(pixelOf(gray, 119, 121)));
@@ -652,9 +652,9 @@ private slots:
         const std::string start = on.picture().detection->scan->acquisition ? on.picture().detection->scan->acquisition->startUtc : "";
         const QString time = start.empty() ? QString("no time") : QString("2026-03-04 05:06:07 UTC");
         QCOMPARE(on.viewer.origin.text(), "FILE timed · " + time);
-        // At every size whole and in sight, and in a screenshot.
+        // Complete and visible at every size, and in a screenshot.
         for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1900, 1000)}) {
-            QTRY_VERIFY((on.window.resize(size), on.window.size() == size)); // the timeline of the recording goes first
+            QTRY_VERIFY((on.window.resize(size), on.window.size() == size)); // the timeline of the recording closes first
             QApplication::processEvents();
             const StateBadge& badge = on.viewer.origin;
             const QRect place(badge.mapTo(&on.window, QPoint()), badge.size());

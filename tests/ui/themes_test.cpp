@@ -1,4 +1,4 @@
-// The themes: every pair of colours that is used can be told apart, and the whole window follows while the views stay dark.
+// The themes: every used pair of colours has enough contrast, and the whole window changes while the views stay dark.
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
@@ -21,7 +21,7 @@ class ThemesTest : public QObject {
     test::TemporaryFolder folder_;
     std::string scan_;
 
-    // Of WCAG 2.
+    // Luminance of WCAG 2.
     static double luminance(const QColor& c) {
         const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
         return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
@@ -31,7 +31,7 @@ class ThemesTest : public QObject {
         const double y = luminance(b) + 0.05;
         return std::max(x, y) / std::min(x, y);
     }
-    // As the hand does: the entry of View > Theme.
+    // Chooses the entry of View > Theme like an operator.
     static void choose(MainWindow& window, const char* key) {
         auto* action = window.findChild<QAction*>(QString("theme-") + key);
         QVERIFY(action != nullptr);
@@ -39,7 +39,7 @@ class ThemesTest : public QObject {
         QApplication::processEvents();
         QVERIFY(action->isChecked());
     }
-    // The lightest and the darkest colour of many: what is written, and what it is written on.
+    // The difference between the lightest and darkest colour: text and background.
     static double spread(const QImage& image) {
         double least = 1.0, most = 0.0;
         for (int y = 0; y < image.height(); ++y) {
@@ -67,7 +67,7 @@ private slots:
                 const double is = contrast(theme.*pair.front, theme.*pair.ground);
                 QVERIFY2(is >= pair.least, qPrintable(QString("%1, %2: %3").arg(theme.key, pair.what).arg(is, 0, 'f', 2)));
             }
-            QVERIFY2(contrast(Qt::white, theme.chosen) >= 4.5, theme.key); // words of a chosen row
+            QVERIFY2(contrast(Qt::white, theme.chosen) >= 4.5, theme.key); // text of a selected row
             const QPalette palette = paletteOf(theme);
             for (const auto& [words, ground] : {std::pair{QPalette::WindowText, QPalette::Window},
                                                 {QPalette::Text, QPalette::Base},
@@ -91,7 +91,7 @@ private slots:
             QCOMPARE(shot.pixelColor(on.window.statusBar()->mapTo(&on.window, QPoint(2, 2))), theme.window);
             const CloudView& cloud = on.viewer.views.cloud();
             QCOMPARE(shot.pixelColor(cloud.mapTo(&on.window, QPoint(cloud.width() - 2, 2))), QColor(48, 48, 48));
-            // The plate over the cloud is the same in all.
+            // The plate over the cloud is the same in all themes.
             EdgeLegend& legend = on.viewer.legend;
             const QImage plate = legend.grab().toImage();
             QCOMPARE(plate.pixelColor(4, 4), QColor(0x1b, 0x1d, 0x1f));

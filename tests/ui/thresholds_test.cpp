@@ -1,4 +1,4 @@
-// What thresholds mean, in the real window: depths that are typed, curves under the sliders, and why a cell is an edge.
+// The meaning of thresholds in the real window: typed depths, curves under the sliders, and why a cell is an edge.
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
@@ -84,7 +84,7 @@ private slots:
     void aTypedDepthBecomesTheThreshold() {
         Settings settings = findPreset("window")->settings;
         settings.nearMm = 0;
-        settings.farMm = 25500; // 100 mm per level, a straight step answers 3 times
+        settings.farMm = 25500; // 100 mm per level; a straight step has three times the response
         use(settings);
         QDoubleSpinBox* box = window_->viewer().panel.row("lower")->number();
         box->setFocus();
@@ -98,7 +98,7 @@ private slots:
         QTest::keyClick(box, Qt::Key_Return);
         QCOMPARE(window_->viewer().engine.settings().lower, 22.0);
         box->selectAll();
-        QTest::keyClicks(box, "5 %"); // has no one threshold in linear levels: nothing changes
+        QTest::keyClicks(box, "5 %"); // has no single threshold in linear levels: refused, no change
         QTest::keyClick(box, Qt::Key_Return);
         QCOMPARE(window_->viewer().engine.settings().lower, 22.0);
     }
@@ -151,11 +151,11 @@ private slots:
         QVERIFY(on_->settled());
         QDoubleSpinBox* box = window_->viewer().panel.row("noise")->number();
         const double measured = window_->viewer().engine.picture()->detection->responses->noise.at(5.0);
-        QVERIFY(measured > 35); // beyond what can be typed
+        QVERIFY(measured > 35); // beyond the limit for typed values
         QVERIFY(std::abs(box->value() - measured) < 0.006);
         QVERIFY(std::isnan(window_->viewer().engine.settings().noiseMm));
         auto* automatic = window_->viewer().panel.findChild<QCheckBox*>("auto-noise");
-        automatic->setChecked(false); // what can be typed ends at 30
+        automatic->setChecked(false); // typed values are limited to 30
         QCOMPARE(window_->viewer().engine.settings().noiseMm, 30.0);
         QCOMPARE(box->value(), 30.0);
     }
@@ -169,7 +169,7 @@ private slots:
         };
         choose("Kirsch");
         const Settings kirsch = window_->viewer().engine.settings();
-        QVERIFY(std::abs(kirsch.lower / stepGain(kirsch).straight - 4.0) < 0.1); // in the middle between 2 and 6
+        QVERIFY(std::abs(kirsch.lower / stepGain(kirsch).straight - 4.0) < 0.1); // halfway between 2 and 6
         choose("EdgeScan+");
         choose("Canny (thesis)");
         QVERIFY(std::abs(window_->viewer().engine.settings().lower - 6.0) < 0.11);
@@ -223,7 +223,7 @@ private slots:
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
     }
 
-    // On the card: the verdict, the points of both sides of a jump with their lines, the numbers, from above.
+    // On the card: the verdict, the points on both sides of a jump with their fitted lines, the numbers, in this order.
     void theVerdictComesFirstThenThePictureOfBothSides() {
         use(Settings{});
         const Detection& detection = *window_->viewer().engine.picture()->detection;
@@ -238,17 +238,17 @@ private slots:
         QVERIFY(profile.sides[0] && profile.sides[1]);
         const auto own = std::ranges::find(profile.points, 0, &ProfilePoint::side);
         QVERIFY(own != profile.points.end() && own->cell == cell && own->acrossM == 0.0 && own->awayM == 0.0);
-        // The picture is drawn: lines in their colour, points in that of the words.
+        // The picture is drawn: lines in their colour, points in the colour of text.
         const QImage drawn = const_cast<ProfileView&>(card.picture()).grab().toImage();
         const QColor accent = themeInUse().accent;
         QVERIFY(countPixels(drawn, [&](QRgb p) { return p == accent.rgb(); }) > 40);
-        // A cell that is none has a verdict that says so.
+        // A cell that is not an edge has a verdict that says so.
         const auto none = std::ranges::find(detection.mask->cells, 0) - detection.mask->cells.begin();
         askWhy(static_cast<std::uint32_t>(none));
         QTRY_VERIFY2(card.verdict().startsWith("No edge: "), qPrintable(card.verdict()));
     }
 
-    // Whoever clicks a cell beside the edge that was meant comes to it by one more click.
+    // After a click on a cell next to the intended edge, one more click reaches this edge.
     void theEdgeBesideTheCellIsAButtonAway() {
         use(Settings{});
         const Detection& detection = *window_->viewer().engine.picture()->detection;
@@ -281,7 +281,7 @@ private slots:
             QVERIFY(trail.cells.size() >= 4);
             QVERIFY(std::ranges::count(trail.cells, QPoint(static_cast<int>(cell % 160), static_cast<int>(cell / 160))) == 1);
             QVERIFY(trail.strongest.has_value());
-            // Frames are drawn where the cells are.
+            // The frames are drawn at the cells.
             const QImage drawn = each->grab().toImage();
             int sky = 0;
             for (int y = 0; y < drawn.height(); ++y) {

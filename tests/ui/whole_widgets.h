@@ -1,4 +1,4 @@
-// Looks through a window for what is cut off, squeezed or covered.
+// Searches a window for widgets that are cut off, squeezed or covered.
 #pragma once
 
 #include "ui/base/view_plate.h"
@@ -17,7 +17,7 @@
 
 namespace edgescan::ui {
 
-/// Inside what scrolls a widget may lie out of sight up or down, never to the right.
+/// Inside a scroll area a widget may be out of sight above or below, never to the right.
 [[nodiscard]] inline const QAbstractScrollArea* scrollerOf(const QWidget* widget) {
     for (const QWidget* at = widget->parentWidget(); at != nullptr && !at->isWindow(); at = at->parentWidget()) {
         if (const auto* area = qobject_cast<const QAbstractScrollArea*>(at)) return area;
@@ -52,8 +52,8 @@ namespace edgescan::ui {
             told(*widget, "stands over the edge of its window");
         }
         if (const auto* label = qobject_cast<const QLabel*>(widget)) {
-            const bool ownWay = typeid(*label) != typeid(QLabel);                                            // it fits its words by itself
-            const bool mayShrink = ownWay || label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored; // shortened by itself
+            const bool ownWay = typeid(*label) != typeid(QLabel);                                            // it fits its text itself
+            const bool mayShrink = ownWay || label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored; // it shortens its text itself
             if (label->wordWrap() ? label->heightForWidth(label->width()) > label->height() + 1
                                   : label->sizeHint().height() > label->height() + 1)
                 told(*label, QString("%1 high are needed")
@@ -64,7 +64,7 @@ namespace edgescan::ui {
             const auto* tool = qobject_cast<const QToolButton*>(button);
             if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) continue;
             const QByteArray kind = button->metaObject()->className();
-            if (!kind.startsWith('Q') || kind == "QAbstractButton") continue; // it fits its words by itself
+            if (!kind.startsWith('Q') || kind == "QAbstractButton") continue; // it fits its text itself
             const int words = button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
             if (button->width() < words) told(*button, QString("%1 wide are needed").arg(words));
         }

@@ -1,4 +1,4 @@
-// A window with a memory of its own, and waiting for what it shows.
+// A window with its own settings memory, and functions that wait for its content.
 #pragma once
 
 #include "core/files/open_save/save_scan.h"
@@ -22,19 +22,19 @@
 namespace edgescan::ui {
 
 struct WindowFixture {
-    /// Without a path nothing is remembered.
+    /// Without a path no settings are stored.
     explicit WindowFixture(const QString& iniPath = {}) : memory(iniPath), window(memory) {}
 
     [[nodiscard]] bool show() {
         window.show();
         return QTest::qWaitForWindowExposed(&window);
     }
-    /// Keys go to it.
+    /// Gives it the keyboard focus.
     [[nodiscard]] bool activate() {
         window.activateWindow();
         return QTest::qWaitForWindowActive(&window);
     }
-    /// Until what is shown belongs to the settings and the scan wanted last.
+    /// Waits until the shown picture belongs to the newest settings and scan.
     [[nodiscard]] bool settled() {
         return QTest::qWaitFor([this] { return viewer.engine.picture() != nullptr && !viewer.engine.behind() && !viewer.engine.working(); },
                                20000);
@@ -43,7 +43,7 @@ struct WindowFixture {
         viewer.files.open({QString::fromStdString(path)});
         return settled();
     }
-    /// Shown, with the scan in it.
+    /// Shows the window and opens the scan.
     [[nodiscard]] bool showWith(const std::string& path) { return show() && open(path); }
     [[nodiscard]] bool use(const Settings& settings) {
         viewer.tuning.useSettings(settings);
@@ -71,7 +71,7 @@ struct WindowFixture {
     return simulated;
 }
 
-/// Pixels for which `is` holds.
+/// Number of pixels for which `is` is true.
 [[nodiscard]] inline int countPixels(const QImage& image, const std::function<bool(QRgb)>& is) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {

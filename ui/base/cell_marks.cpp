@@ -1,4 +1,4 @@
-// Targets and measurements over a picture.
+// Draws targets and measurements over a picture.
 #include "ui/base/cell_marks.h"
 
 #include "ui/base/marks.h"
@@ -9,9 +9,9 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kMarkRing = 8.0;      // radius, px
-constexpr double kEndDot = 3.5;        // of what is measured
-constexpr int kTagBeside = 6;          // px from the ring
-const QColor kMeasured(120, 190, 255); // the line being measured; its halo tells it from the cloud
+constexpr double kEndDot = 3.5;        // of each measured cell
+constexpr int kTagOffset = 6;          // px from the ring
+const QColor kMeasured(120, 190, 255); // the line being measured; its dark halo separates it from the cloud
 
 QFont boldFont(const QPainter& painter) {
     QFont bold = painter.font();
@@ -19,7 +19,7 @@ QFont boldFont(const QPainter& painter) {
     return bold;
 }
 
-/// Tags that do not lie on each other: who comes first has the place beside its mark, the next one moves down.
+/// Places tags so that they do not overlap: the first one gets the place next to its mark, later ones move down.
 class Tags {
 public:
     Tags(QPainter& painter, const QRect& place) : painter_(painter), place_(place) {
@@ -30,10 +30,10 @@ public:
     Tags& operator=(const Tags&) = delete;
     ~Tags() { painter_.restore(); }
 
-    void draw(const QPointF& beside, const QString& text, bool active) {
+    void draw(const QPointF& corner, const QString& text, bool active) {
         if (text.isEmpty()) return;
         QRectF box = QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
-        box.moveBottomLeft(beside);
+        box.moveBottomLeft(corner);
         keepWithin(box);
         const QRectF wanted = box;
         const auto isTaken = [&] { return std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); }); };
@@ -41,7 +41,7 @@ public:
             box.translate(0, box.height() + kBetweenTags);
             keepWithin(box);
         }
-        if (isTaken()) box = wanted; // so crowded that nothing helps
+        if (isTaken()) box = wanted; // too many tags to avoid every overlap
         taken_.push_back(box);
         painter_.setPen(active ? Qt::black : QColor(232, 232, 232));
         painter_.setBrush(active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
@@ -105,7 +105,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         const QString& words = small && !target.active ? target.brief : target.tag;
         if (const auto place = placeOf(target.cell)) shown.targets.push_back({*place, words, target.active});
     }
-    // The one whose card is shown lies over the others.
+    // The target whose card is shown is drawn over the others.
     std::stable_partition(shown.targets.begin(), shown.targets.end(), [](const ScreenMarks::Target& target) { return !target.active; });
     return shown;
 }
@@ -117,9 +117,9 @@ void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& m
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
     Tags tags(painter, place);
     for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) // the active one first
-        tags.draw(target->place.at + QPointF(kMarkRing + kTagBeside, -kMarkRing), target->tag, target->active);
+        tags.draw(target->place.at + QPointF(kMarkRing + kTagOffset, -kMarkRing), target->tag, target->active);
     for (const ScreenMarks::Measure& measure : marks.measures) {
-        if (!measure.lines.empty()) tags.draw(measure.labelAt + QPointF(kTagBeside, -kTagBeside), measure.label, false);
+        if (!measure.lines.empty()) tags.draw(measure.labelAt + QPointF(kTagOffset, -kTagOffset), measure.label, false);
     }
     painter.restore();
 }

@@ -1,4 +1,4 @@
-// Targets and measurements as they hang on cells: the same in both images and in the cloud, wherever the cells are drawn.
+// Targets and measurements are tied to cells. Both images and the cloud draw the same marks wherever they show these cells.
 #pragma once
 
 #include <QLineF>
@@ -13,21 +13,21 @@
 
 namespace edgescan::ui {
 
-/// A cell that somebody pinned.
+/// A cell that the operator marked as a target.
 struct TargetMark {
     std::size_t cell = 0; ///< k = line * beams + beam
     QString tag;          ///< "1 keystone · 4.91 m"
-    QString brief;        ///< "1": where there is little room, unless it is active
+    QString brief;        ///< "1": shown instead of `tag` where space is short, unless the target is active
     bool active = false;  ///< its card is shown
 
     bool operator==(const TargetMark&) const = default;
 };
 
-/// Something that is measured between cells.
+/// A measurement between cells.
 struct MeasureMark {
     std::vector<std::size_t> cells;
-    std::vector<std::pair<std::size_t, std::size_t>> links; ///< places in `cells` that a line joins
-    QString label;                                          ///< empty: not all cells were picked yet
+    std::vector<std::pair<std::size_t, std::size_t>> links; ///< pairs of indices into `cells`; a line joins each pair
+    QString label;                                          ///< empty until all cells are picked
 
     bool operator==(const MeasureMark&) const = default;
 };
@@ -42,12 +42,12 @@ struct CellMarks {
 /// Where a cell is on the screen of a view.
 struct MarkPlace {
     QPointF at;
-    bool hidden = false; ///< behind something else
+    bool hidden = false; ///< another surface hides it
 
     bool operator==(const MarkPlace&) const = default;
 };
 
-/// What of it a view shows, in its own pixels.
+/// The part of the marks that a view shows, in pixels of the view.
 struct ScreenMarks {
     struct Target {
         MarkPlace place;
@@ -69,11 +69,12 @@ struct ScreenMarks {
     [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }
 };
 
-/// `placeOf`: empty where the cell is not in view. A line needs both its ends. `small`: the view has little room for words.
+/// `placeOf` returns an empty value for a cell out of view. A line is drawn only if both its ends are in view. `small`: the view has little
+/// space for text.
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
                                       bool small = false);
 
-/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay within `place` and off each other.
+/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place` and do not overlap.
 void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks);
 
 } // namespace edgescan::ui

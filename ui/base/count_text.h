@@ -1,4 +1,4 @@
-// Numbers with their thousands apart.
+// Numbers with thousands separators.
 #pragma once
 
 #include <QLocale>

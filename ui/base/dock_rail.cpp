@@ -11,7 +11,7 @@
 namespace edgescan::ui {
 namespace {
 
-/// The panel's name, read from below to above.
+/// The panel's name, written from bottom to top.
 class UprightButton : public QToolButton {
 public:
     using QToolButton::QToolButton;

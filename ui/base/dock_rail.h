@@ -1,4 +1,4 @@
-// A narrow strip at the right edge with a name for each panel that is folded away: one press opens it.
+// A narrow strip at the right edge with the name of each folded panel. One press opens the panel.
 #pragma once
 
 #include <QToolBar>
@@ -7,7 +7,7 @@ class QDockWidget;
 
 namespace edgescan::ui {
 
-/// Seen only while at least one of its panels is folded. A panel's own head gets a button that folds it.
+/// Visible only while at least one of its panels is folded. Each panel's title bar gets a button that folds the panel.
 class DockRail : public QToolBar {
     Q_OBJECT
 public:
@@ -15,11 +15,11 @@ public:
 
     void add(QDockWidget* dock);
 
-    /// Not there at all until it is off again.
+    /// While locked the rail is hidden.
     void setLocked(bool on);
 
 signals:
-    /// By the button in the head, by the rail or by the menu, not because the window became wide or narrow.
+    /// The operator folded or opened a panel: with its title bar, the rail or the menu. A change of the window's width does not emit this.
     void changedByHand(QDockWidget* dock, bool open);
 
 private:

@@ -1,4 +1,4 @@
-// A line of text that takes the room there is.
+// A line of text that is shortened to the available width.
 #pragma once
 
 #include <QLabel>
@@ -6,7 +6,7 @@
 
 namespace edgescan::ui {
 
-/// What has no room ends in "…"; the tool tip is for the whole of it.
+/// Text that does not fit ends in "…"; the tool tip shows the whole text.
 class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent = nullptr) : QLabel(parent) {

@@ -1,4 +1,4 @@
-// What the views share in reading the mouse.
+// How all views read the mouse.
 #pragma once
 
 #include <QLineF>
@@ -16,28 +16,28 @@ namespace edgescan::ui {
 #endif
 }
 
-/// What the left button's drag does over a picture.
+/// The effect of dragging with the left button over a picture.
 enum class DragTool {
     Move,  ///< moves the picture, or turns the cloud
-    Box,   ///< selects what a box holds
-    Lasso, ///< selects what a line drawn by hand goes round
+    Box,   ///< selects the cells in a box
+    Lasso, ///< selects the cells inside a free-hand outline
 };
 
-/// One button that is held down.
+/// A mouse button while it is pressed.
 struct Press {
     Qt::MouseButton button = Qt::NoButton;
     QPointF from, last;
     bool travelled = false; ///< further than a click
 
     void begin(const QMouseEvent& event) { *this = {event.button(), place(event), place(event), false}; }
-    /// False as long as it can still become a click. `last` is for the caller to move on.
+    /// False while the press can still become a click. The caller updates `last`.
     bool travels(QPointF at) {
         constexpr double kClickPx = 4.0;
         return travelled = travelled || QLineF(from, at).length() >= kClickPx;
     }
 };
 
-/// Notches of the wheel, away from the hand positive. With Alt held X11 and Qt turn the wheel sideways.
+/// Notches of the wheel, positive away from the operator. With Alt pressed, X11 and Qt report a horizontal wheel movement.
 [[nodiscard]] inline double notches(const QWheelEvent& event) {
     const QPoint angle = event.angleDelta();
     return (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;

@@ -1,4 +1,4 @@
-// Signs as paths on a grid of 24 x 24.
+// Icons as paths on a grid of 24 x 24.
 #include "ui/base/icons.h"
 
 #include "ui/base/themes.h"
@@ -64,7 +64,7 @@ constexpr Sign kSigns[] = {
 constexpr double kGrid = 24.0;
 constexpr double kStroke = 1.75;
 
-/// From end points to centre and angles, as the SVG specification has it (appendix B.2.4), for ellipses that stand upright.
+/// Converts an arc from end points to centre and angles as in the SVG specification (appendix B.2.4). The ellipse is not rotated.
 void addArc(QPainterPath& path, double rx, double ry, bool large, bool clockwise, QPointF to) {
     const QPointF from = path.currentPosition();
     const QPointF half = (from - to) / 2.0;
@@ -85,7 +85,7 @@ void addArc(QPainterPath& path, double rx, double ry, bool large, bool clockwise
     path.arcTo(QRectF(centre.x() - rx, centre.y() - ry, 2 * rx, 2 * ry), -angle(from) * degrees, -sweep * degrees);
 }
 
-// Of ASCII alone: what <cctype> says depends on the country.
+// ASCII only: <cctype> depends on the locale.
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
 constexpr bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 
@@ -177,7 +177,8 @@ QPainterPath pathOf(const char* words) {
         if (count == 0) return path;
         for (int k = 0; k < count; ++k) {
             while (*words == ' ' || *words == ',') ++words;
-            const bool flag = upper(command) == 'A' && (k == 3 || k == 4); // one digit, the next number may follow at once
+            // a flag has one digit; a number may follow without a space
+            const bool flag = upper(command) == 'A' && (k == 3 || k == 4);
             if (flag) {
                 n[static_cast<std::size_t>(k)] = *words == '1' ? 1.0 : 0.0;
                 if (*words != '\0') ++words;
@@ -190,7 +191,7 @@ QPainterPath pathOf(const char* words) {
         add(path, command, n);
         if (upper(command) == 'M') {
             start = path.currentPosition();
-            command = command == 'M' ? 'L' : 'l'; // further pairs are lines
+            command = command == 'M' ? 'L' : 'l'; // further coordinate pairs are lines
         }
     }
     return path;

@@ -1,4 +1,4 @@
-// The signs on tools, drawn from paths in the colours of the theme: the build has no Qt Svg.
+// The icons of tools, drawn from paths in the colours of the theme: the build has no Qt Svg.
 #pragma once
 
 #include <QIcon>
@@ -6,10 +6,11 @@
 
 namespace edgescan::ui {
 
-/// Lines of a path in SVG's words: M L H V C A Z and their small forms, ellipses upright. Anything else ends it.
+/// Parses the path commands M L H V C A Z of SVG, absolute and relative. Arcs must not be rotated. Parsing stops at any other character.
 [[nodiscard]] QPainterPath pathOf(const char* words);
 
-/// "pin", "measure", "rocks" ...; of another name: nothing. On: white; greyed where it cannot be used; else the colour of words.
+/// Icon named "pin", "measure", "rocks" ...; an empty icon for an unknown name. White when switched on, grey when disabled, else the colour
+/// of text.
 [[nodiscard]] QIcon toolIcon(const char* name);
 
 } // namespace edgescan::ui

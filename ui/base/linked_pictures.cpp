@@ -30,7 +30,7 @@ LinkedPictures::LinkedPictures(QWidget* parent) : QWidget(parent) {
         connect(other, &QScrollBar::valueChanged, one, &QScrollBar::setValue);
         for (const QScrollBar* each : {one, other}) {
             connect(each, &QScrollBar::actionTriggered, this, [this] { moved_ = true; });
-            // How far it goes is known only once the picture has been laid out.
+            // The scroll range is known only after the picture was laid out.
             connect(each, &QScrollBar::rangeChanged, this, [this] {
                 if (!moved_) centre();
             });
@@ -64,7 +64,7 @@ void LinkedPictures::resizeEvent(QResizeEvent* event) {
 
 void LinkedPictures::centre() {
     const QSize seen = areas_[0]->viewport()->size();
-    for (QScrollArea* area : areas_) { // each: the other may not know yet how far it goes
+    for (QScrollArea* area : areas_) { // both areas: the range of the other one may not be known yet
         area->horizontalScrollBar()->setValue(busiest_.x() - seen.width() / 2);
         area->verticalScrollBar()->setValue(busiest_.y() - seen.height() / 2);
     }

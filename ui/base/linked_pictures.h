@@ -1,4 +1,4 @@
-// Two pictures of the same place over each other, each pixel as it is; what one is scrolled by moves the other.
+// Two pictures of the same place, one above the other, at one screen pixel per image pixel. Scrolling one scrolls the other.
 #pragma once
 
 #include <QImage>
@@ -17,7 +17,7 @@ class LinkedPictures : public QWidget {
 public:
     explicit LinkedPictures(QWidget* parent = nullptr);
 
-    /// `above` and `below`: what is written over them. `busiest`: the pixel that comes into the middle.
+    /// `aboveWords`, `belowWords`: titles of the pictures. `busiest`: the pixel that is scrolled to the middle.
     void showPair(const QString& aboveWords, const QImage& above, const QString& belowWords, const QImage& below, QPoint busiest);
     void clear();
     [[nodiscard]] QImage picture(int place) const; ///< 0 above, 1 below; null before the first
@@ -32,7 +32,7 @@ private:
     std::array<QLabel*, 2> words_{}, pictures_{};
     std::array<QScrollArea*, 2> areas_{};
     QPoint busiest_;
-    bool moved_ = false; // by hand: no resize moves it again
+    bool moved_ = false; // scrolled by the operator: a resize does not scroll it again
 };
 
 } // namespace edgescan::ui

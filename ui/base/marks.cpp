@@ -1,4 +1,4 @@
-// Labels and the gray of a stale picture.
+// Draws labels, and the grey overlay of a stale picture.
 #include "ui/base/marks.h"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, c
 }
 
 QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text) {
-    constexpr int kBeside = 14; // px
+    constexpr int kOffset = 14; // px
     QRect box = metrics.boundingRect(QRect(0, 0, place.width() - 12, place.height()), Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);
-    box.moveTopLeft(at + QPoint(kBeside, kBeside));
-    if (box.bottom() > place.bottom()) box.moveBottom(at.y() - kBeside);
+    box.moveTopLeft(at + QPoint(kOffset, kOffset));
+    if (box.bottom() > place.bottom()) box.moveBottom(at.y() - kOffset);
     box.moveLeft(std::max(place.left(), std::min(box.left(), place.right() - box.width())));
     return box;
 }

@@ -1,4 +1,4 @@
-// What is drawn over the pictures: lines that are seen on black and on white, labels, and gray over a picture that is older than it seems.
+// Marks over the pictures: lines that are visible on black and on white, labels, and a grey overlay for a stale picture.
 #pragma once
 
 #include <QPainter>
@@ -6,7 +6,7 @@
 
 namespace edgescan::ui {
 
-/// Dark and wide, then light and thin.
+/// Draws twice: dark and wide, then light and thin.
 template <class Draw>
 void strokeTwice(QPainter& painter, const QPen& dark, const QPen& light, Draw draw) {
     painter.setPen(dark);
@@ -15,15 +15,15 @@ void strokeTwice(QPainter& painter, const QPen& dark, const QPen& light, Draw dr
     draw();
 }
 
-/// A short text on a dark ground, somewhere in `place`.
+/// A short text on a dark background, aligned in `place`.
 void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text);
 
-/// A short text on a white ground beside a point, so that all of it lies in `place`.
+/// A short text on a white background next to a point, completely inside `place`.
 void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QString& text);
-/// The ground that drawTipAt() covers.
+/// The box that drawTipAt() covers.
 [[nodiscard]] QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text);
 
-/// Gray over `place`, and why in large letters. Nothing where `why` is empty.
+/// A grey overlay over `place`, with the reason in large letters. Draws nothing if `why` is empty.
 void drawStaleOverlay(QPainter& painter, const QRect& place, const QString& why);
 
 } // namespace edgescan::ui

@@ -59,7 +59,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     followColours(*this, [this](const Theme&) { paintKind(); });
 }
 
-// A strip and a sign in the colour of what is abnormal, words in the usual one: the word tells the kind as well as the colour does.
+// A strip and an icon have the colour of the kind of notice; the text has the normal colour. The text names the kind as well.
 void NoticeBar::paintKind() {
     const Theme& theme = themeInUse();
     const QColor colour = kind_ == Kind::Error ? theme.bad : kind_ == Kind::Warning ? theme.warn : theme.text;
@@ -78,7 +78,7 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
     show();
 }
 
-/// What is only done needs not be read again, nor what the next notice says as well.
+/// Confirmations are not stored for "earlier", nor notices that the next notice repeats.
 void NoticeBar::keepShown() {
     if (isHidden() || kind_ == Kind::Done || text_->text().isEmpty()) return;
     earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_});
@@ -97,18 +97,18 @@ void NoticeBar::put(const Note& note) {
     more_->setHidden(earlier_.empty());
 }
 
-/// The one before; what is shown becomes the first of those that are left, so that the button goes round.
+/// Shows the notice before. The shown notice goes to the front of the queue, so that the button cycles through all of them.
 void NoticeBar::showEarlier() {
     if (earlier_.empty()) return;
     const Note before = earlier_.back();
     earlier_.pop_back();
-    const std::size_t kept = earlier_.size();
+    const std::size_t count = earlier_.size();
     keepShown();
-    if (earlier_.size() > kept) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
+    if (earlier_.size() > count) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
     put(before);
 }
 
-/// Closed is read. A window that is minimised closes nothing.
+/// A closed notice counts as read. Minimising the window does not close the notice.
 void NoticeBar::hideEvent(QHideEvent* event) {
     if (!event->spontaneous() && isHidden()) {
         earlier_.clear();

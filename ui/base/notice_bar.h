@@ -1,5 +1,5 @@
-// The bar above the views: what went wrong or was assumed, where, what to do. Stays until it is closed; what another notice replaced is a
-// button away.
+// The bar above the views: which fault or assumption, where, and what to do. It stays until the operator closes it; a button shows notices
+// that a later one replaced.
 #pragma once
 
 #include "core/base/result.h"
@@ -24,15 +24,15 @@ public:
 
     void showNotice(Kind kind, const QString& text);
     void tell(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
-    /// That a file was written, what is in it ("12 points", may be empty), and a button that opens its folder.
+    /// Reports that a file was written, with its content ("12 points", may be empty) and a button that opens its folder.
     void tellSaved(const QString& path, const QString& content = {});
-    /// A button beside the text, until the next notice.
+    /// Adds a button to the notice, until the next notice.
     void offer(const QString& label, std::function<void()> action);
     [[nodiscard]] QString text() const;
-    /// Without Copy, where every button is large.
+    /// Hides the Copy button; for windows with large buttons.
     void setBrief(bool on);
     [[nodiscard]] Kind kind() const { return kind_; }
-    /// Notes and errors that others replaced before the bar was closed.
+    /// Number of notes and errors that were replaced before the operator closed the bar.
     [[nodiscard]] std::size_t earlier() const { return earlier_.size(); }
 
 protected:
@@ -41,7 +41,7 @@ protected:
 private:
     struct Note {
         Kind kind = Kind::Done;
-        QString text, label; // of the button; empty: none
+        QString text, label; // `label`: text of the button; empty: no button
         std::function<void()> action;
     };
     void paintKind();
@@ -50,7 +50,7 @@ private:
     void showEarlier();
 
     Kind kind_ = Kind::Done;
-    std::deque<Note> earlier_; // the last one at the end
+    std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;
     QLabel* text_;
     QToolButton* action_;

@@ -18,7 +18,7 @@ constexpr int kAloneIcon = 14; // px
 
 } // namespace
 
-/// Takes the room there is. Numbers are never cut: of facts with a "·" between them the last ones go first.
+/// A note that uses the available width. Numbers are never cut: facts are separated by "·", and the last facts are left out first.
 class PaneNote : public QWidget {
 public:
     PaneNote() {
@@ -104,7 +104,7 @@ QString Pane::note() const { return note_->text(); }
 
 QString Pane::remark() const { return remark_->text(); }
 
-/// The note has precedence.
+/// The note has priority over the remark.
 void Pane::fit() {
     const QLayout& line = *bar_->layout();
     const int others = title_->sizeHint().width() + note_->sizeHint().width() + alone_->sizeHint().width() + 3 * line.spacing() +

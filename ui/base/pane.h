@@ -1,4 +1,4 @@
-// A view with its title; a button there, or a double-click on the title, shows it alone.
+// A view with its title. A button in the title bar, or a double-click on it, shows this view alone.
 #pragma once
 
 #include <QFrame>
@@ -15,13 +15,13 @@ class Pane : public QFrame {
 public:
     Pane(const QString& title, QWidget* content, QWidget* parent = nullptr);
 
-    /// Small text beside the title ("36,766 edges"); what has no room there is left out.
+    /// Small text after the title ("36,766 edges"); facts that do not fit are left out.
     void setNote(const QString& text);
-    /// Small text at the right ("25 % of the points drawn"), where the note leaves it room.
+    /// Small text at the right ("25 % of the points drawn"), if the note leaves space.
     void setRemark(const QString& text);
-    /// The button says which of both it would do.
+    /// Sets the button to the action that it would do next.
     void showAlone(bool on);
-    /// Without the title nothing but the content is left.
+    /// Without the title only the content is visible.
     void setTitled(bool on);
     [[nodiscard]] QWidget* content() const { return content_; }
     [[nodiscard]] QString title() const;

@@ -1,4 +1,4 @@
-// Locale, labels and the wheel.
+// Sets the locale, the labels and the wheel.
 #include "ui/base/plain_window.h"
 
 #include <QAbstractSlider>
@@ -15,14 +15,14 @@
 namespace edgescan::ui {
 namespace {
 
-/// A wheel over it changes a value.
+/// Widgets whose value the wheel changes.
 bool turnsWithTheWheel(const QObject* object) {
     if (qobject_cast<const QScrollBar*>(object) != nullptr) return false;
     return qobject_cast<const QAbstractSlider*>(object) != nullptr || qobject_cast<const QAbstractSpinBox*>(object) != nullptr ||
            qobject_cast<const QComboBox*>(object) != nullptr;
 }
 
-/// A tool tip and a message box hold a label too.
+/// Tool tips and message boxes contain labels too.
 class PlainWidgets : public QObject {
 public:
     using QObject::QObject;
@@ -30,7 +30,7 @@ public:
         if (event->type() == QEvent::Polish) polish(object);
         if (event->type() != QEvent::Wheel || !turnsWithTheWheel(object) || static_cast<QWidget*>(object)->hasFocus())
             return QObject::eventFilter(object, event);
-        event->ignore(); // what lies around it scrolls
+        event->ignore(); // the surrounding area scrolls instead
         return true;
     }
 
@@ -38,7 +38,7 @@ private:
     static void polish(QObject* object) {
         if (auto* label = qobject_cast<QLabel*>(object); label != nullptr && label->textFormat() == Qt::AutoText)
             label->setTextFormat(Qt::PlainText);
-        // Qt would give the focus to a box because of the wheel, before the wheel reaches it.
+        // Qt would give the box the focus because of the wheel, before the wheel event reaches the box.
         if (!turnsWithTheWheel(object)) return;
         auto* box = static_cast<QWidget*>(object);
         if (box->focusPolicy() == Qt::WheelFocus) box->setFocusPolicy(Qt::StrongFocus);
@@ -48,7 +48,7 @@ private:
 } // namespace
 
 PlainWindow::PlainWindow() {
-    // QApplication took over the locale of the environment.
+    // QApplication took the locale from the environment.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(QLocale::c());
     static constexpr const char* kName = "plain-widgets";

@@ -1,11 +1,11 @@
-// What holds for every widget of the program, whoever makes it.
+// Settings that apply to every widget of the program.
 #pragma once
 
 namespace edgescan::ui {
 
-/// Make one before any widget. From then on numbers are written with a decimal point in every country's locale, by Qt and by the libraries
-/// under it, and a label shows its text as it is: <b> in a file's name is no markup, also in tool tips and message boxes. A label that is
-/// to be rich text says so itself.
+/// Make one before any widget. It makes Qt and the libraries under it write numbers with a decimal point in every locale. It also makes
+/// labels show their text unchanged: <b> in a file name is not markup, not in tool tips and message boxes either. A label with rich text
+/// must ask for it.
 struct PlainWindow {
     PlainWindow();
 };

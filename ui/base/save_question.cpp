@@ -62,7 +62,7 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question) {
         if (extensionsOf(filter).contains(question.extension)) chosen = filter;
     }
     while (true) {
-        // The dialog would ask about the name as it was typed, without its extension.
+        // The dialog would ask about the name without its extension.
         QString path = QFileDialog::getSaveFileName(parent, question.title, place, question.filters.join(";;"), &chosen,
                                                     QFileDialog::DontConfirmOverwrite);
         if (path.isEmpty()) return {};

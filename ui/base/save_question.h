@@ -1,4 +1,4 @@
-// Asks where to save, and before a file is replaced: about the very files that will be written, whatever was typed.
+// Asks where to save, and asks again before a file is replaced. The question names the files that will really be written.
 #pragma once
 
 #include <QString>
@@ -12,19 +12,19 @@ namespace edgescan::ui {
 
 struct SaveQuestion {
     QString title;
-    QString place;       ///< the path proposed
-    QStringList filters; ///< "Point Cloud Library (*.pcd)"; a name that ends with none of these gets the extension of the one chosen
-    QString extension{}; ///< ".pcd": of the filter that is chosen at first
-    /// All that is written for this path; none given: the path itself.
+    QString place;       ///< the proposed path
+    QStringList filters; ///< "Point Cloud Library (*.pcd)"; a name with another extension gets the extension of the chosen filter
+    QString extension{}; ///< ".pcd": extension of the filter that is chosen at first
+    /// All files that are written for this path; not set: the path itself.
     std::function<QStringList(const QString& path)> files{};
-    /// Why the file that is there may not be replaced at all; empty: it may.
+    /// The reason why the existing file must not be replaced; empty: it may be replaced.
     std::function<QString(const QString& path)> keeps{};
 };
 
-/// The path, with its extension; empty when the question was dismissed.
+/// The path with its extension; empty if the operator cancelled.
 [[nodiscard]] QString askWhereToSave(QWidget* parent, const SaveQuestion& question);
 
-/// `path` with the extension of `chosen`, unless it ends with one of those in `filters` already.
+/// `path` with the extension of `chosen`, unless it already ends with an extension of `filters`.
 [[nodiscard]] QString withExtension(const QString& path, const QStringList& filters, const QString& chosen);
 
 } // namespace edgescan::ui

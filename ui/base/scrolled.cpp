@@ -1,4 +1,4 @@
-// Heights that follow the width.
+// Heights that depend on the width.
 #include "ui/base/scrolled.h"
 
 #include <QEvent>

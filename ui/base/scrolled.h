@@ -1,4 +1,4 @@
-// A panel that scrolls up and down where there is no room for it, and is never narrower than its contents.
+// A panel that scrolls vertically if it does not fit, and is never narrower than its contents.
 #pragma once
 
 class QScrollArea;
@@ -6,8 +6,7 @@ class QWidget;
 
 namespace edgescan::ui {
 
-/// The panel belongs to the area. Its height is at least what its texts take at its width: labels whose words wrap would lie on each other
-/// otherwise.
+/// The area owns the panel. The panel's height is at least that of its texts at its width; otherwise wrapped labels would overlap.
 [[nodiscard]] QScrollArea* scrolled(QWidget& panel);
 
 } // namespace edgescan::ui

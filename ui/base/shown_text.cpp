@@ -1,4 +1,4 @@
-// From the core's strings to Qt's.
+// Converts the core's strings to Qt's.
 #include "ui/base/shown_text.h"
 
 #include "core/base/foreign_text.h"

@@ -1,5 +1,5 @@
-// Text on its way into the window. Whoever has a std::string decides here what it is: words to be looked at, or bytes to be kept as they
-// are. Nothing else in ui/ turns one into a QString (tests/cli/exits_test.cpp).
+// Text on its way into the window. Code with a std::string decides here between text for display and bytes that must not change. No other
+// file of ui/ converts a std::string to a QString (tests/cli/exits_test.cpp).
 #pragma once
 
 #include <QString>
@@ -8,17 +8,17 @@
 
 namespace edgescan::ui {
 
-/// For a label, a title, a note: printable line by line (core/base/foreign_text.h), 20 lines at most.
+/// For a label, a title, a note: printable line by line (core/base/foreign_text.h), at most 20 lines.
 [[nodiscard]] QString shownText(const std::string& text);
 [[nodiscard]] QString shownText(const QString& text);
 
-/// The same on one line, where there is room for so many characters: of a longer name the middle is left out (…).
+/// The same on one line with at most so many characters: the middle of a longer name is left out (…).
 [[nodiscard]] QString shownName(const QString& name, int mostCharacters = 120);
 
-/// Millimetres below a tenth of a metre, else metres in three digits: "53 mm", "0.532 m", "12.3 m".
+/// Millimetres below 0.1 m, else metres with three digits: "53 mm", "0.532 m", "12.3 m".
 [[nodiscard]] QString shortLength(double metres);
 
-/// For paths, settings and the clipboard: as it is.
+/// For paths, settings and the clipboard: unchanged.
 [[nodiscard]] QString exactText(const std::string& text);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Themes as a table, and the palettes made of it.
+// The table of themes, and the palettes made from it.
 #include "ui/base/themes.h"
 
 #include <QApplication>
@@ -127,7 +127,7 @@ QPalette paletteOf(const Theme& theme) {
         {QPalette::HighlightedText, Qt::white},
         {QPalette::Link, theme.accent},
         {QPalette::LinkVisited, theme.accent},
-        {QPalette::Light, theme.window}, // of the shadow that styles draw beside greyed words
+        {QPalette::Light, theme.window}, // styles draw it as the shadow of disabled text
         {QPalette::Midlight, theme.line},
         {QPalette::Mid, theme.edge},
         {QPalette::Dark, theme.line},

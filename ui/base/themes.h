@@ -1,4 +1,4 @@
-// The colours of the window: one table of tokens, three themes of it. The views stay dark in all of them.
+// The colours of the window: one table of colour tokens with three themes. The views stay dark in all themes.
 #pragma once
 
 #include <QColor>
@@ -13,29 +13,29 @@ class QWidget;
 
 namespace edgescan::ui {
 
-/// One theme: what a colour is for, not where it is used.
+/// One theme. Each colour is named after its purpose.
 struct Theme {
-    const char* key;                    ///< in the memory and on the command line
-    const char* label;                  ///< in the menu, with its letter; to be translated
-    QColor window, panel, base, button; ///< grounds
-    QColor line;                        ///< decoration only: no meaning hangs on it
+    const char* key;                    ///< in the settings and on the command line
+    const char* label;                  ///< in the menu, with its access key; to be translated
+    QColor window, panel, base, button; ///< backgrounds
+    QColor line;                        ///< decoration only: carries no meaning
     QColor edge;                        ///< borders of fields, axes
     QColor text, quietText;
-    QColor unusable;  ///< words of what cannot be used now
-    QColor accent;    ///< handles, focus, marks of a curve
-    QColor chosen;    ///< ground of what is chosen; white words stand on it
-    QColor warn, bad; ///< words and signs of what is abnormal, always with a sign as well
+    QColor unusable;  ///< text of disabled items
+    QColor accent;    ///< handles, focus, marks on a curve
+    QColor chosen;    ///< background of the selected item, under white text
+    QColor warn, bad; ///< text and icons of warnings and errors, always with an icon
 };
 
 inline constexpr int kThemes = 3;
 /// Night, day, control-room gray.
 [[nodiscard]] const std::array<Theme, kThemes>& themes();
-/// That with the key; the first one where there is none.
+/// The theme with this key; the first theme if the key is unknown.
 [[nodiscard]] const Theme& themeOf(const QString& key);
-/// The one that useColours() was told last; the first one before.
+/// The theme of the last useColours(); the first theme before that.
 [[nodiscard]] const Theme& themeInUse();
 
-/// Two colours that stand on one another somewhere, and the contrast that they need: 4.5 for text, 3 for graphics.
+/// Two colours that appear on each other, and the contrast that they need: 4.5 for text, 3 for graphics.
 struct ColourPair {
     const char* what;
     QColor Theme::*front;
@@ -44,16 +44,16 @@ struct ColourPair {
 };
 [[nodiscard]] const std::vector<ColourPair>& pairsInUse();
 
-/// The theme's colours where Qt's widgets look for them. Mid: borders. Link: accent.
+/// The theme's colours in the roles of Qt's widgets. Mid: borders. Link: accent.
 [[nodiscard]] QPalette paletteOf(const Theme& theme);
-/// Of what lies over the views, in every theme: that of the night.
+/// The palette of widgets over the views, in every theme: that of the night theme.
 [[nodiscard]] QPalette viewPalette();
-/// From now on the whole application has the theme's colours. GUI thread only.
+/// Sets the theme's colours for the whole application. GUI thread only.
 void useColours(const Theme& theme);
-/// Calls `paint` now and whenever another theme is used, as long as `widget` lives: for colours that no palette has.
+/// Calls `paint` now and after every change of theme while `widget` exists: for colours without a palette role.
 void followColours(QWidget& widget, const std::function<void(const Theme&)>& paint);
 
-/// Says that another theme is used.
+/// Signals a change of theme.
 class ThemeNews : public QObject {
     Q_OBJECT
 public:

@@ -1,4 +1,4 @@
-// Fingers to buttons.
+// Turns touches into mouse events.
 #include "ui/base/touch.h"
 
 #include "ui/base/gestures.h"
@@ -13,7 +13,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kStillPx = 10.0; // a finger is never quite still
+constexpr double kStillPx = 10.0; // a resting finger always moves a little
 constexpr double kLeastSpreadPx = 8.0;
 
 std::vector<QPointF> fingersOf(const QTouchEvent& event) {
@@ -81,12 +81,12 @@ bool Touch::readTouch(const QTouchEvent& event) {
         middle_.reset();
         return true;
     }
-    if (middle_) return true; // one of two was lifted: the other does nothing more
+    if (middle_) return true; // one of two fingers was lifted: the other one is ignored
     finger_ ? move(fingers.front()) : begin(fingers.front());
     return true;
 }
 
-// The press itself is held back until it is known what it becomes.
+// The press event is delayed until the kind of gesture is known.
 bool Touch::readMouse(const QMouseEvent& event) {
     const bool moves = event.type() == QEvent::MouseMove;
     if (moves ? !finger_ : event.button() != Qt::LeftButton) return false;
@@ -131,13 +131,13 @@ void Touch::giveUp() {
     finger_->spent = true;
 }
 
-// It rested where it came down: as the right button.
+// The finger rested where it touched: sent as the right button.
 void Touch::rest() {
     if (!finger_ || finger_->pressed || finger_->spent) return;
     finger_->spent = true;
     const QPointF at = finger_->from;
     send(QEvent::MouseButtonPress, at, Qt::RightButton);
-    send(QEvent::MouseButtonRelease, at, Qt::RightButton); // may show a menu, and come back when it is closed
+    send(QEvent::MouseButtonRelease, at, Qt::RightButton); // may open a menu; returns when the menu is closed
 }
 
 void Touch::send(int type, QPointF at, Qt::MouseButton button) {

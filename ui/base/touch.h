@@ -1,4 +1,4 @@
-// Fingers on a view: one does what the left button does, two move and zoom, one that rests is a right click.
+// Fingers on a view: one finger works as the left button, two fingers move and zoom, a resting finger is a right click.
 #pragma once
 
 #include <QObject>
@@ -17,24 +17,24 @@ namespace edgescan::ui {
 
 inline constexpr int kLongPressMs = 600;
 
-/// GUI thread only. Reads the events of one view and sends it those of a mouse instead.
+/// GUI thread only. Reads the touch events of one view and sends it mouse events instead.
 class Touch : public QObject {
 public:
-    /// Two fingers: where their middle is, how far it moved since the last time, by how much they spread (1 = as before). Widget pixels.
+    /// Two fingers: their middle, its movement since the last event, and the factor of their distance (1 = unchanged). Widget pixels.
     using Pinch = std::function<void(QPointF middle, QPointF shift, double factor)>;
 
     Touch(QWidget& view, Pinch pinch);
 
-    /// Call it first with every event of the view; true: nobody else may have it.
+    /// Call it first with every event of the view. True: the event is consumed.
     bool read(QEvent* event);
-    /// For gloves the left button is a finger too: many screens tell touches as a mouse.
+    /// For gloves the left button counts as a finger too: many screens report touches as a mouse.
     void setMouseIsFinger(bool on) { mouseIsFinger_ = on; }
 
 private:
     struct Finger {
         QPointF from, at;
-        bool pressed = false; ///< it moved: the view was told of the button
-        bool spent = false;   ///< it rested, or a second one came: nothing follows from its end
+        bool pressed = false; ///< it moved: the view received a press event
+        bool spent = false;   ///< it rested, or a second finger touched: its release has no effect
     };
     bool readTouch(const QTouchEvent& event);
     bool readMouse(const QMouseEvent& event);
@@ -48,7 +48,7 @@ private:
     QWidget& view_;
     Pinch pinch_;
     std::optional<Finger> finger_;
-    std::optional<QPointF> middle_; // of two fingers, while there are two
+    std::optional<QPointF> middle_; // of two fingers, while two are down
     double spread_ = 0.0;
     QTimer rest_;
     bool mouseIsFinger_ = false;

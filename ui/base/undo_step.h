@@ -1,4 +1,5 @@
-// One step of undo, for every part of the viewer's state; and the name of it in the words of the sources and in those of the window.
+// An undo step, for every part of the viewer's state; and its name: in the language of the sources for the audit log, and in the language
+// of the window.
 #pragma once
 
 #include <QObject>
@@ -11,7 +12,7 @@
 
 namespace edgescan::ui {
 
-/// As QUndoCommand takes it: what text() gives, for the audit log, and behind a new line what the menu shows. `given` fills %1, %2 ...
+/// In the form that QUndoCommand takes: text() before the line break, the menu's text after it. `given` fills %1, %2 ...
 template <class... Given>
 [[nodiscard]] QString stepName(const char* text, const Given&... given) {
     QString source = QString::fromUtf8(text), shown = QObject::tr(text);
@@ -30,7 +31,7 @@ template <class... Given>
 template <class Value>
 class UndoStep : public QUndoCommand {
 public:
-    /// Takes the value as the part's. False: the value is of another scan than the one on the screen, there is nothing to take back.
+    /// Makes the value the part's value. False: the value belongs to another scan than the one on the screen; the step is obsolete.
     using Use = std::function<bool(const Value& value)>;
     using Name = std::function<QString(const Value& before, const Value& after)>;
 
@@ -41,7 +42,7 @@ public:
         : QUndoCommand(name(before, after)), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)), drag_(drag),
           name_(std::move(name)) {}
 
-    /// Where there is nothing to take back, the next step of the stack is taken.
+    /// Where this step is obsolete, undo or redo continues with the next step of the stack.
     void giveWayIn(QUndoStack& stack) { stack_ = &stack; }
 
     void undo() override { take(before_, &QUndoStack::undo); }
@@ -63,7 +64,7 @@ private:
 
     Value before_, after_;
     Use use_;
-    int drag_ = -1; // QUndoCommand: it becomes one with no other
+    int drag_ = -1; // QUndoCommand: never merged
     Name name_;
     QUndoStack* stack_ = nullptr;
 };

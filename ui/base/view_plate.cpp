@@ -1,4 +1,4 @@
-// A plate over a view.
+// A dark plate over a view.
 #include "ui/base/view_plate.h"
 
 #include "ui/base/themes.h"

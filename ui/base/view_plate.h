@@ -1,11 +1,11 @@
-// The dark plate that legends stand on, over a view.
+// The dark plate under legends, over a view.
 #pragma once
 
 #include <QFrame>
 
 namespace edgescan::ui {
 
-/// The same in every theme, with what stands on it: 13.8 to its words.
+/// The same plate and text colours in every theme: contrast 13.8.
 class ViewPlate : public QFrame {
     Q_OBJECT
 public:

@@ -1,4 +1,4 @@
-// A window and its frame in the room of a screen.
+// Fits a window with its frame into a screen.
 #include "ui/base/window_room.h"
 
 #include <QScreen>

@@ -1,4 +1,4 @@
-// Where a window may stand.
+// Where a window may be placed.
 #pragma once
 
 #include <QMargins>
@@ -8,11 +8,11 @@ class QWidget;
 
 namespace edgescan::ui {
 
-/// `window` (without its frame) made smaller and moved until it and its frame lie in `room`, as little as that takes. Pixels of the
+/// Shrinks `window` (without its frame) and moves it until it and its frame are inside `room`, as little as possible. Pixels of the
 /// desktop.
 [[nodiscard]] QRect insideScreen(QRect window, const QMargins& frame, const QRect& room);
 
-/// The same for a window that is shown, on the screen where it stands; one that is maximised stays.
+/// The same for a visible window, on its own screen; a maximised window does not change.
 void keepInsideScreen(QWidget& window);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Signals of the window as lines of the log.
+// Writes signals of the window as lines of the log.
 #include "ui/controllers/audit_trail.h"
 
 #include "core/base/version.h"
@@ -31,7 +31,7 @@ AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const Linked
         const bool isUndone = index < last;
         const QString step = undo.text(isUndone ? index : index - 1);
         last = index;
-        if (step.isEmpty()) return; // the stack was emptied
+        if (step.isEmpty()) return; // the undo stack was cleared
         Json details = scanShown();
         details["step"] = step.toStdString();
         details["undone"] = isUndone;
@@ -43,7 +43,7 @@ AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const Linked
 AuditTrail::~AuditTrail() {
     if (!log_) return;
     note("ended", Json::object());
-    const QObjectList jobs = children(); // what is being written comes before what is left
+    const QObjectList jobs = children(); // running jobs write their lines first, in order
     qDeleteAll(jobs);
     static_cast<void>(write(*log_, std::move(lines_)));
 }
@@ -84,7 +84,7 @@ void AuditTrail::notePin() {
     note("pinned", details);
 }
 
-// Which scan it was about, and with which settings its edges were found.
+// The scan, and the settings with which its edges were found.
 Json AuditTrail::scanShown() const {
     if (!engine_.picture()) return Json::object();
     const Detection& detection = *engine_.picture()->detection;
@@ -114,9 +114,9 @@ void AuditTrail::pump() {
         [this, log = *log_, lines = std::exchange(lines_, {})]() -> std::function<void()> {
             Unwritten left = write(log, lines);
             return [this, left = std::move(left)] {
-                lines_.insert(lines_.begin(), left.lines.begin(), left.lines.end()); // tried again with the next one
+                lines_.insert(lines_.begin(), left.lines.begin(), left.lines.end()); // tried again with the next lines
                 const bool fails = left.error.has_value();
-                if (fails) // each time: opening a scan takes the notice away
+                if (fails) // each time: opening a scan removes the notice
                     notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ AUDIT LOG: %1").arg(exactText(left.error->sentence())));
                 if (!fails && failing_)
                     notice_.showNotice(NoticeBar::Kind::Done, tr("The audit log is written again; no line is missing."));

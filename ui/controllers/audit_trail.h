@@ -1,4 +1,4 @@
-// What the operator does, in the audit log (docs/audit.md).
+// Writes the operator's actions to the audit log (docs/audit.md).
 #pragma once
 
 #include "core/base/audit_log/audit_log.h"
@@ -19,24 +19,24 @@ namespace edgescan::ui {
 class LinkedViews;
 class NoticeBar;
 
-/// GUI thread only; lines are written on a thread of their own, one after the other. What it is given must outlive it.
+/// GUI thread only; lines are written on a separate thread, one after the other. The objects passed to it must outlive it.
 class AuditTrail : public QObject {
     Q_OBJECT
 public:
-    /// `folder`: where audit.jsonl stands; empty: nothing is noted.
+    /// `folder`: the folder of audit.jsonl; empty: no log is written.
     AuditTrail(const QString& folder, const Engine& engine, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice);
     ~AuditTrail() override;
 
     void note(const std::string& event, const nlohmann::ordered_json& details);
-    /// What was written to where, and what it is of.
+    /// Logs an export: its content, path and number of points.
     void noteExport(const std::string& content, const QString& path, std::optional<qint64> count = std::nullopt);
     void noteWarnings(const QStringList& warnings);
-    /// Everything is on the disk.
+    /// All lines are on the disk.
     [[nodiscard]] bool written() const { return lines_.empty() && !writing_; }
 
 private:
     using Lines = std::deque<std::pair<std::string, nlohmann::ordered_json>>;
-    /// Those that could not be written, in order, and why.
+    /// Lines that could not be written, in order, and the error.
     struct Unwritten {
         Lines lines;
         std::optional<Error> error;

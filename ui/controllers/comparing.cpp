@@ -1,4 +1,4 @@
-// Keeping, comparing, flipping.
+// Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
 #include "ui/base/notice_bar.h"
@@ -25,9 +25,9 @@ namespace {
 
 QString nameOf(const Picture& picture) { return shownName(exactText(picture.detection->scan->name)); }
 
-constexpr int kLeastAround = 10; // cells beside a region, for the eye
+constexpr int kLeastAround = 10; // cells around a region, as visible context
 
-/// The cells of the region alone: others of its kind may lie in the same box.
+/// Only the cells of the region: other regions of its kind may be in the same box.
 std::vector<std::uint32_t> cellsOf(const Grid<RangeChange>& kinds, const ChangedRegion& region) {
     std::vector<std::uint32_t> cells{region.cell};
     std::vector<bool> seen(kinds.size(), false);
@@ -74,7 +74,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
       comparer_(
           this,
           [this](const ComparisonAsked& asked) {
-              if (!asked.before) { // nothing is kept any more: what was known of it goes
+              if (!asked.before) { // no scan is kept: drop its cached results
                   last_ = nullptr;
                   return Answer{asked, std::shared_ptr<const Comparison>()};
               }
@@ -115,7 +115,7 @@ void Comparing::forget() {
 }
 
 void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<EarlierScan>& from) {
-    // The picture itself may be gone when the step is taken back: it is made again.
+    // The picture may be freed when the step is undone: it is then made again.
     struct State {
         std::weak_ptr<const Picture> picture;
         bool some;
@@ -127,7 +127,7 @@ void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& 
             use(picture, state.from);
         else if (state.from)
             read(*state.from, false);
-        return picture || !state.some || state.from; // else of a sweep that no file holds
+        return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
     }));
 }
 
@@ -156,7 +156,7 @@ void Comparing::compareWith(const QString& path) {
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
-    reading.scanIndex = 0; // of the file on the screen
+    reading.scanIndex = 0; // the index belongs to the file on the screen
     read({fileScan(path.toStdString(), reading), engine_.settings()}, true);
 }
 
@@ -206,7 +206,7 @@ bool Comparing::comparable() const {
     return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
 }
 
-/// The views ended a flip by themselves.
+/// The views have already ended a flip.
 void Comparing::followPicture() {
     emit flipped(false);
     legend_.showFlipped(false);
@@ -228,11 +228,11 @@ void Comparing::ask() {
 void Comparing::take(const Answer& answer) {
     if (!answer.asked.before) return;
     const bool wanted = comparable() && answer.asked.before == kept_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
-    if (!wanted) return; // a newer question is under way, or there is nothing left to ask
+    if (!wanted) return; // a newer question is running, or there is no longer a question
     working_ = false;
     if (!answer.made) {
         notice_.tell(answer.made.error());
-        comparison_ = nullptr; // A stays: the next scan may fit
+        comparison_ = nullptr; // A stays: the next scan may match it
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
         comparison_ = *answer.made;
@@ -267,7 +267,7 @@ void Comparing::show() {
     }
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
     const bool on = instead != nullptr;
-    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // what another one shows there stays
+    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // do not replace what another controller shows there
     drawn_ = std::move(instead);
     emit differenceShown(on);
 }
@@ -281,7 +281,7 @@ void Comparing::showLegend() {
 void Comparing::flip(bool on) {
     if (on == views_.flipped()) return;
     if (on && !comparison_) {
-        emit flipped(false); // the entry of the menu has checked itself
+        emit flipped(false); // the menu entry checks itself when it is triggered
         notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
                                                            : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
         return;
@@ -324,7 +324,7 @@ bool Comparing::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
     const auto* key = static_cast<QKeyEvent*>(event);
-    // Where the key needs AltGr its release may come under another name.
+    // On keyboards where the key needs AltGr, its release may be reported under another name.
     const bool isHeld = event->type() == QEvent::KeyRelease && heldCode_ != 0 && key->nativeScanCode() == heldCode_;
     if ((key->key() != Qt::Key_Backslash && !isHeld) || !watched->isWidgetType() || isTyping(QApplication::focusWidget())) return false;
     if (static_cast<QWidget*>(watched)->window() != notice_.window()) return false;

@@ -1,4 +1,4 @@
-// A/B: keeps a picture and compares what is on the screen with it; a key flips the two in all views together.
+// A/B comparison: keeps a picture as A and compares the picture on the screen with it. A key flips between both in all views.
 #pragma once
 
 #include "core/inspect/session_file/viewer_state.h"
@@ -23,7 +23,7 @@ class Rocks;
 class Engine;
 struct EdgesInstead;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Comparing : public QObject {
     Q_OBJECT
 public:
@@ -32,47 +32,48 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// What is on the screen becomes A. It stays until another one is kept, or it is forgotten. Each of these is one step of undo; a step
-    /// holds no picture, it is made again.
+    /// The picture on the screen becomes A, until another one is kept or A is removed. Each of these actions is one undo step. A step
+    /// stores no picture: it makes the picture again.
     void keep();
     void forget();
     [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
     /// A, as it can be made again; empty: there is none, or it is of no file.
     [[nodiscard]] const std::optional<EarlierScan>& part() const { return earlier_; }
     void setPart(const std::optional<EarlierScan>& part);
-    /// Another scan becomes A, read as the one on the screen was, with the settings on the screen. It is read on a thread of its own.
+    /// Another scan becomes A. It is read on a separate thread, with the reading options of the scan on the screen, and its edges are found
+    /// with the current settings.
     void compareWith(const QString& path);
     void askScan();
 
-    /// Off: the edges in their own colours, A still a key away.
+    /// Off: edges have their normal colours; the key still shows A.
     void setDifferenceShown(bool on);
-    /// Which kinds of change are shown.
+    /// The kinds of change that are shown.
     void setRows(const ChangeRows& rows);
     [[nodiscard]] const ChangeRows& rows() const { return rows_; }
-    /// A instead of what is on the screen, in all views; off again.
+    /// On: shows A in all views; off: shows the current picture again.
     void flip(bool on);
-    /// Of A and what is on the screen; null until it is known, and where there is nothing to compare.
+    /// The comparison of A with the picture on the screen; null while unknown or without A.
     [[nodiscard]] const std::shared_ptr<const Comparison>& comparison() const { return comparison_; }
-    /// Nothing is being read or compared.
+    /// True if no scan is being read or compared.
     [[nodiscard]] bool settled() const { return !reading_ && !working_; }
-    /// All views come close to the next one, the largest first.
+    /// All views zoom to the next changed region, the largest first.
     void nextRegion();
 
-    /// The key that flips while it is held.
+    /// Handles the key that flips while it is pressed.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
     void keptChanged(bool some);
     void rowsChanged();
     void flipped(bool on);
-    /// The views show a difference, or none any more.
+    /// The views show a difference, or stopped showing it.
     void differenceShown(bool on);
 
 private:
     struct Reading {
         EarlierScan from;
-        std::shared_ptr<const Scan> scan; ///< where it is the one on the screen
-        bool asStep = false;              ///< its end is a step of undo
+        std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
+        bool asStep = false;              ///< the result becomes an undo step
     };
     struct Read {
         Reading asked;
@@ -106,13 +107,13 @@ private:
     std::optional<EarlierScan> earlier_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
-    std::shared_ptr<const EdgesInstead> drawn_; // as it was given to the views
+    std::shared_ptr<const EdgesInstead> drawn_; // as passed to the views
     bool shown_ = true, working_ = false, reading_ = false;
     std::size_t region_ = 0;
-    quint32 heldCode_ = 0;                   ///< of the key that flips, while it is held
-    std::shared_ptr<const Comparison> last_; // comparing thread only
+    quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed
+    std::shared_ptr<const Comparison> last_; // used only by the comparing thread
     Newest<Reading, Read> reader_;
-    Newest<ComparisonAsked, Answer> comparer_; // last
+    Newest<ComparisonAsked, Answer> comparer_; // last member
 };
 
 } // namespace edgescan::ui

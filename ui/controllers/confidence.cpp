@@ -1,4 +1,4 @@
-// Asking for edge confidence and showing it.
+// Requests edge confidence and shows it.
 #include "ui/controllers/confidence.h"
 
 #include "ui/controllers/targets/targets.h"
@@ -12,9 +12,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kQuietMs = 250;                   // nobody has turned anything for so long
-constexpr int kQuietCardMs = 1000;              // where a card alone asks: it has no hurry
-constexpr std::size_t kMostForCard = 4'000'000; // cells; a larger scan keeps the processors for what is asked for
+constexpr int kQuietMs = 250;                   // pause after the last change of a setting
+constexpr int kQuietCardMs = 1000;              // pause if only a card needs it: not urgent
+constexpr std::size_t kMostForCard = 4'000'000; // cells; for a larger scan it is computed only on request
 constexpr const char* kLeast = "view/confidence-least";
 
 } // namespace
@@ -29,7 +29,7 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
     legend_.setLeast(memory_.text(kLeast).toInt());
     connect(&legend_, &ConfidenceLegend::leastWanted, this, [this](int percent) {
         memory_.keep(kLeast, QString::number(percent));
-        if (made_) ask(); // the images alone
+        if (made_) ask(); // only the images
         emit changed();
     });
     connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
@@ -39,7 +39,7 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
     });
 }
 
-Confidence::~Confidence() { ++wanted_; } // what is under way is given up
+Confidence::~Confidence() { ++wanted_; } // cancels a running computation
 
 void Confidence::setOn(bool on) {
     if (on == on_) return;
@@ -70,7 +70,7 @@ bool Confidence::needed() const {
     return on_ || (forCard_ && engine_.picture() && engine_.picture()->detection->mask->size() <= kMostForCard);
 }
 
-/// What was known is of another picture: until the new one is worked out its edges are shown as ever.
+/// The known values belong to another picture: until the new values are computed, its edges are shown normally.
 void Confidence::followPicture() {
     ++wanted_;
     quiet_.stop();
@@ -82,7 +82,7 @@ void Confidence::followPicture() {
     show();
 }
 
-/// The card is of another cell, or its cell has an edge now.
+/// The card shows another cell, or its cell is an edge now.
 void Confidence::followCard() {
     const PinnedTarget* target = targets_.active();
     const Picture* picture = engine_.picture().get();
@@ -92,7 +92,7 @@ void Confidence::followCard() {
     if (forCard_ != before) begin();
 }
 
-/// What is needed is begun a moment after the last change; what nobody needs any more is given up.
+/// Starts needed work shortly after the last change; cancels work that is no longer needed.
 void Confidence::begin() {
     if (on_ && !engine_.picture()) legend_.showNone(tr("open a scan first"));
     if (on_ && engine_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
@@ -141,7 +141,7 @@ void Confidence::take(const Answer& answer) {
     if (!answer.known || answer.number != wanted_) return;
     underWay_ = false;
     known_ = answer.known;
-    if (on_ && !answer.made) return ask(); // shown since it was asked for
+    if (on_ && !answer.made) return ask(); // it was switched on after the request
     made_ = on_ ? answer.made : nullptr;
     if (made_) legend_.showMade(*made_);
     show();
@@ -172,7 +172,7 @@ void Confidence::show() {
             made_->cells,       bandColours(views_.edgeColours() != kUsualColours), made_->images[0], made_->images[1], nullptr, true,
             tr("by confidence")};
     }
-    // What another one shows there stays.
+    // do not replace what another controller shows there
     if (instead || views_.edgesInstead() == shown_) views_.setEdgesInstead(instead);
     shown_ = std::move(instead);
     tellCards();

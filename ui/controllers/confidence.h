@@ -1,4 +1,4 @@
-// How sure each edge is: worked out while nobody turns anything, shown in place of the plain edges and on the card of a target on an edge.
+// Edge confidence: computed while the operator changes nothing, shown instead of the plain edges and on the card of a target on an edge.
 #pragma once
 
 #include "ui/engine/worker_bridge/newest.h"
@@ -20,7 +20,7 @@ class Engine;
 class Targets;
 struct EdgesInstead;
 
-/// GUI thread only. What it is given must outlive it. Gives way to a comparison that is shown.
+/// GUI thread only. The objects passed to it must outlive it. Hidden while a comparison is shown.
 class Confidence : public QObject {
     Q_OBJECT
 public:
@@ -30,33 +30,33 @@ public:
     /// A new picture is on the screen.
     void followPicture();
     void setOn(bool on);
-    /// Edges surer than that are shown alone, percent.
+    /// Only edges with at least this confidence are shown, percent.
     void setLeast(int percent);
     [[nodiscard]] int least() const;
     [[nodiscard]] bool on() const { return on_; }
-    /// Of the picture on the screen; null until it is made, and while it is off.
+    /// For the picture on the screen; null until it is computed, and while it is off.
     [[nodiscard]] const std::shared_ptr<const ConfidencePicture>& made() const { return made_; }
-    /// A comparison takes the views, or gives them back.
+    /// true: a comparison uses the views; false: it has released them.
     void giveWay(bool toAnother);
-    /// Percent of the edge in this cell; empty where there is none or it is not known.
+    /// Confidence of the edge at this cell, percent; empty if the cell is not an edge or the value is unknown.
     [[nodiscard]] std::optional<int> at(std::size_t cell) const;
 
 signals:
-    /// Something else is known, or shown.
+    /// The known values or the shown picture changed.
     void changed();
 
 private:
     struct Asked {
         std::uint64_t number = 0;
         std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const EdgeConfidence> known; // null: to be worked out
-        bool shown = false;                          // false: for a card alone, nothing is drawn
+        std::shared_ptr<const EdgeConfidence> known; // null: must be computed
+        bool shown = false;                          // false: only a card needs it, nothing is drawn
         int leastPercent = 0;
         EdgeColours colours;
     };
     struct Answer {
         std::uint64_t number = 0;
-        std::shared_ptr<const EdgeConfidence> known; // null: given up
+        std::shared_ptr<const EdgeConfidence> known; // null: cancelled
         std::shared_ptr<const ConfidencePicture> made;
     };
     [[nodiscard]] Answer workOut(const Asked& asked); // worker's thread
@@ -76,14 +76,14 @@ private:
     ConfidenceLegend& legend_;
     Memory& memory_;
     bool on_ = false, gaveWay_ = false;
-    bool forCard_ = false; // the card is that of a cell with an edge
+    bool forCard_ = false; // the card shows a cell with an edge
     bool underWay_ = false, failed_ = false;
-    std::shared_ptr<const EdgeConfidence> known_; // of the picture on the screen, whoever asked for it
+    std::shared_ptr<const EdgeConfidence> known_; // of the picture on the screen, for views and cards
     std::shared_ptr<const ConfidencePicture> made_;
-    std::shared_ptr<const EdgesInstead> shown_; // as it was given to the views
+    std::shared_ptr<const EdgesInstead> shown_; // as passed to the views
     QTimer quiet_;
     std::atomic<std::uint64_t> wanted_{0};
-    Newest<Asked, Answer> worker_; // last: its thread uses all of the above
+    Newest<Asked, Answer> worker_; // last member: its thread uses the members above
 };
 
 } // namespace edgescan::ui

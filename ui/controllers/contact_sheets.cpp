@@ -1,4 +1,4 @@
-// Values side by side.
+// Compares values of a setting in small pictures.
 #include "ui/controllers/contact_sheets.h"
 
 #include "core/edges/pipeline/methods.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kPictures = 12;
 constexpr int kPicturePx = 200;
 
-// An edge cell of a line one cell wide must not vanish: a pixel is white where one of its cells is.
+// Edge lines are one cell wide and must stay visible: a pixel is white if one of its cells is an edge.
 QImage smallMap(const Detection& detection) {
     const Scan& scan = *detection.scan;
     const int every = std::max(1, (std::max(scan.lines(), scan.beams()) + kPicturePx - 1) / kPicturePx);
@@ -73,7 +73,7 @@ ContactSheets::Answer ContactSheets::run(const Question& question) {
     };
     if (wanted_ != question.number) return {};
     Answer answer{question.number, contactSheet(question.scan, question.settings, *question.parameter, question.values, made)};
-    // By the way of the pictures: after the last of them.
+    // In the queue of the pictures: after the last of them.
     QMetaObject::invokeMethod(
         this, [this, answer] { take(answer); }, Qt::QueuedConnection);
     return answer;

@@ -1,4 +1,4 @@
-// The contact sheet of the slider in use: worked out on a thread of its own, picture by picture; a click takes a value.
+// The contact sheet of the slider in use: computed on its own thread, picture by picture; a click adopts a value.
 #pragma once
 
 #include "core/edges/tuning/contact_sheet.h"
@@ -18,14 +18,14 @@ class NoticeBar;
 class Engine;
 class Tuning;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class ContactSheets : public QObject {
     Q_OBJECT
 public:
     ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent);
     ~ContactSheets() override { wanted_ = 0; }
 
-    /// Of the setting that was turned last, else of the one that the method is mostly turned by.
+    /// Shows the sheet of the setting that was changed last, else of the method's main setting.
     void show();
     /// Null before the first sheet.
     [[nodiscard]] ContactCard* card() const { return card_; }
@@ -54,7 +54,7 @@ private:
     Question asked_;
     std::vector<SheetEntry> entries_;
     std::uint64_t sheets_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the sheet that is waited for; 0: none
+    std::atomic<std::uint64_t> wanted_{0}; // number of the awaited sheet; 0: none
     Newest<Question, Answer> worker_;      // last
 };
 

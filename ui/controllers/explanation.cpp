@@ -1,4 +1,4 @@
-// Asks off the GUI thread why a cell is an edge, and tells it.
+// Requests the explanation of a cell off the GUI thread, and shows it.
 #include "ui/controllers/explanation.h"
 
 #include "core/edges/explain/why.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kBeside = 6; // cells
 
-/// The way that decides: that of the strongest step or fold; for the other methods the one along which the range changes more.
+/// The direction of the profile: that of the strongest step or fold; for other methods the direction in which the range changes more.
 EdgeProfile profileOf(const Detection& detection, const Why& why) {
     const Scan& scan = *detection.scan;
     const std::size_t k = why.probe.cell;
@@ -36,7 +36,7 @@ EdgeProfile profileOf(const Detection& detection, const Why& why) {
     return deep(lines) > deep(beams) ? lines : beams;
 }
 
-/// The nearest edge where the cell is none: a finger meets an edge of one cell only by chance.
+/// The nearest edge if the cell is not an edge: a finger rarely hits an edge that is one cell wide.
 std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t cell) {
     const Grid<std::uint8_t>& mask = *detection.mask;
     if (mask[cell] != 0) return std::nullopt;
@@ -99,7 +99,7 @@ bool Explanation::closeCard() {
 }
 
 void Explanation::tell(const Answer& answer) {
-    if (!card_->isVisible()) return; // closed meanwhile: nobody waits for it any more
+    if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     const auto& [picture, given] = answer;
     const Why& why = *given;
     QString numbers = shownText(whyNumbers(why, picture->detection->settings));

@@ -1,4 +1,4 @@
-// Why a cell is an edge, or why it is none: the question, the card that answers it, the chain that is framed in the images.
+// Explains why a cell is an edge or is not an edge: the request, the card with the answer, the framed chain in the images.
 #pragma once
 
 #include "ui/engine/linked_views/linked_views.h"
@@ -15,17 +15,17 @@ namespace edgescan::ui {
 class NoticeBar;
 class WhyCard;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Explanation : public QObject {
     Q_OBJECT
 public:
     Explanation(LinkedViews& views, NoticeBar& notice);
 
     void explain(std::size_t cell);
-    /// The cell that is pointed at or was clicked.
+    /// Explains the cell under the mouse or the clicked cell.
     void explainMarked();
     void forgetTrail();
-    /// False: it was not open.
+    /// False: the card was not open.
     bool closeCard();
     /// Null before the first question.
     [[nodiscard]] const WhyCard* card() const { return card_; }
@@ -45,7 +45,7 @@ private:
     LinkedViews& views_;
     NoticeBar& notice_;
     WhyCard* card_ = nullptr;           // child of the window
-    std::optional<std::size_t> beside_; // the edge next to the cell on the card, where that is none
+    std::optional<std::size_t> beside_; // the edge nearest to the cell on the card, if that cell is not an edge
     Newest<Question, Answer> worker_;
 };
 

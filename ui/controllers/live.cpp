@@ -1,4 +1,4 @@
-// What a live scanner and a recording do to the window.
+// Connects the window with a live scanner and with recordings.
 #include "ui/controllers/live.h"
 
 #include "core/base/bounded_json.h"
@@ -30,7 +30,7 @@ SweepSettings rememberedSweep(const Memory& memory) {
             if (value.is_string()) metadata[key] = value.get<std::string>();
         }
     }
-    return settingsOf(metadata).settings; // what is not remembered is assumed
+    return settingsOf(metadata).settings; // values that are not stored are assumed
 }
 
 } // namespace
@@ -114,7 +114,7 @@ void Live::useSweep() {
 }
 
 void Live::showHealth() {
-    // LIVE beside a picture that stands still, or comes from elsewhere, would be misleading.
+    // LIVE above a picture that does not move, or comes from another source, would be misleading.
     const auto& shown = engine_.picture();
     const bool own = !shown || shown->source.stream == scanner_.stream();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
@@ -152,7 +152,7 @@ void Live::loadTimeline(const QString& path) {
         timeline_.clear();
 }
 
-/// At the end of the sweep that the file opens with, it is the file's own scan again: it knows where it came from.
+/// At the end of the sweep with which the file opens, the file's own scan is shown again: it contains its source.
 void Live::showReplayed(const ReplayedSweep& at) {
     const auto& picture = engine_.picture();
     if (!picture || !at.sweep.scan) return;

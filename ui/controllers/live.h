@@ -15,7 +15,7 @@ class NoticeBar;
 class Timeline;
 struct ReplayedSweep;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Live : public QObject {
     Q_OBJECT
 public:
@@ -23,15 +23,15 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// Connects to a live scanner; reads and a subscription are all that is sent to it.
+    /// Connects to a live scanner; EdgeScan sends only read requests and a subscription.
     void connectTo(const QString& host, int port, const SweepSettings& sweep);
     void record(bool on);
     void keepLastMinute();
-    /// Where recordings are written to; from then on.
+    /// Sets the folder of new recordings.
     void setRecordingFolder(const QString& folder);
     void askRecordingFolder();
 
-    /// The file that has, or had, the sweeps of a stream as they came; empty: none.
+    /// The recording file of a stream's sweeps; empty: none.
     [[nodiscard]] QString recordingOf(std::uint64_t stream) const {
         return stream == scanner_.stream() ? scanner_.recordingPath() : QString();
     }
@@ -58,10 +58,10 @@ private:
     NoticeBar& notice_;
     Memory& memory_;
     ScannerLink scanner_;
-    std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as the file gives it
+    std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as read from the file
     QString recordingFolder_;
     QString heldNote_;
-    std::uint64_t growingStream_ = 0; // of the picture before, while its scan grew
+    std::uint64_t growingStream_ = 0; // stream of the previous picture, while its scan grew
 };
 
 } // namespace edgescan::ui

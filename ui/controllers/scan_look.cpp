@@ -1,4 +1,4 @@
-// Colours of the points and the window of the range image, worked out and shown.
+// Computes and shows the colours of the points and the window of the range image.
 #include "ui/controllers/scan_look.h"
 
 #include "ui/engine/linked_views/linked_views.h"
@@ -11,7 +11,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr const char* kLocked = "view/range-window"; // "near far" where it is locked
+constexpr const char* kLocked = "view/range-window"; // "near far" if it is locked
 constexpr const char* kColourBy = "view/colour-by";
 
 } // namespace
@@ -24,7 +24,8 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
               auto histogram = asked.counted ? std::nullopt : std::optional(rangeHistogram(*asked.scan));
               return Answer{asked.number, asked.cloud, std::move(histogram), cloudColours(*asked.scan, asked.cloud, asked.by)};
           },
-          [this](const Answer& answer) { take(answer); }, [this](const QString&) { answered_ = posted_; }) { // gray is true as well
+          // on failure the cloud stays gray
+          [this](const Answer& answer) { take(answer); }, [this](const QString&) { answered_ = posted_; }) {
     by_ = colourOfKey(memory_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
     const QStringList kept = memory_.text(kLocked).split(' ');
     if (kept.size() == 2 && kept[1].toDouble() > kept[0].toDouble()) {
@@ -41,7 +42,7 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
     });
     connect(&window_, &RangeWindow::automaticWanted, this, [this] { views_.setRangeWindow(std::nullopt); });
     connect(&window_, &RangeWindow::lockWanted, this, [this, remember](bool on) {
-        // What is locked has numbers, also where it was automatic.
+        // A locked window needs numbers, also if it was automatic.
         if (on && !views_.rangeWindow()) views_.setRangeWindow(views_.rangesShown());
         views_.keepRangeWindow(on);
         remember();
@@ -66,7 +67,7 @@ void ScanLook::setColourBy(ColourBy by) {
 const std::optional<RangeSpan>& ScanLook::rangeWindow() const { return views_.rangeWindow(); }
 
 void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locked) {
-    window_.setLocked(false); // what it gets first is of the one before
+    window_.setLocked(false); // the window still belongs to the previous scan
     views_.setRangeWindow(window);
     window_.setLocked(locked && window);
 }

@@ -1,4 +1,4 @@
-// How the scan itself looks: the points of the cloud by range, height or line, and the window of the range image.
+// The display of the scan itself: cloud colours by range, height or line, and the window of the range image.
 #pragma once
 
 #include "ui/engine/worker_bridge/engine.h"
@@ -17,7 +17,7 @@ class LinkedViews;
 class Memory;
 class ScalePlate;
 
-/// GUI thread only; colours and histogram are made on a thread of its own. What it is given must outlive it.
+/// GUI thread only; colours and histogram are computed on a separate thread. The objects passed to it must outlive it.
 class ScanLook : public QObject {
     Q_OBJECT
 public:
@@ -25,12 +25,12 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// Kept in the memory.
+    /// The choice is stored in the settings memory.
     void setColourBy(ColourBy by);
     [[nodiscard]] ColourBy colourBy() const { return by_; }
-    /// What is shown is of the cloud on the screen.
+    /// True if the shown colours belong to the cloud on the screen.
     [[nodiscard]] bool settled() const { return posted_ == answered_; }
-    /// The window of the range image stays when another scan is opened.
+    /// Locked: the window of the range image stays when another scan is opened.
     [[nodiscard]] bool rangeLocked() const { return window_.locked(); }
     /// Of the range image; empty: as the method scales the ranges.
     [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const;
@@ -38,7 +38,7 @@ public:
 
 signals:
     void colourByChanged(edgescan::ui::ColourBy by);
-    /// Another lock or another colour: what a session keeps beside what the views tell.
+    /// The lock or the colours changed: session data that the views do not report.
     void changed();
 
 private:
@@ -52,7 +52,7 @@ private:
     struct Answer {
         int number = 0;
         std::shared_ptr<const CloudGeometry> of;
-        std::optional<RangeHistogram> histogram; ///< empty: it is there already
+        std::optional<RangeHistogram> histogram; ///< empty: already on the screen
         CloudColours colours;
     };
     void take(const Answer& answer);
@@ -64,8 +64,8 @@ private:
     RangeWindow& window_;
     Memory& memory_;
     ColourBy by_ = ColourBy::Nothing;
-    std::shared_ptr<const CloudGeometry> asked_;   // that the newest question was about
-    std::shared_ptr<const CloudGeometry> counted_; // that the histogram is of
+    std::shared_ptr<const CloudGeometry> asked_;   // of the newest question
+    std::shared_ptr<const CloudGeometry> counted_; // of the histogram
     int posted_ = 0, answered_ = 0;
     Newest<Asked, Answer> worker_; // last
 };

@@ -1,4 +1,4 @@
-// The report of what is on the screen.
+// Writes the report of the scan on the screen.
 #include "ui/controllers/scan_report.h"
 
 #include "core/base/shell_quoted.h"
@@ -47,7 +47,7 @@ std::string ScanReport::commandFor(const Detection& detection, const QString& pa
                           shellQuoted(path.toStdString());
     const std::string reading = readingFlags(files_.options());
     command += (reading.empty() ? "" : " " + reading) + " " + settingsFlags(detection.settings);
-    std::string missing; // a remark of the shell
+    std::string missing; // a remark in shell syntax
     if (!targets_.notebook().empty()) {
         const QString kept = targets_.keptIn();
         if (kept.isEmpty())
@@ -75,7 +75,7 @@ void ScanReport::writeTo(const QString& path) {
     const std::shared_ptr<const RockPicture> rocks = rocks_.picture();
     const std::shared_ptr<const Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
-    if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the picture before
+    if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the previous picture
     const PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
     memory_.keepFolder("exports", path);
     ++working_;

@@ -1,4 +1,4 @@
-// File > Report: one page about what is on the screen, for any browser.
+// File > Report: one HTML page about the scan on the screen.
 #pragma once
 
 #include "ui/engine/worker_bridge/engine.h"
@@ -15,27 +15,27 @@ class NoticeBar;
 class Rocks;
 class Targets;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class ScanReport : public QObject {
     Q_OBJECT
 public:
     ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
                NoticeBar& notice, Memory& memory);
 
-    /// Asks where to.
+    /// Asks for the path.
     void ask();
-    /// The page of what is on the screen, with the rocks where they are shown, what was pinned and measured, and what
-    /// changed since A; made on a thread of its own.
+    /// Writes the page about the scan on the screen, with rocks if they are shown, targets and measurements, and the changes since A; on a
+    /// separate thread.
     void writeTo(const QString& path);
     [[nodiscard]] bool working() const { return working_ > 0; }
 
 signals:
-    /// The page is on the disk.
+    /// The page is written.
     void saved(const QString& path);
     void ended();
 
 private:
-    /// The command line that makes the page again.
+    /// The command line that makes the same page.
     [[nodiscard]] std::string commandFor(const Detection& detection, const QString& path) const;
 
     Engine& engine_;

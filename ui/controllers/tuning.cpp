@@ -1,4 +1,4 @@
-// From the panel to the session and back.
+// Connects the panel with the engine.
 #include "ui/controllers/tuning.h"
 
 #include "core/base/whole_file.h"
@@ -82,7 +82,7 @@ void Tuning::change(const Settings& settings, bool dragging) {
     for (const Parameter& p : parameters()) {
         if (formatValue(p, p.get(settings)) != formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
     }
-    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset turns several
+    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset changes several
     const auto use = [this](const Settings& value) {
         engine_.setSettings(value);
         return true;
@@ -143,7 +143,7 @@ void Tuning::askOpenPreset() {
 
 void Tuning::askSavePreset() {
     SaveQuestion question{tr("Save preset"), memory_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
-    // Scans have this extension too.
+    // Scans use this extension too.
     question.keeps = [](const QString& there) {
         return findPreset(there.toStdString()) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
     };

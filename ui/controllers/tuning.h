@@ -1,4 +1,4 @@
-// The settings: sliders, presets, undo, and what the panel tells of the result.
+// The settings: sliders, presets, undo, and the display of results in the panel.
 #pragma once
 
 #include "core/edges/settings/parameters.h"
@@ -17,7 +17,7 @@ class EdgesPanel;
 class Memory;
 class NoticeBar;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Tuning : public QObject {
     Q_OBJECT
 public:
@@ -29,17 +29,17 @@ public:
     void useSettings(const Settings& settings);
     [[nodiscard]] TuningPart part() const;
     void setPart(const TuningPart& part);
-    /// One parameter of the table, as if its row of the panel had been turned.
+    /// Changes one parameter of the table as if the operator had used its row in the panel.
     void turn(const char* key, double value);
-    /// As the command line wants it: this start only, nothing of it is remembered until somebody changes a setting.
+    /// Settings of the command line: for this start only, not stored until the operator changes a setting.
     void startWith(const Preset& preset, const Settings& settings);
-    /// The number or choice that somebody turned last, as long as the method reads it; else the threshold that it is mostly turned by.
+    /// The number or choice that the operator changed last, if the method uses it; else the method's main threshold.
     [[nodiscard]] const Parameter& lastTurned() const;
     void askOpenPreset();
     void askSavePreset();
 
     [[nodiscard]] QUndoStack& undoStack() { return undo_; }
-    /// Milliseconds from the last change of a setting to the picture shown; of a new scan, how long the method took.
+    /// Milliseconds from the last change of a setting to the shown picture; for a new scan the time of the method.
     [[nodiscard]] double updateMs() const { return updateMs_; }
 
 private:
@@ -53,7 +53,7 @@ private:
     Memory& memory_;
     QUndoStack& undo_;
     EdgeCounter* counts_; // child
-    int drag_ = 0;        // number of the drag, for undo
+    int drag_ = 0;        // number of the current drag, for undo
     bool starting_ = false;
     const Parameter* turned_ = nullptr;
     QElapsedTimer sinceChange_;

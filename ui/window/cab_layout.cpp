@@ -1,4 +1,4 @@
-// What of the window's layout gives way in cab mode.
+// Changes of the window's layout in cab mode.
 #include "ui/base/dock_rail.h"
 #include "ui/base/pane.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -16,10 +16,10 @@ namespace edgescan::ui {
 void MainWindow::useCab(bool on) {
     viewer_.tools.setVisible(!on);
     showAlone(on ? &viewer_.cloud : nullptr);
-    for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own words
+    for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
 }
 
-/// None is there while it is locked: its switches rest, and nothing else opens one.
+/// While locked no dock is visible: the switches of docks are disabled, and nothing else opens a dock.
 void MainWindow::lockDocks(bool on) {
     setProperty("docksLocked", on);
     rail_->setLocked(on);
@@ -30,7 +30,7 @@ void MainWindow::lockDocks(bool on) {
     }
     if (on) return;
     for (QDockWidget* dock : std::exchange(hiddenForCab_, {})) {
-        if (!docks_.contains(dock)) dock->show(); // of the others the width decides
+        if (!docks_.contains(dock)) dock->show(); // for the other docks the width decides
     }
     arrange();
 }

@@ -88,7 +88,7 @@ void CabMode::connectSide() {
     connect(&side, &NumbersSide::nextWanted, this, [this](int by) { window_.viewer().targets.goTo(by); });
 }
 
-/// Everything that a number or a picture of this mode is made of.
+/// Updates all numbers and pictures of this mode.
 void CabMode::follow() {
     connect(&window_, &MainWindow::pictureShown, this, [this] {
         showScan();
@@ -126,7 +126,7 @@ void CabMode::set(bool on) {
     window_.viewer().live.panel().setVisible(!on || window_.viewer().live.scanner().connected());
     showCorner();
     if (on) {
-        useTheme(application, true); // last: what is large and not shown must not make the window larger
+        useTheme(application, true); // last: large widgets that are hidden must not enlarge the window
         showScan();
         showNumbers();
         showSettings();

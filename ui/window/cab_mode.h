@@ -1,4 +1,4 @@
-// Cab mode: the same window for gloves. Tools, numbers and steppers do what menus, cards and sliders do elsewhere.
+// Cab mode: the same window for operators with gloves. Tools, numbers and steppers replace menus, cards and sliders.
 #pragma once
 
 #include <QObject>
@@ -23,19 +23,19 @@ struct LargeNumbers;
 class CabMode : public QObject {
     Q_OBJECT
 public:
-    /// `middle`: what the window shows in its middle. The frame that is made round it is the window's new centre.
+    /// `middle`: the central content of the window. The frame around it becomes the window's central widget.
     CabMode(MainWindow& window, QWidget* middle);
 
     void set(bool on);
     [[nodiscard]] bool on() const { return on_; }
     [[nodiscard]] CabFrame& frame() { return *frame_; }
     [[nodiscard]] CornerPicture& corner() { return *corner_; }
-    /// The large pane is an image, the cloud stands in the corner.
+    /// True: the large pane is an image and the cloud is in the corner.
     [[nodiscard]] bool swapped() const { return swapped_; }
 
 signals:
     void changed(bool on);
-    /// Somebody held Locked for a second.
+    /// The operator held Locked for a second.
     void leaveWanted();
 
 private:
@@ -58,7 +58,7 @@ private:
     StateBadge* badge_;
     CabFrame* frame_;
     CornerPicture* corner_;
-    CornerPicture* back_; // to the cloud, over the image
+    CornerPicture* back_; // returns to the cloud, over the image
     QMenu* menu_;
     QTimer cancelSoon_;
     Corner shown_ = Corner::Range;

@@ -1,4 +1,4 @@
-// What the tools, the corner and the numbers of cab mode do.
+// Actions of the tools, the corner and the numbers of cab mode.
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
@@ -23,7 +23,7 @@ namespace {
 
 void openBeside(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
-// Of the menu bar, whatever the language: the entries are those of the menu, not a second list of them.
+// A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
 QMenu* menuWith(const MainWindow& window, const QString& action) {
     const QAction* entry = window.findChild<QAction*>(action);
     return entry == nullptr ? nullptr : qobject_cast<QMenu*>(entry->parent());
@@ -49,7 +49,7 @@ void CabMode::addTools() {
         measure->setChecked(window_.viewer().measures.kind().has_value());
     };
     connect(measure, &QToolButton::clicked, this, [kinds, measure, followTool] {
-        followTool(); // what is on follows from what is chosen
+        followTool(); // the chosen tool determines which button is on
         openBeside(*kinds, *measure);
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
@@ -111,14 +111,14 @@ std::optional<QPoint> CabMode::markedPlace() const {
 void CabMode::showCorner() {
     const bool some = on_ && window_.viewer().engine.picture() != nullptr && shown_ != Corner::None;
     corner_->setVisible(some);
-    window_.viewer().views.cloud().setCaptionRoom(some ? corner_->reach() : 0); // what is said of all rocks must be read
+    window_.viewer().views.cloud().setCaptionRoom(some ? corner_->reach() : 0); // the text about all rocks must stay readable
     if (!some) return;
     const bool range = shown_ == Corner::Range;
     corner_->setWords(range ? tr("Range image – tap to swap") : tr("Edge map – tap to swap"));
     corner_->show((range ? window_.viewer().views.gray() : window_.viewer().views.edges()).image(), markedPlace());
 }
 
-/// The image has the room and the cloud a corner, or the other way round.
+/// Exchanges the large view and the corner: image and cloud.
 void CabMode::swap() {
     swapped_ = !swapped_;
     ImageView& image = shown_ == Corner::Edges ? window_.viewer().views.edges() : window_.viewer().views.gray();
@@ -126,7 +126,7 @@ void CabMode::swap() {
     image.installEventFilter(back_);
     window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(swapped_);
-    back_->setWords(back_->text()); // in its place
+    back_->setWords(back_->text()); // at the same place
 }
 
 void CabMode::showSettings() {

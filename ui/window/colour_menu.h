@@ -1,4 +1,4 @@
-// What the points of the cloud are coloured by, as a menu.
+// A menu of the colour scales of the cloud.
 #pragma once
 
 #include "ui/panels/keys/commands.h"

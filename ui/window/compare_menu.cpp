@@ -1,4 +1,4 @@
-// Commands and legend of A/B.
+// Commands and legend of the A/B comparison.
 #include "ui/window/compare_menu.h"
 
 #include "ui/controllers/comparing.h"

@@ -1,4 +1,4 @@
-// The commands of A/B and of edge confidence, and where their legends stand.
+// The commands of the A/B comparison and of edge confidence, and the places of their legends.
 #pragma once
 
 #include "ui/panels/keys/commands.h"
@@ -11,10 +11,10 @@ class MainWindow;
 
 [[nodiscard]] Command compareMenu(Comparing& comparing);
 
-/// Over the cloud, above the legend of the edges, which gives way to it while a difference is shown.
+/// Over the cloud, above the legend of the edges, which is hidden while a difference is shown.
 void addChangeLegend(MainWindow& window);
 
-/// Edge confidence: its switch, and its legend in the same place, which gives way to a difference.
+/// Edge confidence: its switch, and its legend at the same place; hidden while a difference is shown.
 [[nodiscard]] Command confidenceCommand(Confidence& confidence);
 void addConfidenceLegend(MainWindow& window);
 

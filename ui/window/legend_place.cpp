@@ -1,4 +1,4 @@
-// On which side the legends stand.
+// Chooses the side of the legends.
 #include "ui/window/legend_place.h"
 
 #include "ui/base/view_plate.h"
@@ -12,13 +12,13 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kLabelWide = 150, kLabelHigh = 28; // px, of what is written beside a pin
-constexpr int kRing = 14;                        // px round it
+constexpr int kLabelWide = 150, kLabelHigh = 28; // px, of the label of a target
+constexpr int kRing = 14;                        // px around it
 
-/// What is in the way of plates, or would be.
+/// True if the plates on this side cover the label, or would cover it.
 bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
     for (ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (!plate->isVisible() || cloud.layout()->indexOf(plate) < 0) continue; // what moves by itself keeps away by itself
+        if (!plate->isVisible() || cloud.layout()->indexOf(plate) < 0) continue; // plates outside the layout avoid the label themselves
         QRect place = plate->geometry();
         const int margin = std::min(place.left(), cloud.width() - 1 - place.right());
         place.moveLeft(atRight ? cloud.width() - margin - place.width() : margin);

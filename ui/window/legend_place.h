@@ -1,4 +1,4 @@
-// Legends over the cloud keep out of the way of what is pinned.
+// Legends over the cloud do not cover the pinned target.
 #pragma once
 
 namespace edgescan::ui {
@@ -6,7 +6,7 @@ namespace edgescan::ui {
 class CloudView;
 class LinkedViews;
 
-/// The plates in the layout of the cloud stand at the left; at the right while the cell that is pinned, or its label, lies under them.
+/// The plates in the layout of the cloud are on the left; they move to the right while they would cover the pinned cell or its label.
 void keepLegendsAside(CloudView& cloud, LinkedViews& views);
 
 } // namespace edgescan::ui

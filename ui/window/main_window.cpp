@@ -146,7 +146,7 @@ void MainWindow::layOutViews() {
         splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
-    splitter_->setStretchFactor(0, 0); // a wider window is for the cloud
+    splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
@@ -170,7 +170,7 @@ QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget
     return dock;
 }
 
-// Over the cloud, where nothing else stands: more legends go above it.
+// Over a free part of the cloud; more legends go above it.
 void MainWindow::layOutLegend() {
     auto* over = new QVBoxLayout(&viewer_.cloud);
     over->setContentsMargins(8, 8, 8, 8);
@@ -180,7 +180,7 @@ void MainWindow::layOutLegend() {
     connect(&viewer_.legend, &EdgeLegend::classesWanted, this, [this](int classes) { viewer_.tuning.turn("classes", classes); });
 }
 
-// The badge stands in the corner of the menu bar, where no width drops it.
+// The badge is in the corner of the menu bar, where it is visible at every width.
 void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
@@ -232,11 +232,11 @@ void MainWindow::connectSession() {
         showWarnings();
         showTitle();
         showOrigin();
-        emit pictureShown(); // the controllers were told before
+        emit pictureShown(); // the controllers received it before
     });
 }
 
-// Of the picture on the screen: a scanner's sweeps and those of a recording have names of their own.
+// The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.
 void MainWindow::showTitle() {
     setWindowTitle(shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() + " - EdgeScan");
 }
@@ -250,12 +250,12 @@ void MainWindow::showWarnings() {
     viewer_.warnings.showWarnings(warnings);
 }
 
-/// Panels and images as wide as suits the window, the rest for the cloud. What the operator folded, opened or dragged stays.
+/// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged.
 QImage MainWindow::screenshot() {
     const QImage cloud = viewer_.cloud.grabFrame(CloudView::Points::All);
-    panes_.back()->setRemark(QString()); // what it says of the frame is not true of this picture
+    panes_.back()->setRemark(QString()); // its text describes a frame and is wrong for this picture
     QImage image = grab().toImage();
-    // What grab() makes of an OpenGL child depends on the platform: the view's own picture goes there.
+    // The result of grab() for an OpenGL child depends on the platform: the view's own picture replaces it.
     QPainter painter(&image);
     painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
     painter.end();
@@ -298,7 +298,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: the job first, then the notice, the view that is alone, the crosshair.
+    // Esc: first cancels the job, then closes the notice, the maximised view, the crosshair.
     if (event->key() != Qt::Key_Escape) {
         QMainWindow::keyPressEvent(event);
         return;
@@ -314,7 +314,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         escape();
 }
 
-// Of what a tool has begun the last bit, then the tool; then what is pinned.
+// Undoes the last click of a tool, then leaves the tool, then clears the pinned cell.
 void MainWindow::escape() {
     if (viewer_.explanation.closeCard()) return;
     if (viewer_.measures.kind()) {

@@ -1,4 +1,4 @@
-// The window: builds views, panels and controllers, and lays them out. What they do is in ui/controllers.
+// The window: builds views, panels and controllers, and lays them out. Their behaviour is in ui/controllers.
 #pragma once
 
 #include "ui/base/plain_window.h"
@@ -35,22 +35,22 @@ public:
     [[nodiscard]] CabMode& cab() { return *cab_; }
 
     void resetLayout();
-    // Of cab mode: what gives way to it, no dock at all, one view with all the room (null: all views).
+    // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
     void lockDocks(bool on);
-    /// Smaller and nearer, until its frame too lies on the screen.
+    /// Shrinks and moves the window until its frame is inside the screen.
     void fitScreen();
     void showAlone(const QWidget* view);
-    /// Of docks, splitters and what is alone, for a session.
+    /// Docks, splitters and the maximised view, for a session.
     [[nodiscard]] std::map<std::string, std::string> layoutKept() const;
     void useLayout(const std::map<std::string, std::string>& layout);
-    /// The whole window as it is, with all points of the cloud drawn; below it the warnings of the scan, whether they are shown or not.
+    /// A picture of the whole window with all points of the cloud; below it the warnings of the scan, whether they are visible or not.
     [[nodiscard]] QImage screenshot();
 
 signals:
-    /// All views and panels show the newest picture now.
+    /// All views and panels now show the engine's picture.
     void pictureShown();
-    /// Something was learnt of where the picture comes from.
+    /// The source of the picture changed or became known.
     void originShown();
 
 protected:
@@ -63,7 +63,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    static constexpr const char* kByHand = "byHand"; ///< of a dock: "open" or "folded" where the operator said so
+    static constexpr const char* kByHand = "byHand"; ///< of a dock: "open" or "folded" if the operator opened or folded it
     void layOutViews();
     QDockWidget* addDock(const QString& title, const char* name, QWidget* content);
     void layOutLegend();
@@ -92,12 +92,12 @@ private:
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
     CabMode* cab_ = nullptr;
-    QList<QDockWidget*> hiddenForCab_; // and back after it
+    QList<QDockWidget*> hiddenForCab_; // restored after cab mode
     QList<QDockWidget*> docks_;
-    bool framed_ = false;                        // the desktop has told how wide its frame is
-    int arrangedImages_ = 0, arrangedPanel_ = 0; // widths as arrange() gave them: what is as arranged follows the window
-    QTimer rememberTimer_;                       // one writing for a whole drag of window or splitter
-    std::unique_ptr<Sessions> sessions_;         // last: it goes before what it is about
+    bool framed_ = false;                        // the desktop has reported the width of the window's frame
+    int arrangedImages_ = 0, arrangedPanel_ = 0; // widths set by arrange(): a panel that still has this width follows the window
+    QTimer rememberTimer_;                       // one write for a whole drag of window or splitter
+    std::unique_ptr<Sessions> sessions_;         // last: destroyed before the objects that it uses
 };
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Which commands there are, menu by menu.
+// The commands of all menus.
 #include "ui/window/menus.h"
 
 #include "core/edges/settings/presets.h"
@@ -35,7 +35,7 @@
 namespace edgescan::ui {
 namespace {
 
-// Can be used only while `signal` last said true; at first it cannot.
+// Enabled only if the last value of `signal` was true; disabled at first.
 template <class Sender, class Signal>
 std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
     return [&sender, signal](QAction& action) {
@@ -74,14 +74,14 @@ Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                              kLine,
                              command("&Quit", "Ctrl+Q", [&window] { window.close(); }),
                          });
-    menu.submenu.insert(menu.submenu.begin() + 6, commands.sessions.begin(), commands.sessions.end()); // behind what opens scans
+    menu.submenu.insert(menu.submenu.begin() + 6, commands.sessions.begin(), commands.sessions.end()); // after the commands that open scans
     return menu;
 }
 
 Command editMenu(Viewer& v, QMainWindow& window) {
     Command undo{.keys = "Ctrl+Z", .made = v.undo.createUndoAction(&window, QObject::tr("&Undo"))};
     Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = v.undo.createRedoAction(&window, QObject::tr("&Redo"))};
-    undo.made->setObjectName("Undo"); // the texts name the step
+    undo.made->setObjectName("Undo"); // their texts name the step
     redo.made->setObjectName("Redo");
     undo.made->setProperty(kPlainName, QObject::tr("&Undo"));
     redo.made->setProperty(kPlainName, QObject::tr("&Redo"));
@@ -319,7 +319,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                    });
 }
 
-/// A tool. `on`: whether it is the one in use.
+/// A tool. `on`: true while it is in use.
 Command tool(Viewer& v, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
     const auto set = [&v, start = std::move(start)](bool wanted) { wanted ? start() : v.views.setTool(Tool::Pin); };
     return linked(toggle(text, keys, nullptr, false, set), [&v, on = std::move(on)](QAction& action) {

@@ -19,7 +19,7 @@ struct WindowCommands {
     Command cab;
 };
 
-/// One entry per menu of the menu bar, for the window that holds the viewer. Both must outlive what is made of them.
+/// One entry per menu of the menu bar, for the window that holds the viewer. Both must outlive everything made from them.
 [[nodiscard]] std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCommands& commands);
 
 } // namespace edgescan::ui

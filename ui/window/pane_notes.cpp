@@ -24,7 +24,7 @@ QString edgeNote(MainWindow& window) {
     const EdgesInstead* instead = views.flipped() ? nullptr : views.edgesInstead().get();
     const Detection& detection = *views.shown()->detection;
     const std::size_t all = detection.edges->size();
-    // Of two scans the edges that are shown are not those of one.
+    // In a comparison the shown edges come from two scans.
     const std::size_t shown = instead != nullptr && instead->overlayAsAsked && instead->cells.all ? instead->cells.all->size() : all;
     const QString edges =
         shown == all ? Pane::tr("%1 edges").arg(countText(all)) : Pane::tr("%1 of %2 edges").arg(countText(shown), countText(all));

@@ -1,4 +1,4 @@
-// What stands beside the titles of the views: how much of the scan each one shows, and how.
+// Notes next to the titles of the views: how much of the scan each view shows, and how.
 #pragma once
 
 namespace edgescan::ui {
@@ -6,7 +6,7 @@ namespace edgescan::ui {
 class MainWindow;
 class Pane;
 
-/// Keeps them true from now on.
+/// Keeps the notes up to date.
 void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Where panel and table of rocks stand in the window.
+// Places the panel and the table of rocks in the window.
 #include "ui/window/rock_docks.h"
 
 #include "ui/base/scrolled.h"
@@ -13,7 +13,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kTableFrom = 1600;     // px of the window: below it the table stays closed until it is asked for
+constexpr int kTableFrom = 1600;     // px of the window: in a narrower one the table opens only on request
 constexpr int kTableHeight = 234;    // px
 constexpr double kPanelShare = 0.55; // of the window's height
 

@@ -1,4 +1,4 @@
-// Where panel and table of rocks stand in the window: they come and go with the rocks.
+// The docks of rocks: panel and table are shown and hidden with the rocks.
 #pragma once
 
 class QMainWindow;

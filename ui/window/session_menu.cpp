@@ -1,4 +1,4 @@
-// Commands of sessions, and the layout that they keep.
+// Commands of sessions, and the stored layout.
 #include "ui/window/session_menu.h"
 
 #include "ui/base/pane.h"
@@ -56,7 +56,7 @@ std::vector<Command> sessionCommands(MainWindow& w) {
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {
-    if (cab_->on()) return {}; // the other layout is the one to come back to
+    if (cab_->on()) return {}; // the layout outside cab mode is the one to store
     const auto text = [](const QByteArray& bytes) { return bytes.toBase64().toStdString(); };
     const QByteArray alone = maximised_ == nullptr ? QByteArray() : maximised_->content()->objectName().toUtf8();
     return {{"docks", text(saveState())},

@@ -1,4 +1,4 @@
-// Sessions in the window: their commands, and what of the window they keep.
+// Sessions in the window: their commands, and the stored parts of the layout.
 #pragma once
 
 #include "ui/panels/keys/commands.h"

@@ -1,4 +1,4 @@
-// What the buttons of the start page do, and where it lies.
+// Actions of the start page's buttons, and its position.
 #include "ui/window/start.h"
 
 #include "ui/base/notice_bar.h"
@@ -22,9 +22,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kSettleMs = 400; // docks have found their places
+constexpr int kSettleMs = 400; // time until docks have their positions
 
-/// Keeps it over all between tool bar and status bar; the bar of notices stays to be seen, and the panel of the scanner ends it.
+/// Keeps the page over everything between tool bar and status bar. The notice bar stays visible, and the scanner panel closes the page.
 class OverViews : public QObject {
 public:
     OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page) {
@@ -42,9 +42,9 @@ public:
     }
     bool eventFilter(QObject* watched, QEvent* event) override {
         const auto type = event->type();
-        // A window that is destroyed is hidden first; from then on it must not be asked.
+        // A window is hidden before it is destroyed; from then on its functions must not be called.
         if (watched == &window_ && (type == QEvent::Hide || type == QEvent::Show)) gone_ = type == QEvent::Hide;
-        // A picture of OpenGL under other widgets leaves the line beside it black.
+        // An OpenGL picture under other widgets leaves the line next to it black.
         if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show))
             window_.viewer().views.cloud().setVisible(type == QEvent::Hide);
         if (gone_ || !page_.isVisible()) return false;
@@ -67,7 +67,7 @@ private:
 
     MainWindow& window_;
     StartPage& page_;
-    QTimer settle_; // then all is painted once more: the line between docks that moved under the page is black until then
+    QTimer settle_; // then everything is painted again: a dock separator that moved under the page is black until then
     bool gone_ = false;
 };
 

@@ -7,7 +7,7 @@ class MainWindow;
 class Memory;
 class StartPage;
 
-/// Over the views and panels until there is a picture or a scanner is asked for. It belongs to the window.
+/// Covers views and panels until a picture is shown or a scanner is connected. The window owns it.
 StartPage* showStart(MainWindow& window, Memory& memory);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Where the panel of targets stands in the window.
+// Places the panel of targets in the window.
 #include "ui/window/target_dock.h"
 
 #include "ui/base/scrolled.h"
@@ -15,10 +15,10 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kOpensFrom = 1100;          // px of the window: below it the panel opens only by hand
-constexpr int kLowScreen = 1000;          // px: below it rocks and targets share a place
+constexpr int kOpensFrom = 1100;          // px of the window: in a narrower one only the operator opens the panel
+constexpr int kLowScreen = 1000;          // px: on a lower screen rocks and targets share a place
 constexpr double kTargetsHeight = 0.55;   // of the window
-constexpr const char* kClosed = "closed"; // by hand: no target opens it again
+constexpr const char* kClosed = "closed"; // by the operator: a new target does not open it again
 
 } // namespace
 
@@ -28,7 +28,7 @@ void addTargetDock(QMainWindow& window, Targets& targets, TargetsPanel& panel) {
     dock->setWidget(scrolled(panel));
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
     dock->hide();
-    // On a low screen one card at a time is read better than a third of each.
+    // On a low screen one whole card is easier to read than a third of each.
     auto* rocks = window.findChild<QDockWidget*>("dock-rocks");
     if (rocks != nullptr && QGuiApplication::primaryScreen()->availableGeometry().height() < kLowScreen) {
         window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);

@@ -1,4 +1,4 @@
-// Where the panel of targets stands in the window: it comes with the first target.
+// The dock of targets: it opens with the first target.
 #pragma once
 
 class QMainWindow;

@@ -1,4 +1,4 @@
-// Fusion with the borders, the focus and the sizes that it lacks.
+// The style Fusion with visible borders, focus and sizes.
 #include "ui/window/theme.h"
 
 #include "ui/base/themes.h"
@@ -17,7 +17,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kLarger = 1.4; // times the desktop's letters, for gloves
+constexpr double kLarger = 1.4; // factor on the desktop's font size, for gloves
 
 void drawFrame(QPainter& painter, const QRect& place, const QPen& pen, double radius) {
     painter.save();
@@ -29,14 +29,14 @@ void drawFrame(QPainter& painter, const QRect& place, const QPen& pen, double ra
     painter.restore();
 }
 
-/// Fusion draws a light shadow beside the words of what cannot be used: on a dark ground they would look bold.
+/// Fusion draws a light shadow next to the text of disabled items: on a dark background they would look bold.
 class FlatStyle : public QProxyStyle {
 public:
     explicit FlatStyle(bool forGloves) : QProxyStyle(QStyleFactory::create("Fusion")), forGloves_(forGloves) {}
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
         return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
     }
-    // Fusion's own frames are shades of the ground and cannot be seen on some.
+    // Fusion's own frames are shades of the background, and invisible on some backgrounds.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {
         if (element == PE_FrameFocusRect) return drawFrame(*painter, option->rect, {option->palette.color(QPalette::Link), 2.0}, 2.0);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
@@ -60,7 +60,7 @@ public:
         case PM_IndicatorHeight:
         case PM_ExclusiveIndicatorWidth:
         case PM_ExclusiveIndicatorHeight:
-            return 28; // the row around it is as high as a glove needs
+            return 28; // the surrounding row is high enough for gloves
         case PM_ScrollBarExtent:
         case PM_SliderThickness:
         case PM_SliderControlThickness:

@@ -41,7 +41,7 @@ Command cabCommand(CabMode& cab, Memory& memory) {
         action.setObjectName("cab-mode");
         const auto follow = [&action](bool on) {
             action.setChecked(on);
-            action.setEnabled(!on); // it is left by holding Locked
+            action.setEnabled(!on); // holding Locked ends cab mode
         };
         follow(cab.on());
         QObject::connect(&cab, &CabMode::changed, &action, follow);

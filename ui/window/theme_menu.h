@@ -8,10 +8,10 @@ namespace edgescan::ui {
 class CabMode;
 class Memory;
 
-/// One entry per theme; what was chosen is remembered, and used at once.
+/// One entry per theme; the choice is remembered and applied at once.
 [[nodiscard]] Command themeMenu(QObject& parent, Memory& memory);
 
-/// View > Cab Mode: on here, off only where Locked is held.
+/// View > Cab Mode: this command switches it on; only holding Locked switches it off.
 [[nodiscard]] Command cabCommand(CabMode& cab, Memory& memory);
 
 } // namespace edgescan::ui

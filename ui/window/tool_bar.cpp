@@ -1,4 +1,4 @@
-// The bar of tools.
+// The tool bar.
 #include "ui/window/tool_bar.h"
 
 #include "ui/base/icons.h"
@@ -16,7 +16,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kSign = 22, kLeastHigh = 34; // px
-constexpr int kForAsked = 300;             // px: what a tool asks for has room before words of buttons have
+constexpr int kForAsked = 300;             // px: the prompt of a tool has priority over the texts of buttons
 
 } // namespace
 
@@ -26,7 +26,7 @@ ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsP
     setMovable(false);
     setContextMenuPolicy(Qt::PreventContextMenu);
     setIconSize({kSign, kSign});
-    // On: a ground and a border of its own, so that no colour says it alone.
+    // A button that is on has its own background and border, so that colour is not the only sign.
     followColours(*this, [this](const Theme& theme) {
         setStyleSheet(QString("QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; }"
                               "QToolButton:hover { background: %1; border-color: %2; }"
@@ -38,7 +38,7 @@ ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsP
     });
     words_->setObjectName("tool-words");
     words_->setContentsMargins(12, 0, 0, 0);
-    // The last in the bar: where there is no room it goes before a button does.
+    // The last widget of the bar: without space it is hidden before a button is.
     words_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     wordsPlace_ = addWidget(words_);
 }
@@ -46,13 +46,13 @@ ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsP
 void ToolBar::add(QAction& action, const char* sign, const QString& word, Word shown) {
     action.setIcon(toolIcon(sign));
     action.setIconVisibleInMenu(false);
-    action.setIconText(word); // of the button; the menu keeps its text
+    action.setIconText(word); // text of the button; the menu keeps its own text
     const auto tell = [&action] {
         const QString key = action.shortcut().toString(QKeySequence::NativeText);
         const QString text = action.text().remove('&').remove(QStringLiteral("…"));
         action.setToolTip(key.isEmpty() ? text : text + " (" + key + ")");
     };
-    connect(&action, &QAction::changed, &action, tell); // the key may be changed, and what is undone
+    connect(&action, &QAction::changed, &action, tell); // the shortcut and the undo step may change
     tell();
     insertAction(wordsPlace_, &action);
     if (auto* button = qobject_cast<QToolButton*>(widgetForAction(&action))) take(*button, shown);
@@ -70,14 +70,14 @@ void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString
     button->setCheckable(true);
     const auto follow = [button, lights] { button->setChecked(std::ranges::any_of(lights, &QAction::isChecked)); };
     for (QAction* each : lights) connect(each, &QAction::toggled, button, follow);
-    connect(button, &QToolButton::toggled, button, follow); // a press alone turns nothing on
+    connect(button, &QToolButton::toggled, button, follow); // a press alone does not switch it on
     follow();
     insertWidget(wordsPlace_, button);
     take(*button, Word::WhereRoom);
 }
 
 void ToolBar::take(QToolButton& button, Word shown) {
-    button.setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    button.setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
     button.setMinimumHeight(kLeastHigh);
     button.setAccessibleName(button.text());
     buttons_.push_back({&button, shown});
@@ -86,7 +86,7 @@ void ToolBar::take(QToolButton& button, Word shown) {
 
 void ToolBar::addGap() { insertSeparator(wordsPlace_); }
 
-/// Words of all buttons, or of those alone that always have one.
+/// Shows the text of all buttons, or only of those that always have text.
 void ToolBar::fit() {
     int needed = kForAsked;
     for (const Button& each : buttons_) {

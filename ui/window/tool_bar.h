@@ -1,4 +1,4 @@
-// The bar of tools: what is done most, what a click or a drag means, what is to be clicked next.
+// The tool bar: the most frequent commands, the tools for clicks and drags, and a prompt for the next click.
 #pragma once
 
 #include <QToolBar>
@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// Signs, with words beside them where there is room for all words. GUI thread only.
+/// Icons; with text if there is space for all texts. GUI thread only.
 class ToolBar : public QToolBar {
     Q_OBJECT
 public:
@@ -19,14 +19,14 @@ public:
 
     explicit ToolBar(QWidget* parent = nullptr);
 
-    /// A button with the action's key in its tip. `sign`: of toolIcon().
+    /// A button with the action's shortcut in its tool tip. `sign`: name for toolIcon().
     void add(QAction& action, const char* sign, const QString& word, Word shown = Word::WhereRoom);
-    /// A button that opens `menu`, which becomes its child. It is lit while one of `lights` is on.
+    /// A button that opens `menu`, which becomes its child. It is highlighted while one of `lights` is on.
     void add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights);
     void addGap();
-    /// What the tool asks for; empty: nothing.
+    /// The prompt of the tool; empty: none.
     void showAsked(const QString& words);
-    /// What is selected and hidden.
+    /// Text about selected and hidden cells.
     void showSelected(const QString& words);
     [[nodiscard]] QString shown() const;
 

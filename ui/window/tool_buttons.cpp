@@ -1,4 +1,4 @@
-// The buttons of the bar as a table.
+// The table of the tool bar's buttons.
 #include "ui/window/tool_buttons.h"
 
 #include "ui/panels/keys/shortcuts.h"
@@ -15,9 +15,9 @@
 namespace edgescan::ui {
 namespace {
 
-/// Without a command: a gap.
+/// A row without a command is a gap.
 struct ToolRow {
-    const char* command = nullptr; ///< its name for keys: menu and text in the words of the source
+    const char* command = nullptr; ///< its untranslated name: menu and text of the source
     const char* sign = nullptr;
     const char* word = nullptr;
     ToolBar::Word shown = ToolBar::Word::WhereRoom;
@@ -48,13 +48,13 @@ constexpr std::array kLast{
     ToolRow{"View/Cab Mode", "cab-mode", QT_TRANSLATE_NOOP("QObject", "Cab")},
 };
 
-/// A button with a menu; an empty text is a line in it.
+/// An entry of a button's menu; an empty text is a separator.
 struct MenuRow {
     const char* name;
     const char* sign;
     const char* word;
     std::vector<const char*> commands;
-    std::vector<const char*> lights; ///< commands that light it while they are on
+    std::vector<const char*> lights; ///< commands that highlight the button while they are on
 };
 
 const std::vector<const char*> kWaysToMeasure{"Measure/Distance",    "Measure/Vertical",      "Measure/Angle",

@@ -1,11 +1,11 @@
-// Which commands have a button in the bar of tools.
+// The commands that have a button in the tool bar.
 #pragma once
 
 namespace edgescan::ui {
 
 class MainWindow;
 
-/// Once the menus are there.
+/// Call it after the menus are made.
 void addToolButtons(MainWindow& window);
 
 } // namespace edgescan::ui

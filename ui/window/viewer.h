@@ -51,7 +51,7 @@ struct Viewer {
     Engine engine;
     QUndoStack undo;
 
-    // Children of the window once they are laid out.
+    // Children of the window after the layout.
     ImageView &gray, &edges;
     CloudView& cloud;
     ScalePlate& scalePlate;
@@ -62,7 +62,7 @@ struct Viewer {
     RockTable& rockTable;
     TargetsPanel& targetsPanel;
     ToolBar& tools;
-    StateBadge& origin; ///< where the picture comes from and of when: always in sight
+    StateBadge& origin; ///< the source and time of the picture: always visible
     NoticeBar& notice;
     StatusLine& statusLine;
     WarningButton& warnings;

@@ -1,4 +1,4 @@
-// A picture of the window with what the scan warns of.
+// Draws the warnings of the scan below a picture of the window.
 #include "ui/window/warned_picture.h"
 
 #include "ui/base/shown_text.h"

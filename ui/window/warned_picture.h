@@ -1,4 +1,4 @@
-// A picture of the window with what the scan warns of.
+// Draws the warnings of the scan below a picture of the window.
 #pragma once
 
 #include <QFont>
@@ -7,7 +7,7 @@
 
 namespace edgescan::ui {
 
-/// A picture travels without the window: the warnings stand below it. As it is where there are none.
+/// The picture is used without the window; therefore the warnings are drawn below it. Unchanged without warnings.
 [[nodiscard]] QImage withWarnings(const QImage& window, const QStringList& warnings, const QFont& font);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// How the window shares its room between cloud, images and panels, and what of that is remembered.
+// Divides the window between cloud, images and panels, and remembers the operator's layout.
 #include "ui/window/main_window.h"
 
 #include "ui/base/pane.h"
@@ -23,20 +23,20 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kFoldedBelow = 1100;    // px of the window: the panels are folded unless somebody opens them
-constexpr double kCloudShare = 0.55;  // of the width, at least
+constexpr int kFoldedBelow = 1100;    // px of the window: in a narrower one the panels are folded unless the operator opens them
+constexpr double kCloudShare = 0.55;  // of the width, minimum
 constexpr int kRangeWindowFrom = 600; // px of the window's height
-constexpr int kLeastPanel = 240;      // px; narrower than that its words are cut
-constexpr int kOpenFrame = 2;         // px beside a width that count as the same
+constexpr int kLeastPanel = 240;      // px; narrower panels cut off text
+constexpr int kOpenFrame = 2;         // px: widths that differ by less count as equal
 
-// Widths that leave the cloud most of the window and still let images and panel be read.
+// Widths at which the cloud has most of the window and images and panel stay readable.
 int usualImages(int window) {
     const int wanted = window < kFoldedBelow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
     return std::clamp(wanted, 140, 560);
 }
 int usualPanel(int window) { return std::clamp(static_cast<int>(std::lround(260 + 0.1656 * (window - 1280))), kLeastPanel, 400); }
 
-// A small screen is filled, a large one not quite.
+// A small screen is filled; on a large one some space is left.
 QSize usualWindow(const QRect& screen) {
     constexpr int kSmall = 1600;
     if (screen.width() <= kSmall) return screen.size();
@@ -53,7 +53,7 @@ void MainWindow::arrange() {
         const bool open = byHand.isEmpty() ? wide >= kFoldedBelow : byHand == "open";
         if (dock->isHidden() != open) continue;
         dock->setVisible(open);
-        // Beside others it gets their width, which may cut it off: looked at when it has one.
+        // Docked with others it gets their width and may be cut off: checked when its width is known.
         if (open) QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
     }
     const auto asArranged = [](int now, int arranged) { return arranged == 0 || std::abs(now - arranged) <= kOpenFrame; };
@@ -61,9 +61,10 @@ void MainWindow::arrange() {
     for (QDockWidget* dock : docks_) {
         if (dock->isHidden() || dock->isFloating()) continue;
         const int usual = std::max(usualPanel(wide), dock->minimumSizeHint().width());
-        const bool follows = asArranged(dock->width(), arrangedPanel_) || dock->width() < kLeastPanel; // cut off is nobody's wish
+        // no operator wants a panel that cuts off text
+        const bool follows = asArranged(dock->width(), arrangedPanel_) || dock->width() < kLeastPanel;
         if (follows) resizeDocks({dock}, {arrangedPanel_ = usual}, Qt::Horizontal);
-        panel = std::max(panel, follows ? usual : dock->width()); // its width follows later
+        panel = std::max(panel, follows ? usual : dock->width()); // its width changes later
     }
     if (maximised_ != nullptr) return;
     const int most = static_cast<int>(wide * (1.0 - kCloudShare)) - panel;
@@ -87,14 +88,14 @@ void MainWindow::maximise(Pane* pane) {
     showRangeWindow();
 }
 
-/// Not where it would take the images their room, and not beside the edge map alone.
+/// Not if the images would lose their space, and not next to the edge map alone.
 void MainWindow::showRangeWindow() {
     const bool wanted = maximised_ == nullptr || maximised_->content() == &viewer_.gray;
     viewer_.rangeWindow.setVisible(wanted && height() >= kRangeWindowFrom);
 }
 
 void MainWindow::remember() {
-    if (cab_->on()) return; // the other layout is the one that comes back
+    if (cab_->on()) return; // the layout outside cab mode is the one to store
     viewer_.memory.keep("window/geometry", saveGeometry());
     viewer_.memory.keep("window/state", saveState());
     viewer_.memory.keep("window/views", splitter_->saveState());
@@ -110,11 +111,11 @@ void MainWindow::restoreLayout() {
     restoreGeometry(viewer_.memory.bytes("window/geometry"));
     restoreState(viewer_.memory.bytes("window/state"));
     images_->restoreState(viewer_.memory.bytes("window/images"));
-    images_->setOrientation(Qt::Vertical); // what was remembered may be of a version that had them side by side
+    images_->setOrientation(Qt::Vertical); // a former version may have stored them side by side
     splitter_->restoreState(viewer_.memory.bytes("window/views"));
     arrangedImages_ = viewer_.memory.text("window/images-width").toInt();
     arrangedPanel_ = viewer_.memory.text("window/panel-width").toInt();
-    // A window on a screen that is gone is pulled back; one of a larger screen is made to fit.
+    // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
     const QScreen* at = nullptr;
     for (const QScreen* each : QGuiApplication::screens()) {
         if (each->availableGeometry().intersects(geometry())) at = each;
@@ -126,11 +127,11 @@ void MainWindow::restoreLayout() {
 
 void MainWindow::fitScreen() { keepInsideScreen(*this); }
 
-/// How wide the frame is the desktop says only after it has put the window somewhere.
+/// The desktop reports the width of the frame only after it has placed the window.
 void MainWindow::followFrame() {
     if (framed_ || !isVisible() || windowHandle() == nullptr || windowHandle()->frameMargins().isNull()) return;
     framed_ = true;
-    QTimer::singleShot(0, this, &MainWindow::fitScreen); // not while it is being moved
+    QTimer::singleShot(0, this, &MainWindow::fitScreen); // not while the window is being moved
 }
 
 void MainWindow::resetLayout() {

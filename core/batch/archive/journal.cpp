@@ -1,4 +1,4 @@
-// Journals: RESULTS/.batch/rows[-3-of-20].ndjson, and the pictures of the survey in a file beside each.
+// Journals: RESULTS/.batch/rows[-3-of-20].ndjson, and for each journal a file with the pictures of the survey.
 #include "core/batch/archive/journal.h"
 
 #include "core/base/append_file.h"
@@ -57,7 +57,7 @@ bool heldByAnother(const fs::path& path) {
     return held;
 }
 
-// A line that a crash cut off is not continued by the next.
+// Removes a line that a crash tore, so that the next line does not continue it.
 Result<Done> cutTornLine(const fs::path& path, int file) {
     const auto bytes = readWholeFile(path);
     if (!bytes) return bytes.error();
@@ -75,7 +75,7 @@ std::string tailOf(const Shard& shard) {
 
 Result<JournalRows> readJournals(const fs::path& results) {
     JournalRows rows;
-    std::map<std::string, std::string> newest; // when the row of each input was made
+    std::map<std::string, std::string> newest; // time of the row of each input
     for (const fs::path& path : journalsIn(results)) {
         const auto bytes = readWholeFile(path);
         if (!bytes) return bytes.error();
@@ -83,7 +83,7 @@ Result<JournalRows> readJournals(const fs::path& results) {
         int number = 0;
         for (std::size_t at = 0; at < text.size();) {
             const std::size_t end = text.find('\n', at);
-            if (end == std::string_view::npos) break; // cut off
+            if (end == std::string_view::npos) break; // torn
             ++number;
             const std::string_view line = text.substr(at, end - at);
             at = end + 1;
@@ -131,7 +131,7 @@ Result<Journal> Journal::open(const fs::path& results, const Shard& shard, bool 
     const Error busy{"another run works on these results", results.string(), "wait for it, or give -o another folder"};
     if (::flock(journal.rows_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return busy;
     for (const fs::path& other : journalsIn(results)) {
-        const bool concerns = whole || other == folder / (std::string(kRowsBegin) + kRowsEnd); // a whole run does every part
+        const bool concerns = whole || other == folder / (std::string(kRowsBegin) + kRowsEnd); // a whole run conflicts with every part
         if (concerns && other != journal.path_ && heldByAnother(other)) return busy;
     }
     if (auto cut = cutTornLine(journal.path_, journal.rows_); !cut) return cut.error();
@@ -155,7 +155,7 @@ Journal::~Journal() {
     std::error_code ignored;
     if (!work_.empty()) fs::remove_all(work_, ignored);
     static_cast<void>(::fdatasync(rows_));
-    ::close(rows_); // and the lock with it
+    ::close(rows_); // this releases the lock, too
     if (pictures_ >= 0) ::close(pictures_);
 }
 
@@ -167,7 +167,7 @@ Result<Done> Journal::append(Json row, const std::string& picture) {
     }
     if (const int code = appendWhole(rows_, jsonText(row) + "\n")) return journalError(path_, code);
     if (const double now = utcNow(); now - synced_ > kSyncSeconds || now < synced_) {
-        static_cast<void>(::fdatasync(rows_)); // after a power cut the last second is done again
+        static_cast<void>(::fdatasync(rows_)); // after a power failure, the work of the last second is repeated
         synced_ = now;
     }
     return Done{};

@@ -1,5 +1,5 @@
-// What a run over an archive has done so far: a line per scan, appended when all its results are on the disk. Whatever ends the run, what
-// stands there is done, and what does not is done again (docs/batch.md, "Interrupted and continued").
+// The progress of a run over an archive: a line per scan, appended after all its results are on the disk. After an interruption, scans in
+// the journal are done, and all others are processed again (docs/batch.md, "Interrupted and continued").
 #pragma once
 
 #include "core/base/result.h"
@@ -17,17 +17,17 @@ namespace edgescan {
 /// The newest row of each input, as its line of JSON.
 using JournalRows = std::map<std::string, std::string>;
 
-/// Rows of all journals under a folder of results; lines cut off by a crash are left out. Error: a journal cannot be read, or is none.
+/// Rows of all journals in a folder of results, without lines torn by a crash. Error: a journal cannot be read, or a file is not a journal.
 Result<JournalRows> readJournals(const std::filesystem::path& results);
 
-/// Into how many parts the last run was cut whose journals lie there; 1 where none was.
+/// Number of parts of the last run whose journals are in the folder; 1 if there are no journals.
 [[nodiscard]] int shardsIn(const std::filesystem::path& results);
 
-/// A journal that this process alone may write, from open() to its end.
+/// A journal that only this process may write, from open() to its end.
 class Journal {
 public:
-    /// Makes the folder where it is missing. `whole`: no part may be running elsewhere either. Error: another process works on the same
-    /// results, or they cannot be written to.
+    /// Creates the folder if it does not exist. `whole`: no other process may be running a part either. Error: another process works on the
+    /// same results, or they cannot be written.
     static Result<Journal> open(const std::filesystem::path& results, const Shard& shard, bool whole);
     Journal(Journal&& other) noexcept;
     Journal& operator=(Journal&&) = delete;
@@ -35,10 +35,12 @@ public:
     Journal& operator=(const Journal&) = delete;
     ~Journal();
 
-    /// One row, whole or not at all; `picture` (may be empty) is kept beside the journal. Error: the disk is full ...
+    /// Appends one row completely, or leaves the journal unchanged; `picture` (may be empty) is stored in the picture file. Error: the disk
+    /// is full ...
     Result<Done> append(nlohmann::ordered_json row, const std::string& picture);
 
-    /// Where results stand until all of one scan are complete: a folder of this journal's own, empty when it was opened.
+    /// Folder for the results of one scan until all of them are complete. It belongs to this journal only and was empty when the journal
+    /// was opened.
     [[nodiscard]] const std::filesystem::path& workFolder() const { return work_; }
 
 private:
@@ -50,7 +52,7 @@ private:
     double synced_ = 0;
 };
 
-/// The picture that append() kept with a row; empty when there is none.
+/// The picture that append() stored with a row; empty if there is none.
 [[nodiscard]] std::string pictureOf(const nlohmann::ordered_json& row, const std::filesystem::path& results);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Folders, patterns, lists and scans as one list of paths.
+// Expands folders, patterns, lists and scans to one list of paths.
 #include "core/batch/archive/listing.h"
 
 #include "core/base/bounded_json.h"
@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLinesLookedAt = 20;             // of a file that may be a list of paths
+constexpr std::size_t kLinesLookedAt = 20;             // lines read of a file that may be a list of paths
 constexpr std::uint64_t kMostListBytes = 1ULL << 30U;  // ten million paths
-constexpr std::uint64_t kMostDescription = 64U << 20U; // as for any JSON from outside
+constexpr std::uint64_t kMostDescription = 64U << 20U; // the same limit as for any JSON from outside
 
 // ".pcd" of "a.pcd" and of "a.pcd.gz".
 std::string scanExtension(const fs::path& path) {
@@ -45,14 +45,14 @@ bool isThere(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
-// A JSON file that describes a grid, and is no record, preset or result.
+// A JSON file that describes a grid, not a record, a preset or a result.
 bool describesGrid(const fs::path& path) {
     if (isThere(fs::path(path).replace_extension(".u16"))) return true;
     const auto bytes = readWholeFile(path, kMostDescription);
     return bytes && textOf(*bytes).find("edgescan-raw-grid/") != std::string::npos;
 }
 
-// What another run of this program made of a scan: edges, pictures, clouds.
+// A result of another run of this program: edges, pictures, clouds.
 bool isExport(const fs::path& path) {
     const fs::path sidecar = sidecarPath(path);
     if (!isThere(sidecar)) return false;
@@ -67,7 +67,7 @@ enum class Kind { Scan, LeftOut, Other };
 Kind kindOf(const fs::path& path) {
     const std::string extension = scanExtension(path);
     if (!aFormatReads(extension)) return Kind::Other;
-    if (extension == ".u16" && isThere(fs::path(path).replace_extension(".json"))) return Kind::Other; // it is read with that one
+    if (extension == ".u16" && isThere(fs::path(path).replace_extension(".json"))) return Kind::Other; // it is read together with that file
     if (extension == ".json" && isThere(path) && !describesGrid(path)) return Kind::LeftOut;
     return isExport(path) ? Kind::LeftOut : Kind::Scan;
 }
@@ -82,10 +82,11 @@ Result<Done> addFolder(const std::string& folder, const fs::path& results, Archi
     std::error_code problem;
     fs::recursive_directory_iterator entry(folder, problem);
     for (const fs::recursive_directory_iterator end; !problem && entry != end; entry.increment(problem)) {
-        std::error_code gone; // a file may go while the folder is read
+        std::error_code gone; // a file may disappear while the folder is read
         const bool hidden = entry->path().filename().native().starts_with('.');
         if (entry->is_directory(gone) && (hidden || sameFolder(entry->path(), results))) entry.disable_recursion_pending();
-        const bool leadsNowhere = entry->is_symlink(gone) && !entry->exists(gone); // a scan that cannot be read, not none
+        // counts as a scan that cannot be read, not as a missing file
+        const bool leadsNowhere = entry->is_symlink(gone) && !entry->exists(gone);
         if (!hidden && (leadsNowhere || entry->is_regular_file(gone))) found.push_back(entry->path().string());
     }
     if (problem) return Error{"the folder cannot be read to its end (" + problem.message() + ")", folder, "check its rights and the disk"};
@@ -109,7 +110,7 @@ std::vector<std::string> linesOf(std::string_view text) {
     return lines;
 }
 
-// A scan as text begins with numbers, and no file is called like that.
+// A scan as text begins with numbers, and file names of this form do not exist.
 bool namesFiles(const fs::path& path) {
     const std::string extension = asciiLower(path.extension().string());
     if (extension == ".list" || extension == ".lst") return true;

@@ -1,4 +1,4 @@
-// Templates of names, filled in and checked against each other.
+// Fills in templates of names and compares the names with each other.
 #include "core/batch/archive/output_names.h"
 
 #include "core/base/sha256.h"
@@ -13,13 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestPart = 200; // bytes; a file system takes 255
+constexpr std::size_t kLongestPart = 200; // bytes; a file system allows 255
 constexpr std::size_t kKeptOfLong = 160;
 constexpr std::size_t kKeyDigits = 16;
 
 std::string keyOf(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))).substr(0, kKeyDigits); }
 
-// One folder's name: what would mean something else in a path is written as %2F, and % itself as %25, so that no two become one.
+// The name of one folder. Characters with a meaning in paths are written as %2F and the like, and % itself as %25, so that different names
+// stay different.
 std::string partOf(const std::string& text) {
     if (text == ".") return "%2E";
     if (text == "..") return "%2E%2E";
@@ -90,7 +91,7 @@ Result<std::vector<std::string>> outputNames(const std::vector<std::string>& inp
     if (auto fine = checkPattern(pattern); !fine) return fine.error();
     std::vector<std::string> names;
     for (const std::string& input : inputs) names.push_back(filled(pattern, input));
-    // With a stroke behind each, a folder inside another comes right behind it or behind what else is inside.
+    // With a slash behind each name, a folder inside another is sorted directly behind it, or behind other folders inside it.
     std::vector<std::size_t> order(names.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t i) { return names[i] + "/"; });

@@ -1,4 +1,4 @@
-// Where the results of each scan of an archive go: one folder each, that no other scan can have (docs/batch.md, "Names").
+// The folder for the results of each scan of an archive: a separate one for each scan (docs/batch.md, "Names").
 #pragma once
 
 #include "core/base/result.h"
@@ -8,7 +8,7 @@
 
 namespace edgescan {
 
-/// What stands in braces in a template, with what it stands for: "path", "folder", "name", "stem", "key".
+/// A field in braces in a template, and its value: "path", "folder", "name", "stem", "key".
 struct NameField {
     const char* key;
     const char* help;
@@ -16,8 +16,8 @@ struct NameField {
 };
 [[nodiscard]] const std::vector<NameField>& nameFields();
 
-/// The template filled in for each input: relative paths without "." and "..". Error: an unknown field, or two inputs that would share a
-/// folder or lie one inside the other.
+/// The template filled in for each input: relative paths without "." and "..". Error: an unknown field, or two inputs with the same folder,
+/// or with one folder inside the other.
 Result<std::vector<std::string>> outputNames(const std::vector<std::string>& inputs, const std::string& pattern);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Rows as NDJSON and CSV.
+// Writes rows as NDJSON and CSV.
 #include "core/batch/archive/results_table.h"
 
 #include "core/base/bounded_json.h"
@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 struct Column {
     const char* name;
-    const char* pointer; ///< into a row
+    const char* pointer; ///< JSON pointer into a row
 };
 
 constexpr std::array kColumns{Column{"input", "/input"},
@@ -90,7 +90,7 @@ std::string ndjsonTable(const std::vector<std::string>& rows) {
     std::string table;
     for (const std::string& text : rows) {
         auto row = parseOrderedJson(text, "");
-        if (!row) continue; // the journal was read before
+        if (!row) continue; // never here: the journal's reader parsed the same line before
         row->erase("picture");
         table += jsonText(*row) + "\n";
     }

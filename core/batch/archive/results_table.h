@@ -6,11 +6,11 @@
 
 namespace edgescan {
 
-/// One line of JSON per row, as the journal holds it but for what only the journal needs.
+/// One line of JSON per row, as in the journal but without the values that only the journal needs.
 [[nodiscard]] std::string ndjsonTable(const std::vector<std::string>& rows);
 
-/// A header and one line per row (RFC 4180). Text that a spreadsheet would take for a formula has an apostrophe before it; what times say
-/// stands in the last columns, whose names begin with "time_".
+/// A header and one line per row (RFC 4180). Text that a spreadsheet could read as a formula gets an apostrophe in front. The last columns,
+/// whose names begin with "time_", hold the times.
 [[nodiscard]] std::string csvTable(const std::vector<std::string>& rows);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Workers made by fork, each at the end of a pair of sockets. A message is its length and its bytes.
+// Worker processes made by fork, each connected by a pair of sockets. A message is its length followed by its bytes.
 #include "core/batch/archive/worker_processes.h"
 
 #include "core/base/bands.h"
@@ -36,8 +36,8 @@ struct WorkerProcess {
     int socket = -1;
     std::optional<std::size_t> job;
     Clock::time_point since;
-    std::string arrived; // of the answer
-    bool ranOut = false; // of its time
+    std::string arrived; // bytes of the answer so far
+    bool ranOut = false; // it exceeded its time
 };
 
 bool sendAll(int socket, const void* bytes, std::size_t count) {
@@ -64,7 +64,7 @@ bool receiveAll(int socket, void* bytes, std::size_t count) {
     return true;
 }
 
-// Bytes of address space that this process has now.
+// Bytes of address space of this process.
 std::uint64_t addressSpace() {
     const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
     std::array<char, 64> text{};
@@ -76,7 +76,7 @@ std::uint64_t addressSpace() {
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// Where a sanitizer keeps shadows of the whole address space, a limit of it would leave nothing.
+// A sanitizer maps shadow memory for the whole address space, so a limit would leave no memory.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kLimitsAddresses = false;
 #else
@@ -110,7 +110,7 @@ constexpr bool kLimitsAddresses = true;
     ::_exit(0);
 }
 
-// Those that are left behind by fork() may hold a lock that nobody opens any more. 0 where the system does not tell.
+// Threads that fork() does not copy may hold a lock for ever. 0 if the system does not report the number.
 std::size_t threadsOfThisProcess() {
     std::error_code none;
     std::size_t threads = 0;
@@ -154,7 +154,7 @@ private:
         if (!job) return Done{};
         WorkerProcess& worker = workers_[static_cast<std::size_t>(number)];
         const std::uint64_t index = *job;
-        for (int attempt = 0; attempt < 2; ++attempt) { // the one that waits may have been killed from outside
+        for (int attempt = 0; attempt < 2; ++attempt) { // the process may have been killed from outside
             if (worker.process < 0) {
                 if (auto made = start(number); !made) return made.error();
             }
@@ -162,7 +162,7 @@ private:
             worker.since = Clock::now();
             if (sendAll(worker.socket, &index, sizeof index)) return Done{};
             worker.job.reset();
-            static_cast<void>(bury(worker));
+            static_cast<void>(reap(worker));
         }
         return Error{"the processes that do the work end at once", "", "look what ends them, and run the command again"};
     }
@@ -180,9 +180,9 @@ private:
             return Error{"no process can be made (" + reason + ")", "", "use fewer --jobs"};
         }
         if (child == 0) {
-            ::prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody works on when the run was killed
+            ::prctl(PR_SET_PDEATHSIG, SIGKILL); // workers end when the run is killed
             if (::getppid() != parent) ::_exit(0);
-            ::signal(SIGINT, SIG_IGN); // the run ends in good order: this scan is done to its end
+            ::signal(SIGINT, SIG_IGN); // the run ends in order: this scan is completed
             ::signal(SIGTERM, SIG_IGN);
             ::close(ends[0]);
             for (const WorkerProcess& other : workers_) {
@@ -207,7 +207,7 @@ private:
             const std::chrono::duration<double> taken = Clock::now() - worker.since;
             if (worker.job && !worker.ranOut && limits_.secondsPerJob > 0 && taken.count() > limits_.secondsPerJob) {
                 worker.ranOut = true;
-                ::kill(worker.process, SIGKILL); // its end is read as that of any other
+                ::kill(worker.process, SIGKILL); // its end is handled as that of any other process
             }
         }
     }
@@ -225,17 +225,17 @@ private:
             const bool goes = worker.arrived[sizeof size + size - 1] == kGoesOn;
             worker.arrived.clear();
             worker.job.reset();
-            if (!goes) static_cast<void>(bury(worker));
+            if (!goes) static_cast<void>(reap(worker));
             jobs_.ended(end);
         } else if (got <= 0) {
             JobEnd end{*worker.job, std::nullopt, {}};
-            end.death = bury(worker);
+            end.death = reap(worker);
             jobs_.ended(end);
         }
     }
 
-    // The process is gone or goes now; how it ended.
-    std::string bury(WorkerProcess& worker) {
+    // Waits until the process has ended; returns how it ended.
+    std::string reap(WorkerProcess& worker) {
         ::close(worker.socket);
         int status = 0;
         while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {

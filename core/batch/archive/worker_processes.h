@@ -1,4 +1,4 @@
-// Jobs done in processes of their own: what one does to its memory or its process ends that job and no other.
+// Runs jobs in separate processes: a fault in one job ends only that job.
 #pragma once
 
 #include "core/base/result.h"
@@ -13,27 +13,27 @@ namespace edgescan {
 
 struct WorkerLimits {
     int processes = 1;
-    std::uint64_t memoryBytes = 0; ///< what a process may take beyond what it begins with; 0: no limit
-    double secondsPerJob = 0;      ///< then it is ended; 0: no limit
+    std::uint64_t memoryBytes = 0; ///< memory that a process may use in addition to its memory at the start; 0: no limit
+    double secondsPerJob = 0;      ///< time after which the job is ended; 0: no limit
 };
 
 struct JobEnd {
     std::size_t job = 0;
-    std::optional<std::string> answer; ///< empty: the process ended before it had one
-    std::string death;                 ///< and how, for a person: "it ended with signal 11 (Segmentation fault)"
+    std::optional<std::string> answer; ///< empty: the process ended before it sent an answer
+    std::string death;                 ///< how the process ended, for a person: "it ended with signal 11 (Segmentation fault)"
 };
 
 struct Jobs {
-    std::function<std::optional<std::size_t>()> next; ///< the next job to give out; empty: there is none
-    /// Done in a worker, a copy of this process; `worker` is from 0 to processes - 1. Whatever it throws ends the worker.
+    std::function<std::optional<std::size_t>()> next; ///< the next job; empty: no more jobs
+    /// Runs in a worker, which is a copy of this process; `worker` is from 0 to processes - 1. An exception ends the worker.
     std::function<std::string(std::size_t job, int worker)> work;
-    std::function<void(const JobEnd&)> ended; ///< in this process, in the order in which jobs end
-    std::function<bool()> goOn;               ///< asked several times a second; false: no more jobs are given out
+    std::function<void(const JobEnd&)> ended; ///< called in this process, in the order in which jobs end
+    std::function<bool()> goOn;               ///< called several times a second; false: no more jobs are started
 };
 
-/// Returns when every job that was given out has ended. A worker does one job after the other; a new one takes the place of one that died
-/// or took most of its memory. Error: this process has other threads, whose locks a copy could
-/// wait for for ever; no process can be made; jobs given out are ended and told.
+/// Returns when every started job has ended. A worker does one job after the other. A new worker replaces one that died or used most of its
+/// memory. Error: this process has other threads, whose locks a copy could wait for for ever; a process cannot be created; jobs already
+/// started are ended and reported.
 Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs);
 
 } // namespace edgescan

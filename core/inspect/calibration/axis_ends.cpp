@@ -1,4 +1,5 @@
-// A look-up by beam and line is singular on the axis. Seen along it, a plane is a straight function of y / |x| and z / |x| in 1 / |x|.
+// Compares the two views near the axis. A look-up by beam and line is singular on the axis. Seen along the axis, a plane is a linear
+// function of y / |x| and z / |x| in 1 / |x|.
 #include "core/inspect/calibration/axis_ends.h"
 
 #include "core/base/angles.h"
@@ -13,17 +14,18 @@
 namespace edgescan {
 namespace {
 
-constexpr double kEndMisfitMm = 30.0, kEndMisfitShare = 0.02; // of the range
+constexpr double kEndMisfitMm = 30.0, kEndMisfitShare = 0.02; // mm, and share of the range
 constexpr double kEndNearestM = 0.5;
-constexpr double kOneSided = 2.5;   // times the leverage in the middle of the neighbours
-constexpr double kMostConeDeg = 20; // farther from the axis nothing is gained by looking along it
+constexpr double kOneSided = 2.5;   // largest leverage, as a multiple of that in the middle of the neighbours
+constexpr double kMostConeDeg = 20; // farther from the axis, looking along it has no advantage
 constexpr double kEndAngleSdDeg = 0.015;
-constexpr double kTilesPerUnit = 60; // of y / |x| and z / |x|: about a degree; fits that share neighbours err alike
+// tiles per unit of y / |x| and z / |x|: about a degree; fits with common neighbours have correlated errors
+constexpr double kTilesPerUnit = 60;
 constexpr std::array<double, AssemblyErrors::kCount> kEndSteps{0.5, 0.5, 0.01, 0.01, 0.01}; // mm and degrees
 
 using Slopes = Eigen::Matrix<double, 3, AssemblyErrors::kCount>;
 
-/// A point as seen along the axis, and what each error of the assembly does to that.
+/// A point as seen along the axis, and the effect of each assembly error on it.
 struct EndPoint {
     Eigen::Vector3d yzu = Eigen::Vector3d::Zero(); ///< y / |x|, z / |x|, 1 / |x|
     Slopes slopes = Slopes::Zero();
@@ -31,7 +33,7 @@ struct EndPoint {
     std::size_t cell = 0; ///< index of the SeenCell
 };
 
-/// The mounting with some errors, and with each a step greater and smaller.
+/// The mounting with given errors, and with each error a step larger and smaller.
 class EndViews {
 public:
     EndViews(const PolarGeometry& polar, const AssemblyErrors& errors)
@@ -56,7 +58,7 @@ public:
             point.slopes.col(static_cast<Eigen::Index>(q)) =
                 (alongAxis(turned * (greater_[q] * cell.inSensorM)) - alongAxis(turned * (smaller_[q] * cell.inSensorM))) /
                 (2 * kEndSteps[q]);
-        // The turn moves the point about the axis and nothing else.
+        // The turn error only rotates the point about the axis.
         const double perTurnDeg = radians(direction_ * (cell.lineDeg - middleDeg_) / 180.0);
         point.slopes.col(AssemblyErrors::kCount - 1) = Eigen::Vector3d(-point.yzu.y(), point.yzu.x(), 0) * perTurnDeg;
         return point;
@@ -87,11 +89,11 @@ std::vector<EndPoint> pointsAtEnd(const std::vector<SeenCell>& cells, const EndV
     return points;
 }
 
-/// The plane u = c . (1, y - y0, z - z0) over neighbours, its value's weights on them, and how well it holds.
+/// The plane u = c . (1, y - y0, z - z0) through neighbours, the weights of the neighbours in its value, and its misfit.
 struct EndFit {
     Eigen::Vector3d c = Eigen::Vector3d::Zero();
     double misfitU = 0, leverage = 0;
-    std::vector<double> weights; ///< of each neighbour in c[0]
+    std::vector<double> weights; ///< weight of each neighbour in c[0]
     bool usable = false;
 };
 
@@ -109,7 +111,7 @@ EndFit fitAround(const std::vector<EndPoint>& surface, const std::vector<std::si
     };
     for (const std::size_t n : neighbours) {
         const Eigen::Vector3d x = rowOf(n);
-        const double u = surface[n].yzu.z() - at.z(); // small numbers keep their digits
+        const double u = surface[n].yzu.z() - at.z(); // small numbers keep more digits
         normal += x * x.transpose();
         right += u * x;
         squares += u * u;
@@ -140,7 +142,7 @@ std::optional<Residual> residualAt(const EndPoint& point, const std::vector<EndP
     const double perDegree = radians(fit.c.tail<2>().norm()) * mmPerU;
     residual.sigmaMm = std::sqrt(std::pow(std::max(1.0, noise.at(point.rangeM)), 2) + misfitMm * misfitMm * (1.0 + fit.leverage) +
                                  std::pow(perDegree * kEndAngleSdDeg, 2));
-    // How u of a point changes against a plane of these slopes.
+    // The change of a point's u relative to a plane with these slopes.
     const Eigen::RowVector3d against(-fit.c[1], -fit.c[2], 1.0);
     AssemblyVector ofSurface = AssemblyVector::Zero();
     for (std::size_t n = 0; n < neighbours.size(); ++n) ofSurface += fit.weights[n] * (against * surface[neighbours[n]].slopes).transpose();
@@ -148,7 +150,7 @@ std::optional<Residual> residualAt(const EndPoint& point, const std::vector<EndP
     return residual;
 }
 
-/// Degrees off the nearer end of the axis, with that end.
+/// Degrees from the nearer end of the axis, and that end.
 std::pair<double, int> offEnd(double beamDeg) {
     const double off = beamDeg < 90.0 ? beamDeg : 180.0 - beamDeg;
     return {std::abs(off), beamDeg < 90.0 ? 0 : 1};
@@ -178,7 +180,7 @@ std::vector<SeenCell> cellsAtEnds(const PolarGeometry& polar, const InverseRange
     const double first = *std::min_element(polar.lineDeg.begin(), polar.lineDeg.end());
     const std::vector<int> beams = beamsSeenTwice(polar);
     std::vector<SeenCell> all;
-    std::vector<double> solid; // angle that each stands for
+    std::vector<double> solid; // solid angle of each cell
     double whole = 0;
     for (int i = 0; i < inverse.u.lines; ++i) {
         const double at = polar.lineDeg[static_cast<std::size_t>(i)] - first;
@@ -192,7 +194,7 @@ std::vector<SeenCell> cellsAtEnds(const PolarGeometry& polar, const InverseRange
             whole += solid.back();
         }
     }
-    // Of cells in the order of lines each is taken that fills up another equal share of the solid angle.
+    // Draws cells in the order of lines: each time an equal share of the solid angle is reached, one cell is taken.
     std::vector<SeenCell> cells;
     const double share = whole / static_cast<double>(std::max<std::size_t>(1, most));
     double filled = 0.5 * share;

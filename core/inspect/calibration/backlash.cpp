@@ -1,4 +1,4 @@
-// One parameter by Gauss-Newton with Tukey's weights, on inverse ranges.
+// Estimates one parameter by Gauss-Newton with Tukey's weights, on inverse ranges.
 #include "core/inspect/calibration/backlash.h"
 
 #include "core/base/number_text.h"
@@ -16,13 +16,13 @@
 namespace edgescan {
 namespace {
 
-constexpr int kSlopeLines = 2;     // to either side of a line
-constexpr double kMostBentMm = 60; // a place that its lines bend by more is an edge
+constexpr int kSlopeLines = 2;     // number of lines on either side
+constexpr double kMostBentMm = 60; // if its lines bend by more than this, the place is an edge
 constexpr std::size_t kFewestSame = 1000;
 constexpr int kBacklashRounds = 20;
 constexpr double kTukeyReach = 4.685;
 constexpr double kMostSdDeg = 0.05;
-constexpr double kSystematicSdDeg = 0.002; // simulated pairs err by as much beyond what their noise explains; the cause is not known
+constexpr double kSystematicSdDeg = 0.002; // in simulations the errors exceed the effect of noise by this much; the cause is unknown
 constexpr double kSameBeamDeg = 0.01;
 
 // A pass with its lines in the order of their angles.
@@ -34,8 +34,8 @@ struct SortedPass {
         std::ranges::transform(line, deg.begin(), [&](int n) { return polar.lineDeg[static_cast<std::size_t>(n)]; });
     }
 
-    // Inverse range and its change per degree at an angle, from the line nearest to it and as many on either side; false where they are
-    // not of one surface.
+    // Inverse range and its change per degree at an angle, from the nearest line and kSlopeLines lines on either side; false if these are
+    // not on one surface.
     [[nodiscard]] bool at(double atDeg, int beam, double& u, double& slope) const {
         const std::ptrdiff_t middle = nearestAngle(deg, atDeg);
         const std::ptrdiff_t first = middle - kSlopeLines, last = middle + kSlopeLines;
@@ -69,12 +69,13 @@ struct SortedPass {
 };
 
 struct SamePlace {
-    double offMm, slopeThereMm, slopeBackMm; // per degree
+    double offMm, slopeThereMm, slopeBackMm; // the slopes are per degree
     std::size_t line;
 };
 
-// Both passes fitted alike, so that what a fit smooths is the same on both sides. The pass back is fitted at its own lines: there the
-// errors of height and slope have nothing in common, so its slope is a fair witness of the distance; that of the pass there would not be.
+// Both passes are fitted in the same way, so that the smoothing by the fit is the same on both sides. The return pass is fitted at its own
+// lines. There the errors of height and slope are independent, so its slope converts the distance without bias; the slope of the forward
+// pass would not.
 std::vector<SamePlace> samePlaces(const SortedPass& there, const SortedPass& back, double backlashDeg) {
     std::vector<SamePlace> places;
     for (std::size_t k = 0; k < back.deg.size(); ++k) {
@@ -88,7 +89,7 @@ std::vector<SamePlace> samePlaces(const SortedPass& there, const SortedPass& bac
     return places;
 }
 
-// What each block of lines adds to the normal equation.
+// The contribution of each block of lines to the normal equation.
 class Blocks {
 public:
     explicit Blocks(std::size_t lines) : lines_(lines) {}
@@ -99,8 +100,8 @@ public:
     }
     [[nodiscard]] double information() const { return std::accumulate(information_.begin(), information_.end(), 0.0); }
     [[nodiscard]] double gradient() const { return std::accumulate(gradient_.begin(), gradient_.end(), 0.0); }
-    // By leaving out one block after the other (Efron 1982, the jackknife): the beams of a line share the stepper's jitter, and lines side
-    // by side a surface and its faults, and so they err alike; blocks hardly do.
+    // By leaving out one block after the other (Efron 1982, the jackknife). The beams of a line share the stepper's jitter, and
+    // neighbouring lines share a surface and its faults, so their errors are correlated; those of blocks hardly are.
     [[nodiscard]] double sd() const {
         std::vector<double> without;
         for (std::size_t n = 0; n < kBlocks; ++n) {

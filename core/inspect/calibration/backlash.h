@@ -1,4 +1,4 @@
-// Backlash of the stepper, from two passes over the same lines: there and back (docs/calibration.md, "Backlash").
+// Backlash of the stepper, from two passes over the same lines: forward and back (docs/calibration.md, "Backlash").
 #pragma once
 
 #include "core/base/result.h"
@@ -7,15 +7,16 @@
 namespace edgescan {
 
 struct Backlash {
-    double deg = 0;           ///< true line angle of the pass back minus that of the pass there, where both say the same angle
-    double sdDeg = 0;         ///< standard deviation; larger than the plain one by what trial asked for
-    std::size_t cells = 0;    ///< that were compared
-    double apartBeforeMm = 0; ///< median distance of the two passes along the beam
-    double apartAfterMm = 0;  ///< and with the backlash taken off
+    /// true line angle of the return pass minus that of the forward pass, where both recorded the same angle, degrees
+    double deg = 0;
+    double sdDeg = 0;         ///< standard deviation, degrees; larger than the formal one by an amount found in simulations
+    std::size_t cells = 0;    ///< number of cells compared
+    double apartBeforeMm = 0; ///< median distance of the two passes along the beam, mm
+    double apartAfterMm = 0;  ///< the same after the backlash is corrected
 };
 
-/// Both need line angles, the same beams and overlapping lines; any mounting, in any order of lines. Nothing else of the assembly shows in
-/// two passes. Error: they do not fit each other, or the surfaces tell too little.
+/// Both scans need line angles, the same beams and overlapping lines; any mounting, lines in any order. Two passes show no other assembly
+/// error. Error: the scans do not fit each other, or their surfaces do not determine the backlash.
 Result<Backlash> backlashOf(const Scan& there, const Scan& back);
 
 } // namespace edgescan

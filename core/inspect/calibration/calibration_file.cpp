@@ -1,4 +1,4 @@
-// The calibration file written.
+// Writes the calibration file.
 #include "core/inspect/calibration/calibration_file.h"
 
 #include "core/base/bounded_json.h"

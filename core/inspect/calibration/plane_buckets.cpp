@@ -1,4 +1,4 @@
-// Rings of buckets round the place asked for, until no farther one can hold a nearer point.
+// Searches rings of buckets around the place until no farther ring can hold a nearer point.
 #include "core/inspect/calibration/plane_buckets.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace edgescan {
 namespace {
 
 constexpr double kPointsPerBucket = 8;
-constexpr int kMostBuckets = 512; // along a side
+constexpr int kMostBuckets = 512; // along one side
 
 } // namespace
 
@@ -48,7 +48,7 @@ std::vector<std::size_t> PlaneBuckets::nearest(const Eigen::Vector2d& at, std::s
         for (std::size_t n = first_[bucket]; n < first_[bucket + 1]; ++n)
             found.emplace_back((points_[order_[n]] - at).squaredNorm(), order_[n]);
     };
-    // A point beyond ring n lies at least n sides away; a place outside the points is farther still.
+    // A point beyond ring n is at least n bucket sides away; from a place outside the points it is farther still.
     const int last = std::max(columns_, rows_);
     for (int ring = 0; ring <= last; ++ring) {
         if (found.size() >= count && ring > 0) {

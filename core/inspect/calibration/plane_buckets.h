@@ -1,4 +1,4 @@
-// The nearest of many points in a plane.
+// Finds the nearest of many points in a plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,12 +8,13 @@
 
 namespace edgescan {
 
-/// Points put into square buckets of about eight. Never changes, so any number of threads may ask.
+/// Points in square buckets of about eight points. Immutable, so that several threads may search at once.
 class PlaneBuckets {
 public:
     explicit PlaneBuckets(const std::vector<Eigen::Vector2d>& points);
 
-    /// Indices of the `count` points nearest to `at` (all where there are fewer), in no order; of points equally far those of lower index.
+    /// Indices of the `count` points nearest to `at` (of all points if there are fewer), unordered; of points at equal distance, those with
+    /// lower index.
     [[nodiscard]] std::vector<std::size_t> nearest(const Eigen::Vector2d& at, std::size_t count) const;
 
 private:
@@ -24,8 +25,8 @@ private:
     Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
     double side_ = 1;
     int columns_ = 1, rows_ = 1;
-    std::vector<std::size_t> order_; ///< indices by bucket
-    std::vector<std::size_t> first_; ///< of each bucket in order_, and the end
+    std::vector<std::size_t> order_; ///< indices of points, by bucket
+    std::vector<std::size_t> first_; ///< position of each bucket in order_, and the end
 };
 
 } // namespace edgescan

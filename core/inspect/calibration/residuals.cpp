@@ -1,5 +1,5 @@
-// Residuals by the chain rule: only the place of the other view is differentiated by steps. Differences of the residual itself would jump
-// wherever the nearest cell changes.
+// Residuals by the chain rule: only the place of the other view is differentiated numerically. Differences of the residual itself would
+// jump wherever the nearest cell changes.
 #include "core/inspect/calibration/residuals.h"
 
 #include <algorithm>
@@ -9,11 +9,11 @@ namespace edgescan {
 namespace {
 
 constexpr std::array<double, AssemblyErrors::kCount> kSteps{0.5, 0.5, 0.01, 0.01, 0.01}; // mm and degrees
-constexpr double kFarthestBeam = 1.0; // cells from the middle of a fit: extrapolation is what breaks a turn of 180 degrees
+constexpr double kFarthestBeam = 1.0; // cells from the middle of a fit: with extrapolation the estimate for a turn of 180 degrees fails
 constexpr double kFarthestLine = 1.5;
 constexpr double kAngleSdDeg = 0.015;
 
-/// Steps from each angle to the next one, never 0.
+/// The step from each angle to the next one, never 0.
 std::vector<double> stepsOf(const std::vector<double>& deg) {
     std::vector<double> steps(deg.size(), 1.0);
     for (std::size_t i = 0; i < deg.size() && deg.size() > 1; ++i) {
@@ -25,7 +25,7 @@ std::vector<double> stepsOf(const std::vector<double>& deg) {
     return steps;
 }
 
-/// The assembly as it is thought to be, and with each error a step greater and smaller.
+/// The assembly with the assumed errors, and with each error a step larger and smaller.
 struct Mountings {
     TurningMounting here;
     std::array<TurningMounting, AssemblyErrors::kCount> greater, smaller;

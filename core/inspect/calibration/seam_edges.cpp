@@ -1,4 +1,4 @@
-// Early edges turned into what the late view would measure.
+// Transforms edges of the early view to the cells in which the late view would measure them.
 #include "core/inspect/calibration/seam_edges.h"
 
 #include "core/base/angles.h"
@@ -16,7 +16,7 @@ constexpr double kSeamOffAxisDeg = 4.0, kSeamOffEndDeg = 0.5; // spin: as in twi
 constexpr int kSeamPx = 3;
 constexpr Rgb kSeamGround{20, 22, 26}, kLateColour{255, 150, 40}, kEarlyColour{70, 160, 255}, kBothColour{255, 255, 255};
 
-/// The lines of one view, and what they need to be looked up.
+/// The lines of one view, and the values for look-ups in them.
 struct SeamLines {
     const PolarGeometry& polar;
     double first = 0, turn = 0;
@@ -48,7 +48,7 @@ bool anyAround(const Grid<std::uint8_t>& grid, int line, int beam) {
     return false;
 }
 
-/// Where the fan has a beam: a little beyond the last one still counts.
+/// The angles that the fan covers: half a step beyond the last beam is still inside.
 class Fan {
 public:
     explicit Fan(const std::vector<double>& beamDeg) {
@@ -77,7 +77,7 @@ void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edge
             if (!later || !fan.has(later->beamDeg)) continue;
             const int at = nearestAngle(polar.beamDeg, later->beamDeg);
             const int row = nearestLine(polar, at, later->lineDeg);
-            // What lies beyond the grid has its border as the nearest angle.
+            // For places outside the grid the nearest angle is at its border.
             const bool inside = later->lineDeg <= lines.first + lines.turn && lines.isLate(row);
             const int column = columnOf[static_cast<std::size_t>(at)];
             if (inside && seam.early.contains(row - seam.firstLine, column)) seam.early.at(row - seam.firstLine, column) = 1;
@@ -94,7 +94,7 @@ void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges
             seam.late.at(row, column) = 1;
             const auto before = otherViewOf(*cell, View::Late, mounting);
             if (!before || !lines.isEarly(before->lineDeg) || !fan.has(before->beamDeg)) continue;
-            if (!offAxis(lines.polar, before->beamDeg)) continue; // drawn by neither view
+            if (!offAxis(lines.polar, before->beamDeg)) continue; // omitted from both views
             ++seam.lateEdges;
             seam.met += anyAround(seam.early, row, column) ? 1 : 0;
         }

@@ -1,4 +1,4 @@
-// Gauss-Newton with Tukey's weights, both ways.
+// Gauss-Newton with Tukey's weights, in both directions: early view against late view, and late against early.
 #include "core/inspect/calibration/self_calibration.h"
 
 #include "core/base/number_text.h"
@@ -15,10 +15,10 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kCells = 12000; // per scan and way
-constexpr std::size_t kTurn = 4;      // of AssemblyErrors
+constexpr std::size_t kCells = 12000; // per scan and direction
+constexpr std::size_t kTurn = 4;      // index in AssemblyErrors
 constexpr std::array<int, 2> kHalfWidths{4, 2};
-constexpr std::array<EndScale, 2> kEndScales{{{240, 4}, {60, 1}}}; // of a sweep
+constexpr std::array<EndScale, 2> kEndScales{{{240, 4}, {60, 1}}}; // of a sweep mounting
 constexpr std::array<int, 2> kIterations{6, 8};
 constexpr double kTukey = 4.685;
 constexpr double kLeastScale = 0.3;
@@ -26,16 +26,16 @@ const AssemblyVector kPrior = (AssemblyVector() << 10, 10, 0.5, 0.5, 0.3).finish
 constexpr double kLongestMm = 15;
 constexpr double kLongestDeg = 0.6;
 constexpr double kLeastOverlapDeg = 5;
-constexpr double kLeastSweepDeg = 300; // of turn: what a shorter one tells is worse than the nominal assembly
-constexpr double kLeastBeyondDeg = 1;  // of fan behind a sweep's axis
+constexpr double kLeastSweepDeg = 300; // degrees of turn: a shorter turn gives a worse estimate than the nominal assembly
+constexpr double kLeastBeyondDeg = 1;  // degrees of fan behind a sweep's axis
 constexpr double kFullTurnDeg = 359;
 constexpr double kHonestPart = 1.5, kHonestFull = 1.2, kHonestSweep = 1.5; // docs/calibration.md, "Uncertainty"
-constexpr double kAgreed = 1.5;                                            // times what noise explains
+constexpr double kAgreed = 1.5;                                            // times the misfit that noise explains
 constexpr std::size_t kFewestCells = 500;
 constexpr std::array<const char*, AssemblyErrors::kCount> kNames{"the lever arm t1", "the lever arm t2", "the tilt of the fan",
                                                                  "the beam index", "the length of the turn"};
 
-/// A scan with the cells that are compared.
+/// A scan with the cells to compare.
 struct Pass {
     TurnedSweep sweep;
     std::array<std::vector<SeenCell>, 2> cells; ///< by View
@@ -54,7 +54,7 @@ double tukeyWeight(double x, double limit) {
     return std::abs(share) >= 1.0 ? 0.0 : std::pow(1.0 - share * share, 2);
 }
 
-/// 1.48 median |e / sigma|, never so small that noise itself is cut off.
+/// 1.48 median |e / sigma|, with a lower limit so that pure noise is not cut off.
 double scaleOf(const std::vector<Residual>& residuals) {
     std::vector<double> sizes;
     for (const Residual& r : residuals) sizes.push_back(std::abs(r.apartMm / r.sigmaMm));
@@ -64,11 +64,11 @@ double scaleOf(const std::vector<Residual>& residuals) {
 struct Normal {
     AssemblyMatrix matrix = kPrior.cwiseInverse().cwiseAbs2().asDiagonal();
     AssemblyVector right = AssemblyVector::Zero();
-    std::map<std::pair<std::size_t, int>, AssemblyVector> together; ///< of each scan: what errs alike
+    std::map<std::pair<std::size_t, int>, AssemblyVector> together; ///< per scan: residuals with correlated errors
     std::size_t cells = 0;
 };
 
-/// A pass looked at on one scale.
+/// The cells of a pass compared on one scale.
 class Comparison {
 public:
     Comparison(const Pass& pass, std::size_t level) : pass_(pass), level_(level), fits_(pass.sweep.inverse, kHalfWidths[level]) {}
@@ -118,7 +118,7 @@ std::vector<Comparison> comparisonsOf(const std::vector<Pass>& passes, std::size
     return all;
 }
 
-/// Nothing: given up.
+/// Empty: cancelled.
 std::optional<Solved> solve(const std::vector<Pass>& passes, View view, const CalibrationProgress& goOn) {
     const char* stage = view == View::Early ? "early cells on late surfaces" : "late cells on early surfaces";
     constexpr double kAll = kIterations[0] + kIterations[1];
@@ -142,7 +142,7 @@ std::optional<Solved> solve(const std::vector<Pass>& passes, View view, const Ca
     const AssemblyMatrix inverse = normal.matrix.inverse();
     AssemblyMatrix middle = AssemblyMatrix::Zero();
     for (const auto& [shared, g] : normal.together) middle += g * g.transpose();
-    // What only the prior holds is as uncertain as that, and so is what hangs on it.
+    // A parameter that only the prior determines is as uncertain as the prior, and so are the parameters that depend on it.
     if (passes.front().sweep.polar.axis == Axis::Sweep) middle.diagonal() += kPrior.cwiseInverse().cwiseAbs2();
     solved.covariance = inverse * middle * inverse;
     solved.cells = normal.cells;
@@ -210,7 +210,7 @@ double honestFactor(const SelfCalibration& found) {
     return found.overlapDeg + 180.0 < kFullTurnDeg ? kHonestPart : kHonestFull;
 }
 
-/// A parameter that is hardly better known than before.
+/// Error for a parameter whose uncertainty is hardly smaller than that of the prior.
 std::optional<Error> stillUnknown(const SelfCalibration& found, const std::string& where) {
     for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n) {
         if (n == kTurn && !found.turnTold) continue;
@@ -283,7 +283,7 @@ Grid<float> viewsApartMm(const Scan& scan, const AssemblyErrors& errors) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || refusalOf(scan)) return apart;
     Pass pass{turnedSweep(scan, *polar), {}};
-    if (polar->axis == Axis::Sweep) takeCells(pass, View::Early, kCells); // the surface that the late cells are held against
+    if (polar->axis == Axis::Sweep) takeCells(pass, View::Early, kCells); // the surface that the late cells are compared with
     takeCells(pass, View::Late, scan.cells());
     for (const Residual& r : Comparison(pass, kHalfWidths.size() - 1).residuals(View::Late, errors))
         apart.at(r.line, r.beam) = static_cast<float>(r.apartMm);

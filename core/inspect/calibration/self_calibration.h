@@ -1,4 +1,5 @@
-// The errors of the scanner's assembly from surfaces that one turn sees twice (docs/calibration.md).
+// Estimates the errors of the scanner's assembly from surfaces that one over-rotated sweep (more than 180 degrees) sees twice
+// (docs/calibration.md).
 #pragma once
 
 #include "core/base/result.h"
@@ -12,27 +13,27 @@
 namespace edgescan {
 
 struct SelfCalibration {
-    AssemblyErrors errors; ///< mean of both ways
-    AssemblyErrors sd;     ///< one standard deviation, made honest (docs/calibration.md, "Uncertainty")
+    AssemblyErrors errors; ///< mean of both directions
+    AssemblyErrors sd;     ///< one standard deviation, increased to a realistic value (docs/calibration.md, "Uncertainty")
     Axis axis = Axis::Spin;
-    bool turnTold = true;      ///< false: a sweep mounting tells nothing of the turn, whose error stays 0 and has no sd
-    double overlapDeg = 0;     ///< of the turn, seen twice
-    std::size_t cells = 0;     ///< that were compared, both ways and all scans
-    double medianBeforeMm = 0; ///< median of |the two views' distance| with the nominal assembly
+    bool turnTold = true;      ///< false: a sweep mounting cannot estimate the turn error; it is 0 without an sd
+    double overlapDeg = 0;     ///< overlap of the turn, degrees
+    std::size_t cells = 0;     ///< number of cells compared, in both directions and all scans
+    double medianBeforeMm = 0; ///< median of the absolute distance of the two views with the nominal assembly, mm
     double medianAfterMm = 0;
-    double noiseMm = 0; ///< median of what noise and misfit of the fits explain
+    double noiseMm = 0; ///< median of the distance that noise and the misfit of the fits explain, mm
 };
 
-/// Told the stage and how much of it is done (0..1); false gives up.
+/// Called with the stage and the share of it that is done (0..1); false cancels.
 using CalibrationProgress = std::function<bool(const char* stage, double fraction)>;
 
-/// From one scan or several of the same assembly. Error: "cancelled", an organised cloud, both mountings at once, a turn that shows too
-/// little twice (185 degrees for spin, 300 for sweep), a fan that does not reach beyond a sweep's axis, views that do not agree afterwards,
-/// an error that stays as unknown as it was; the sentence says which and what to do.
+/// Uses one scan, or several with the same assembly. Error: "cancelled"; an organised cloud; scans of both mountings; a turn that sees too
+/// little twice (at least 185 degrees for spin, 300 for sweep); a fan that does not reach beyond a sweep's axis; views that still disagree
+/// afterwards; an error that stays as uncertain as before. The sentence names the reason and the remedy.
 Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& goOn = {});
 
-/// One picture of a scan's surfaces seen twice, for a person to judge: the distance of the two views with `errors`, for the cells of the
-/// late view. Lines x beams of the scan; NaN elsewhere.
+/// A picture with which a person can check the result: the distance of the two views with `errors`, mm, for the cells of the late view.
+/// Lines x beams of the scan; NaN elsewhere.
 [[nodiscard]] Grid<float> viewsApartMm(const Scan& scan, const AssemblyErrors& errors);
 
 } // namespace edgescan

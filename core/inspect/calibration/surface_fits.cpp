@@ -10,8 +10,8 @@ namespace edgescan {
 namespace {
 
 constexpr double kMisfitMm = 30.0;
-constexpr double kMisfitShare = 0.02; // of the range
-constexpr double kLeastShare = 0.6;   // of the square must be measured
+constexpr double kMisfitShare = 0.02; // share of the range
+constexpr double kLeastShare = 0.6;   // share of the square that must be measured
 constexpr double kNearestM = 0.5;
 
 SurfaceFit fitAt(const InverseRange& inverse, int line, int beam, int half) {
@@ -28,7 +28,7 @@ SurfaceFit fitAt(const InverseRange& inverse, int line, int beam, int half) {
         for (int j = fromBeam; j <= toBeam; ++j) {
             if (!inverse.isMeasured(i, j)) continue;
             const Eigen::Vector3d x(1.0, j - beam, i - line);
-            const double u = static_cast<double>(inverse.u.at(i, j)) - middle; // small numbers keep their digits
+            const double u = static_cast<double>(inverse.u.at(i, j)) - middle; // small numbers keep more digits
             normal += x * x.transpose();
             right += u * x;
             squares += u * u;

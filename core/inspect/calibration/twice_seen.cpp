@@ -1,4 +1,4 @@
-// Two views of one place.
+// Finds the two views of one place.
 #include "core/inspect/calibration/twice_seen.h"
 
 #include "core/base/angles.h"
@@ -14,15 +14,15 @@ namespace edgescan {
 namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
-constexpr double kOffAxisDeg = 4.0;                      // nearer to the axis a line angle says nothing
-constexpr int kNewtonSteps = 4, kNewtonStepsAtEnds = 16; // spin; sweep, where a small shift turns the line angle far
+constexpr double kOffAxisDeg = 4.0;                      // closer to the axis the line angle is undefined
+constexpr int kNewtonSteps = 4, kNewtonStepsAtEnds = 16; // spin; sweep, where a small shift changes the line angle by much
 constexpr double kLongestStep = 0.1;                     // radians
 
 double skewAt(const PolarGeometry& polar, int beam) {
     return polar.lineSkewDeg.empty() ? 0.0 : polar.lineSkewDeg[static_cast<std::size_t>(beam)];
 }
 
-// A fixed order that looks like chance.
+// A fixed permutation that looks random.
 std::uint32_t scattered(std::size_t k) {
     std::uint64_t x = (k + 1) * 0x9E3779B97F4A7C15ULL;
     x ^= x >> 29U;
@@ -69,7 +69,7 @@ LineSpan lateLines(const PolarGeometry& polar) {
 std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRange& inverse, View view, std::size_t most) {
     const double first = *std::min_element(polar.lineDeg.begin(), polar.lineDeg.end());
     const double turn = turnOf(polar);
-    // Beyond a full turn the same line angles come again; the first turn alone is used.
+    // Beyond a full turn the same line angles come again; only the first turn is used.
     const double from = view == View::Late ? kHalfTurnDeg : 0.0;
     const double to = view == View::Late ? std::min(turn, 2 * kHalfTurnDeg) : std::min(turn - kHalfTurnDeg, kHalfTurnDeg);
     SurfaceFits smooth(inverse, 1);
@@ -103,7 +103,7 @@ std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const Turn
     const auto& [axis, mount, turnedDeg] = mounting;
     const Eigen::Vector3d inMover = mount * cell.inSensorM;
     const double half = view == View::Late ? -kHalfTurnDeg : kHalfTurnDeg;
-    // The stepper's angle between the two views is what counts: `apart` turns the mover from the cell's line to the other one.
+    // Only the stepper's angle between the two views matters: `apart` rotates the mover from the cell's line to the other one.
     double apart = radians(turnedDeg * half);
     Eigen::Vector3d inSensor;
     const int steps = axis == Axis::Spin ? kNewtonSteps : kNewtonStepsAtEnds;

@@ -1,4 +1,4 @@
-// Which cells a turning fan sees twice, and where the other view of them lies (docs/calibration.md, "Seen twice").
+// Finds the cells that a rotating fan sees twice, and their place in the other view (docs/calibration.md, "Seen twice").
 #pragma once
 
 #include "core/scan/georef/assembly.h"
@@ -12,20 +12,20 @@ namespace edgescan {
 /// A cell of one view of a surface, as measured.
 struct SeenCell {
     int line = 0, beam = 0;
-    double lineDeg = 0;                                  ///< nominal, of this beam (its skew added)
-    Eigen::Vector3d inSensorM = Eigen::Vector3d::Zero(); ///< S of docs/coordinates.md, by the nominal beam angle
+    double lineDeg = 0;                                  ///< nominal, for this beam (including its skew)
+    Eigen::Vector3d inSensorM = Eigen::Vector3d::Zero(); ///< frame S of docs/coordinates.md, from the nominal beam angle
 };
 
 /// The same place as the other view would have measured it.
 struct OtherView {
-    double lineDeg = 0, beamDeg = 0; ///< nominal, of that beam
+    double lineDeg = 0, beamDeg = 0; ///< nominal, for that beam
     double rangeM = 0;
 };
 
-/// Where the stepper stands when a beam of a line is measured, degrees: it may move on while the mirror sweeps the fan.
+/// The stepper's angle when a beam of a line is measured, degrees. The stepper may move while the mirror sweeps the fan.
 [[nodiscard]] double lineDegAt(const PolarGeometry& polar, int line, int beam);
 
-/// The cell of that line and beam with a range of so many metres.
+/// The cell of that line and beam for a range in metres.
 [[nodiscard]] SeenCell seenCell(const PolarGeometry& polar, int line, int beam, double rangeM);
 
 /// Index of the line whose angle at this beam is nearest to `atDeg`.
@@ -34,10 +34,10 @@ struct OtherView {
 /// Index of the angle nearest to `at`; `deg` ascends or descends and is not empty.
 [[nodiscard]] int nearestAngle(const std::vector<double>& deg, double at);
 
-/// How far the stepper turned from the first line to the last, degrees.
+/// The rotation of the stepper from the first line to the last, degrees.
 [[nodiscard]] double turnOf(const PolarGeometry& polar);
 
-/// The lines of the late view: from half a turn after the first line on, to a full turn at most.
+/// The lines of the late view: from half a turn after the first line, up to a full turn.
 struct LineSpan {
     int first = 0, count = 0;
 };
@@ -45,19 +45,20 @@ struct LineSpan {
 
 enum class View : std::uint8_t { Early, Late };
 
-/// Up to `most` cells of one view whose surroundings are smooth, evenly drawn from all whose other view lies within the turn. A scan draws
-/// the same cells each time. Of a spin mounting; those of a sweep: core/inspect/calibration/axis_ends.h.
+/// Up to `most` cells of one view in smooth surroundings, drawn evenly from all cells whose other view is within the turn. The same scan
+/// gives the same cells each time. For spin mountings; for sweep mountings see core/inspect/calibration/axis_ends.h.
 [[nodiscard]] std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRange& inverse, View view, std::size_t most);
 
-/// Errors of an assembly made ready for many cells.
+/// Assembly errors prepared for many cells.
 struct TurningMounting {
     Axis axis = Axis::Spin;
     RigidTransform sensorInMover;
-    double turnedDeg = 1; ///< by the stepper, right-handed, for one nominal degree
+    double turnedDeg = 1; ///< rotation by the stepper, right-handed, per nominal degree
 };
 [[nodiscard]] TurningMounting turningMounting(const PolarGeometry& polar, const AssemblyErrors& errors);
 
-/// Where the other view, half a turn earlier (for View::Late) or later, sees the point of a cell. Nothing: it never does.
+/// The place where the other view, half a turn earlier (for View::Late) or later, sees the point of a cell. Empty if it never sees the
+/// point.
 [[nodiscard]] std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const TurningMounting& mounting);
 
 } // namespace edgescan

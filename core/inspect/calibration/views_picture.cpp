@@ -1,4 +1,4 @@
-// The picture of the check.
+// Draws the picture for the check of the self-calibration.
 #include "core/inspect/calibration/views_picture.h"
 
 #include "core/inspect/calibration/axis_ends.h"

@@ -1,4 +1,4 @@
-// Rows of regions; gray with colours.
+// Writes the table of regions; draws ranges in gray with coloured changes.
 #include "core/inspect/change_detection/change_report.h"
 
 #include "core/base/number_text.h"

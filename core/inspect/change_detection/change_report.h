@@ -1,4 +1,4 @@
-// What changed, as a table, as JSON and as a picture.
+// The changes between two scans, as a table, as JSON and as a picture.
 #pragma once
 
 #include "core/base/grid.h"
@@ -11,18 +11,18 @@
 
 namespace edgescan {
 
-/// Sky and orange are told apart by those who see no difference between red and green, and words and signs say the same; contrast to the
-/// dimmed cloud (84) 3 : 1 and more.
+/// People with red-green blindness can distinguish sky blue and orange, and words and signs give the same information. Contrast to the
+/// dimmed cloud (84) is at least 3 : 1.
 inline constexpr Rgb kGainedColour{86, 180, 233}, kLostColour{230, 159, 0}, kKeptColour{0, 190, 0};
 
-/// "lined up by their poses": how the two came together, in one line.
+/// "lined up by their poses": one line about the registration.
 [[nodiscard]] std::string lineUpText(const LinedUp& how);
 
-/// Counts, how the scans lie on each other, and the largest regions that came nearer or went farther.
+/// Counts, the quality of the registration, and the largest regions that are nearer or farther than before.
 [[nodiscard]] std::string changeText(const Scan& later, const SceneChange& change);
 [[nodiscard]] nlohmann::ordered_json changeReport(const Scan& later, const SceneChange& change);
 
-/// Lines x beams: ranges in gray, what came nearer or went farther tinted in the colours of gained and lost, edges gained, lost and kept.
+/// Lines x beams: ranges in gray; nearer and farther cells tinted in the colours of gained and lost; edges gained, lost and unchanged.
 [[nodiscard]] Grid<Rgb> changePicture(const Scan& later, const SceneChange& change);
 
 } // namespace edgescan

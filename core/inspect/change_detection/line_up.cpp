@@ -1,4 +1,4 @@
-// Places, surfaces, and the nearest point of each direction.
+// Registers by poses and surfaces, and finds the nearest point in each direction.
 #include "core/inspect/change_detection/line_up.h"
 
 #include "core/base/number_text.h"
@@ -12,11 +12,11 @@
 namespace edgescan {
 namespace {
 
-constexpr double kReachM = 0.5;        // how far surfaces may lie apart to be brought together
-constexpr double kMostOffM = 0.03;     // surfaces that lie farther apart are not said to fit
-constexpr double kSameCellSteps = 0.5; // less than half a cell: cells stay what they are
-constexpr double kWithinSteps = 0.75;  // of a direction: half the diagonal of a cell
-constexpr double kSameEdge = 1.02;     // ranges of one cell that belong to one surface
+constexpr double kReachM = 0.5;        // m: largest distance of surfaces that are matched
+constexpr double kMostOffM = 0.03;     // m: with a larger distance the surfaces do not fit
+constexpr double kSameCellSteps = 0.5; // a smaller correction than half a cell does not move cells
+constexpr double kWithinSteps = 0.75;  // distance to a direction in steps: half the diagonal of a cell
+constexpr double kSameEdge = 1.02;     // ratio of the ranges of one cell that belong to one surface
 constexpr double kSamePlaceM = 0.002, kSameTurn = 2e-4;
 
 bool sameGrid(const Scan& a, const Scan& b) {
@@ -35,10 +35,10 @@ bool samePlace(const Placement& a, const Placement& b) {
     return true;
 }
 
-/// Both scans in one frame, and the directions of the later one's cells in it.
+/// Both scans in one frame, and the directions of the later scan's cells in it.
 struct PlacedPair {
     PlacedScan later, earlier;
-    std::vector<Eigen::Vector3d> directions; ///< unit; NaN where none is known
+    std::vector<Eigen::Vector3d> directions; ///< unit vectors; NaN where unknown
 };
 
 template <class Turn>
@@ -70,7 +70,7 @@ PlacedPair placedPair(const std::shared_ptr<const Scan>& later, const std::share
     return {placedBy(later, ofLater), placedBy(earlier, ofEarlier), directionsOf(*later, turn)};
 }
 
-/// How far a correction moves the points, in steps of the grid: the median.
+/// The median distance by which a correction moves the points, in steps of the grid.
 double movedSteps(const PlacedScan& placed, const PlacedScan& grid, const RigidTransform& correction) {
     constexpr std::size_t kLooked = 2000;
     std::vector<double> steps;
@@ -88,7 +88,7 @@ double movedSteps(const PlacedScan& placed, const PlacedScan& grid, const RigidT
 
 std::string tenthsOfMm(double metres) { return fixedText(1000 * metres, 1) + " mm"; }
 
-/// Where the points of the earlier scan fall on the grid, the nearest one of each direction.
+/// Moves the points of the earlier scan to the grid; of several in one direction the nearest is used.
 Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& edges) {
     const Scan& later = *pair.later.scan;
     const PointIndex index(pair.directions);
@@ -147,7 +147,7 @@ Result<LinedUpBy> waysOf(const Scan& later, const Scan& earlier, const LineUpWis
                  without.name, "give it a pose, or line the two up by their surfaces"};
 }
 
-/// What has to be said of how they lie on each other.
+/// Adds the warnings about the registration.
 void judge(LinedUp& how, double off) {
     const auto say = [&](const std::string& sentence) {
         how.outOfSpec = true;

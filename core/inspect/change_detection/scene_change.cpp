@@ -1,4 +1,4 @@
-// Cells against the nine cells of the other scan.
+// Compares each cell with nine cells of the other scan.
 #include "core/inspect/change_detection/scene_change.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace edgescan {
 namespace {
 
-/// Per cell whether any cell within `reach` has it, by rows and then by columns.
+/// Whether any cell within `reach` has a value, by rows and then by columns.
 Grid<std::uint8_t> widened(const Grid<std::uint8_t>& from, int reach) {
     if (reach == 0) return from;
     Grid<std::uint8_t> rows(from.lines, from.beams), all(from.lines, from.beams);
@@ -31,7 +31,7 @@ Grid<std::uint8_t> measured(const Grid<CellState>& state) {
     return valid;
 }
 
-/// Nearest and farthest range of the nine cells, mm; both 0 where none has one.
+/// Smallest and largest range of the nine cells, mm; both 0 if all are missing.
 struct Span {
     float least = 0.0F, most = 0.0F;
     [[nodiscard]] bool known() const { return most > 0.0F; }
@@ -49,14 +49,14 @@ Span spanAt(const Scan& scan, int line, int beam) {
     return span;
 }
 
-/// How far a range lies beyond a span, mm: above 0 farther, below 0 nearer, 0 within.
+/// Distance of a range from a span, mm: above 0 farther, below 0 nearer, 0 inside.
 double beyond(double rangeMm, const Span& span) {
     if (rangeMm > static_cast<double>(span.most)) return rangeMm - static_cast<double>(span.most);
     if (rangeMm < static_cast<double>(span.least)) return rangeMm - static_cast<double>(span.least);
     return 0.0;
 }
 
-/// Of a cell that the later scan measured and the earlier one too, there or beside it: later less earlier, mm; 0 when nothing changed.
+/// For a cell that both scans measured (the earlier scan there or in a neighbouring cell): later minus earlier range, mm; 0 if unchanged.
 double changeAt(const Scan& later, const Scan& earlier, int line, int beam, const ChangeNoise& noise) {
     const double now = static_cast<double>(later.rangeMm.at(line, beam));
     const Span before = spanAt(earlier, line, beam);
@@ -76,7 +76,7 @@ double medianOf(std::vector<double> values) {
     return *middle;
 }
 
-/// The cells that hang together with `start`; they are taken out of `open`.
+/// The cells connected with `start`; they are removed from `open`.
 std::vector<std::uint32_t> takenFrom(Grid<std::uint8_t>& open, const Grid<RangeChange>& cells, std::uint32_t start) {
     std::vector<std::uint32_t> found{start};
     open[start] = 0;
@@ -130,9 +130,9 @@ ChangedRegion regionOf(const std::vector<std::uint32_t>& cells, const Scan& late
     return region;
 }
 
-/// How far the ranges of all cells differ: what is more than the noise of both is how the one lies on the other.
+/// The distribution of the range differences: differences beyond the noise of both scans are errors of the registration.
 void takeAgreement(SceneChange& change, const Scan& later) {
-    constexpr double kToSigma = 1.4826; // from a median of absolutes, for a normal distribution
+    constexpr double kToSigma = 1.4826; // converts a median of absolute values to a standard deviation of a normal distribution
     std::vector<double> off, ranges;
     for (std::size_t k = 0; k < later.cells(); ++k) {
         if (later.state[k] != CellState::Valid || change.earlier.scan->state[k] != CellState::Valid) continue;

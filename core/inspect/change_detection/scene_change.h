@@ -1,4 +1,4 @@
-// What changed between two pictures of one place, cell by cell on the grid of the later one.
+// Changes between two scans of one place, cell by cell on the grid of the later one.
 #pragma once
 
 #include "core/inspect/change_detection/line_up.h"
@@ -12,23 +12,24 @@ namespace edgescan {
 enum class EdgeChange : std::uint8_t {
     None,
     Kept,   ///< an edge in both
-    Gained, ///< an edge of the later one alone, where the earlier one measured
-    Lost,   ///< an edge of the earlier one alone, where the later one measured
-    Unseen, ///< an edge of one of them where the other measured nothing: nobody can tell
+    Gained, ///< an edge only in the later scan, where the earlier one measured
+    Lost,   ///< an edge only in the earlier scan, where the later one measured
+    Unseen, ///< an edge in one scan where the other did not measure: unknown
 };
 
 enum class RangeChange : std::uint8_t {
-    Unknown,       ///< neither has a range
-    Same,          ///< within the noise of both
+    Unknown,       ///< missing in both scans
+    Same,          ///< difference within the noise of both
     Nearer,        ///< than before
     Farther,       ///< than before
-    NoReturnNow,   ///< measured before
-    NoReturnBefore ///< measured now
+    NoReturnNow,   ///< measured before, no return now
+    NoReturnBefore ///< measured now, no return before
 };
 
-/// How edges and ranges are told apart. Fixed, so that two people see the same.
-inline constexpr int kEdgeReachCells = 1;          ///< of another scan: an edge within so many cells is the same one; of one scan: 0
-inline constexpr double kChangeSigmas = 4.0;       ///< a range changed when it differs by more, and from all neighbours too
+/// Criteria for changes of edges and ranges. Constant, so that all users get the same result.
+/// for another scan: an edge within this many cells counts as the same one; for the same scan: 0
+inline constexpr int kEdgeReachCells = 1;
+inline constexpr double kChangeSigmas = 4.0;       ///< a range changed if it differs by more than this, also from all neighbours
 inline constexpr std::size_t kSmallestRegion = 40; ///< cells
 
 struct EdgeChanges {
@@ -36,50 +37,51 @@ struct EdgeChanges {
     std::size_t kept = 0, gained = 0, lost = 0, unseen = 0;
 };
 
-/// Masks: lines x beams, not 0 = edge. An edge of one has the other's within `reach` cells, diagonals too; kept are cells of the later one.
+/// Masks: lines x beams, not 0 = edge. An edge is in both scans if the other has one within `reach` cells, including diagonals; the cells
+/// that count as `kept` are those of the later scan.
 [[nodiscard]] EdgeChanges edgeChanges(const Grid<std::uint8_t>& later, const Grid<std::uint8_t>& earlier, const Grid<CellState>& laterState,
                                       const Grid<CellState>& earlierState, int reach);
 
 struct RangeChanges {
     Grid<RangeChange> cells; ///< lines x beams
-    Grid<float> byMm;        ///< lines x beams: later less earlier, above 0 = farther; 0 unless Nearer or Farther
+    Grid<float> byMm;        ///< lines x beams, mm: later minus earlier, above 0 = farther; 0 unless Nearer or Farther
     std::size_t same = 0, nearer = 0, farther = 0, noReturnNow = 0, noReturnBefore = 0;
 };
 
-/// The noise of both scans, and how well they lie on each other.
+/// The noise of both scans, and the error of their registration.
 struct ChangeNoise {
     RangeNoise later, earlier;
-    double placesMm = 0.0; ///< one standard deviation of how the one lies on the other
-    /// One standard deviation of a difference of two ranges.
+    double placesMm = 0.0; ///< one standard deviation of the registration, mm
+    /// One standard deviation of the difference of two ranges.
     [[nodiscard]] double at(double rangeM) const;
 };
 
-/// A cell changed when its range lies outside those of the nine cells of the other scan round it, and the other's outside those of its own
-/// nine, by kChangeSigmas each: a border that moved by less than a cell is no change.
+/// A cell changed if its range is outside the span of the nine cells of the other scan around it, and the other scan's range is outside the
+/// span of its own nine, by kChangeSigmas each. So a border that moved by less than a cell is not a change.
 [[nodiscard]] RangeChanges rangeChanges(const Scan& later, const Scan& earlier, const ChangeNoise& noise);
 
-/// Cells that hang together (8 neighbours) and all came nearer, or all went farther.
+/// Connected cells (8 neighbours) that are all nearer, or all farther, than before.
 struct ChangedRegion {
     bool farther = false;
     std::size_t cells = 0;
-    std::uint32_t cell = 0; ///< of them the one nearest the middle
+    std::uint32_t cell = 0; ///< the cell nearest to the middle
     int firstLine = 0, lastLine = 0, firstBeam = 0, lastBeam = 0;
-    double areaM2 = 0.0;   ///< across the beams, at the nearer of both ranges
-    double byM = 0.0;      ///< median change, above 0
-    double toleranceM = 0; ///< of one cell: two standard deviations
-    double rangeM = 0.0;   ///< of that cell in the later scan
+    double areaM2 = 0.0;   ///< m^2 across the beams, at the smaller of both ranges
+    double byM = 0.0;      ///< median change, m, above 0
+    double toleranceM = 0; ///< m, for one cell: two standard deviations
+    double rangeM = 0.0;   ///< m, of that cell in the later scan
 };
 
-/// From kSmallestRegion cells on; largest area first, ties by first cell.
+/// Regions with at least kSmallestRegion cells; largest area first, ties by first cell.
 [[nodiscard]] std::vector<ChangedRegion> changedRegions(const Scan& later, const RangeChanges& changes, const ChangeNoise& noise);
 
 struct SceneChange {
     EarlierOnGrid earlier;
     EdgeChanges edges;
     RangeChanges ranges;                ///< empty grids for one scan
-    std::vector<ChangedRegion> regions; ///< likewise
+    std::vector<ChangedRegion> regions; ///< the same
     ChangeNoise noise;
-    double differMm = 0.0; ///< of the cells that both measured half differ by less: how well the one lies on the other, noise included
+    double differMm = 0.0; ///< mm: half of the cells measured in both scans differ by less than this; includes registration error and noise
 };
 
 /// One side of a comparison: a scan and its edges, not 0 = edge.
@@ -88,10 +90,10 @@ struct ScanEdges {
     std::shared_ptr<const Grid<std::uint8_t>> mask;
 };
 
-/// Error: as onGridOf().
+/// Error: those of onGridOf().
 Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier, const LineUpWish& wish = {});
 
-/// The same when only edges of the later scan changed: everything else is taken over.
+/// The same if only edges of the later scan changed: all else is reused.
 [[nodiscard]] SceneChange withEdges(SceneChange change, const ScanEdges& later);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// What is known of one cell.
+// Collects the values of one cell.
 #include "core/inspect/measure/cell_target.h"
 
 #include "core/scan/georef/placed_points.h"
@@ -9,7 +9,7 @@
 namespace edgescan {
 namespace {
 
-/// Without a placement nothing is known of the horizon.
+/// Without a placement the horizon is unknown.
 std::optional<Dip> dipAt(const Scan& scan, const Probe& probe, const Eigen::Vector3d& normal) {
     if (!scan.placement) return std::nullopt;
     const Eigen::Vector3d tip = inMineLocal(scan, probe.line, probe.beam, probe.pointM + normal);
@@ -20,12 +20,12 @@ std::optional<double> strengthAt(const Detection& detection, const Probe& probe)
     if (!detection.responses) return std::nullopt;
     const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
     const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
-    // There the data end, or what lies behind a void tells: no response of the cell's own does.
+    // The class of such a cell comes from the end of the data or from the surface behind a void, not from a response of the cell.
     if (probe.kind == DepthEdge::Border || probe.kind == DepthEdge::Silhouette) return std::nullopt;
     if (probe.kind == DepthEdge::Jump) return jump;
     if (probe.kind != DepthEdge::None) return fold;
     const double strongest = std::max(jump, fold);
-    return strongest > 0 ? std::optional(strongest) : std::nullopt; // outdone by a neighbour: what it was itself is not kept
+    return strongest > 0 ? std::optional(strongest) : std::nullopt; // suppressed by a neighbour: its own response is not stored
 }
 
 } // namespace

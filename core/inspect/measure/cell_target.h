@@ -1,4 +1,4 @@
-// Everything that the card of a picked cell says (docs/targets.md).
+// The values on the card of a picked cell (docs/targets.md).
 #pragma once
 
 #include "core/edges/explain/probe.h"
@@ -11,25 +11,25 @@
 
 namespace edgescan {
 
-/// What is told with ± is two standard deviations: 95 of 100 readings lie within.
+/// The number after ± is two standard deviations: 95 of 100 readings are within it.
 inline constexpr double kToldSigmas = 2.0;
 
 struct CellTarget {
     Probe probe;
-    double distanceM = 0.0;               ///< from the scanner along the beam; means nothing where the cell is not valid
-    double toleranceM = 0.0;              ///< of it: two standard deviations of the noise of this scan; 0: too little to tell
-    std::optional<Resolution> resolution; ///< empty where the cell is not valid
-    std::optional<SurfaceAtCell> surface; ///< empty where no plane fits
-    std::optional<Dip> dip;               ///< of the surface, to the mine's horizon; empty without a pose
-    std::optional<BoomAtCell> boom;       ///< empty where the place tells of no boom
-    std::optional<double>
-        strength; ///< of the edge, 1 = at the threshold; empty where the method measures none of the surface, or a neighbour outdid it
+    double distanceM = 0.0;               ///< m, from the scanner along the beam; meaningless if the cell is not valid
+    double toleranceM = 0.0;              ///< m, of the distance: two standard deviations of this scan's noise; 0: unknown
+    std::optional<Resolution> resolution; ///< empty if the cell is not valid
+    std::optional<SurfaceAtCell> surface; ///< empty if a plane does not fit
+    std::optional<Dip> dip;               ///< of the surface, relative to the horizon of the mine; empty without a placement
+    std::optional<BoomAtCell> boom;       ///< empty if the placement has no boom
+    /// of the edge, 1 = at the threshold; empty if the method does not measure the surface, or if a neighbour suppressed the cell
+    std::optional<double> strength;
 };
 
-/// Of the scan: what the detection measured, or measured now, which costs about as much as opening it.
+/// The noise of the scan: from the detection, or measured now, which costs about as much as opening the scan.
 [[nodiscard]] RangeNoise noiseOf(const Detection& detection);
 
-/// `k` must be a cell of the detection's scan; `noise`: noiseOf() it.
+/// `k` must be a cell of the detection's scan; `noise`: noiseOf() the detection.
 [[nodiscard]] CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::size_t k);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Lengths and angles: the error of each end carried on to first order.
+// Lengths and angles, with first-order error propagation from each end.
 #include "core/inspect/measure/lengths.h"
 
 #include "core/base/angles.h"
@@ -40,7 +40,7 @@ std::optional<PickedEnd> endAt(const Scan& scan, const CartesianTables& tables, 
     return PickedEnd{point, placeCovariance(direction, noise.at(rangeM) / 1000.0, *resolution), resolution->smallestM(), rangeM};
 }
 
-/// Of what changes with the ends by these gradients.
+/// The tolerance of a value with these gradients with respect to the ends.
 double toleranceOf(std::span<const PickedEnd> ends, std::span<const Eigen::Vector3d> gradients) {
     double variance = 0.0;
     for (std::size_t n = 0; n < ends.size(); ++n) variance += gradients[n].dot(ends[n].covariance * gradients[n]);
@@ -60,21 +60,21 @@ MeasuredLength distanceOf(std::span<const PickedEnd> ends) {
 }
 
 MeasuredLength heightOf(std::span<const PickedEnd> ends, const Eigen::Vector3d& up) {
-    MeasuredLength length = distanceOf(ends); // what two cells resolve does not depend on what is asked of them
+    MeasuredLength length = distanceOf(ends); // the smallest resolved distance depends on the two cells only
     length.valueM = up.dot(ends[1].pointM - ends[0].pointM);
     const std::array<Eigen::Vector3d, 2> gradients{-up, up};
     length.toleranceM = toleranceOf(ends, gradients);
     return length;
 }
 
-/// False where a side has no length.
+/// Returns false if a side has no length.
 bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     const Eigen::Vector3d a = ends[0].pointM - ends[1].pointM;
     const Eigen::Vector3d b = ends[2].pointM - ends[1].pointM;
     if (!(a.norm() > 0.0) || !(b.norm() > 0.0)) return false;
     const Eigen::Vector3d plane = a.cross(b);
     const double angle = std::atan2(plane.norm(), a.dot(b));
-    // Only a movement across a side, in the plane of both, turns it. Where they lie in one line any plane does.
+    // Only a movement across a side, in the plane of both sides, changes the angle. If both sides are on one line, any plane is used.
     const Eigen::Vector3d axis = plane.norm() > 0.0 ? Eigen::Vector3d(plane.normalized()) : Eigen::Vector3d(a.unitOrthogonal());
     const Eigen::Vector3d ofA = a.cross(axis) / a.squaredNorm();
     const Eigen::Vector3d ofB = axis.cross(b) / b.squaredNorm();
@@ -99,7 +99,7 @@ std::optional<MeasureKind> measureKindNamed(std::string_view key) {
 }
 
 Eigen::Matrix3d placeCovariance(const Eigen::Vector3d& direction, double sigmaRangeM, const Resolution& resolution) {
-    // Anywhere in a disc of diameter d: d / 4. Anywhere in a cell of side s: s / sqrt(12).
+    // Standard deviation per axis of a place anywhere in a disc of diameter d: d / 4. Anywhere in a cell of side s: s / sqrt(12).
     const double acrossM2 = resolution.beamM * resolution.beamM / 16.0 + resolution.spacingM * resolution.spacingM / 12.0;
     const Eigen::Matrix3d along = direction * direction.transpose();
     return sigmaRangeM * sigmaRangeM * along + acrossM2 * (Eigen::Matrix3d::Identity() - along);
@@ -123,7 +123,7 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
     case MeasureKind::Path: {
         const auto path = surfacePath(scan, tables, noise, cells[0], cells[1]);
         if (!path) return std::nullopt;
-        MeasuredLength length = distanceOf(all); // too near is too near, whatever the way
+        MeasuredLength length = distanceOf(all); // ends that are too near have no length, whatever the kind
         length.valueM = path->lengthM;
         length.toleranceM = path->toleranceM;
         measured.lengths = {length};

@@ -1,4 +1,4 @@
-// Targets and measurements as a file.
+// Reads and writes targets and measurements.
 #include "core/inspect/measure/notebook.h"
 
 #include "core/base/bounded_json.h"
@@ -79,7 +79,7 @@ KeptMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
     return measure;
 }
 
-/// That it was made on this scan.
+/// Checks that the notebook was made on this scan.
 Result<Done> checkScan(JsonFields fields, const NotebookScan& scan, const std::string& where) {
     const NotebookScan of{fields.text("sha256"), fields.text("name"), static_cast<int>(fields.wholeNumber("lines", 1, INT32_MAX)),
                           static_cast<int>(fields.wholeNumber("beams", 1, INT32_MAX))};

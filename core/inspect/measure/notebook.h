@@ -1,4 +1,4 @@
-// What somebody pinned and measured on a scan, and the file that keeps it (docs/targets.md, "Where it is kept").
+// The targets and measurements of the user on a scan, and their file (docs/targets.md, "Where it is kept").
 #pragma once
 
 #include "core/base/result.h"
@@ -16,19 +16,19 @@ inline constexpr std::size_t kMostTargets = 200;
 inline constexpr std::size_t kMostMeasures = 200;
 inline constexpr std::size_t kLongestTargetName = 60; ///< bytes
 
-/// A cell that was picked, and what its card said then, row by row.
+/// A picked cell, and the rows of its card at that time.
 struct PinnedTarget {
-    int number = 1;   ///< of all of a scan none twice
+    int number = 1;   ///< unique within a scan
     std::string name; ///< may be empty
     std::uint32_t cell = 0;
-    bool locked = false;                                       ///< only its own button lets go of it
+    bool locked = false;                                       ///< only its own button removes it
     std::string pinnedUtc;                                     ///< ISO 8601
-    std::vector<std::pair<std::string, std::string>> asPinned; ///< row, value
+    std::vector<std::pair<std::string, std::string>> asPinned; ///< label and value of each row
 
     bool operator==(const PinnedTarget&) const = default;
 };
 
-/// Cells between which something is measured: as many as the kind takes.
+/// The cells of a measurement: as many as its kind needs.
 struct KeptMeasure {
     MeasureKind kind = MeasureKind::Distance;
     std::vector<std::uint32_t> cells;
@@ -44,23 +44,23 @@ struct Notebook {
     [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }
 };
 
-/// The next number: one more than the highest there is.
+/// The next number: one more than the largest existing one.
 [[nodiscard]] int nextNumber(const Notebook& notebook);
 
-/// Which scan a notebook belongs to: cells of another one would be other places.
+/// The scan that a notebook belongs to: in another scan its cells would be other places.
 struct NotebookScan {
-    std::string sha256; ///< of the file that holds the ranges
-    std::string name;   ///< a recording holds several sweeps
+    std::string sha256; ///< of the file with the ranges
+    std::string name;   ///< distinguishes the sweeps of a recording
     int lines = 0;
     int beams = 0;
 };
 [[nodiscard]] NotebookScan notebookScan(const Scan& scan);
-/// The name of its file: "9f86d081....json", from the hash and the name; empty where the scan is of no file.
+/// The name of its file: "9f86d081....json", from the hash and the name; empty if the scan has no file.
 [[nodiscard]] std::string notebookFileName(const NotebookScan& scan);
 
 /// {"format": "edgescan-targets/1", "scan": {...}, "targets": [...], "measures": [...]}
 [[nodiscard]] std::string notebookText(const Notebook& notebook, const NotebookScan& scan);
-/// Error: damaged, of another format or scan, numbers twice, cells that do not exist, too much of anything, unknown keys.
+/// Error: damaged text, another format or scan, duplicate numbers, cells that do not exist, too many entries, unknown keys.
 Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& scan, const std::string& where);
 
 } // namespace edgescan

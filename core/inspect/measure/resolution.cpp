@@ -1,4 +1,4 @@
-// What the sampling can tell at a cell.
+// Computes the resolution of the sampling at a cell.
 #include "core/inspect/measure/resolution.h"
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 namespace edgescan {
 namespace {
 
-/// Mean angle to the neighbours one step before and behind; 0 where neither has a direction.
+/// Mean angle to the neighbours one step before and behind; 0 if neither has a direction.
 double angleToNeighbours(const Scan& scan, const CartesianTables& tables, int line, int beam, int lineStep, int beamStep) {
     const Eigen::Vector3d here = tables.direction(line, beam);
     double sum = 0.0;

@@ -1,4 +1,4 @@
-// What the sampling of a scan can tell at a cell.
+// The resolution of a scan's sampling at a cell.
 #pragma once
 
 #include "core/scan/grid/beam_width.h"
@@ -10,15 +10,15 @@
 namespace edgescan {
 
 struct Resolution {
-    double spacingM =
-        0.0;            ///< to the next measured direction along the beams or across the lines, whichever is farther, at the cell's range
-    double beamM = 0.0; ///< width of the beam there
+    /// m, at the cell's range: distance to the next measured direction along the beams or across the lines, whichever is larger
+    double spacingM = 0.0;
+    double beamM = 0.0; ///< m: width of the beam there
 
-    /// The smallest thing that is seen reliably (docs/operator.md, "S15").
+    /// The smallest object that is detected reliably (docs/operator.md, "S15").
     [[nodiscard]] double smallestM() const { return spacingM + beamM; }
 };
 
-/// Empty where the cell is not valid, or where no neighbour's direction is known. `tables`: of `scan`.
+/// Empty if the cell is not valid, or if the directions of all neighbours are unknown. `tables`: of `scan`.
 [[nodiscard]] std::optional<Resolution> resolutionAt(const Scan& scan, const CartesianTables& tables, std::size_t k,
                                                      const BeamWidth& beam = {});
 

@@ -1,4 +1,4 @@
-// A plane m p = 1 by least squares: in the unknown m its error is that of the ranges alone.
+// Fits a plane m p = 1 by least squares: with the unknown m, only the ranges contribute errors.
 #include "core/inspect/measure/surface_at.h"
 
 #include "core/base/angles.h"
@@ -12,12 +12,12 @@
 namespace edgescan {
 namespace {
 
-constexpr int kFirstReach = 2; // cells: five by five to begin with
+constexpr int kFirstReach = 2; // cells: five by five at first
 constexpr int kMostReach = 12; // cells
 constexpr std::size_t kFewestCells = 8;
-constexpr double kWiden = 1.5;         // times what is resolved, to each side
-constexpr double kOnPlane = 4.0;       // standard deviations that a cell of the plane may lie off
-constexpr double kEdgeOnCosine = 0.02; // 89 degrees: the beam runs along the surface
+constexpr double kWiden = 1.5;         // times the resolution, to each side
+constexpr double kOnPlane = 4.0;       // standard deviations within which a cell belongs to the plane
+constexpr double kEdgeOnCosine = 0.02; // 89 degrees: the beam is parallel to the surface
 
 struct FittedPlane {
     Eigen::Vector3d m = Eigen::Vector3d::Zero(); // m p = 1 on the plane, 1/m, from the sensor
@@ -31,7 +31,7 @@ public:
     PlaneSeeker(const Scan& scan, const CartesianTables& tables, double sigmaM)
         : scan_(scan), tables_(tables), sensor_(tables.sensor()), sigmaM_(std::max(sigmaM, 1e-4)) {}
 
-    /// Of the cells within `reach`, those that lie on `on`; all of them where it is null.
+    /// The cells within `reach` that are on the plane `on`; all of them if it is null.
     [[nodiscard]] std::vector<Eigen::Vector3d> around(int line, int beam, int reach, const FittedPlane* on) const {
         std::vector<Eigen::Vector3d> points;
         const double allowed = on == nullptr ? 0.0 : kOnPlane * std::max(sigmaM_, on->reliefM);
@@ -56,7 +56,7 @@ public:
             right += weight * p;
         }
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(normal);
-        if (!(parts.eigenvalues().x() > 1e-12 * parts.eigenvalues().z())) return std::nullopt; // all on one line
+        if (!(parts.eigenvalues().x() > 1e-12 * parts.eigenvalues().z())) return std::nullopt; // all on one straight line
         FittedPlane plane;
         const Eigen::Matrix3d inverse = normal.inverse();
         plane.m = inverse * right;
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Along the beam; without end where the beam never meets the plane.
+    /// Distance from the plane along the beam; infinite if the beam never meets the plane.
     [[nodiscard]] static double offPlane(const FittedPlane& plane, const Eigen::Vector3d& p) {
         const double meets = plane.m.dot(p);
         return meets > 0.0 ? p.norm() * (1.0 - 1.0 / meets) : HUGE_VAL;
@@ -85,7 +85,7 @@ private:
     double sigmaM_;
 };
 
-/// The flattest of nine patches that hold the cell: at the foot of a step only those of one side are flat.
+/// The flattest of nine patches that contain the cell: at the foot of a step only patches on one side are flat.
 std::optional<FittedPlane> firstPlane(const PlaneSeeker& seeker, int line, int beam) {
     std::optional<FittedPlane> best;
     for (const int down : {0, -kFirstReach, kFirstReach}) {
@@ -127,7 +127,7 @@ std::optional<SurfaceAtCell> surfaceAt(const Scan& scan, const CartesianTables& 
 }
 
 Dip dipOf(const Eigen::Vector3d& normalEnu) {
-    const Eigen::Vector3d up = normalEnu.z() < 0.0 ? Eigen::Vector3d(-normalEnu) : normalEnu; // of both sides the one that looks up
+    const Eigen::Vector3d up = normalEnu.z() < 0.0 ? Eigen::Vector3d(-normalEnu) : normalEnu; // of the two normals the one that points up
     const double level = std::hypot(up.x(), up.y());
     Dip dip{degrees(std::atan2(level, up.z())), 0.0};
     if (level > 0.0) dip.directionDeg = std::fmod(degrees(std::atan2(up.x(), up.y())) + 360.0, 360.0);

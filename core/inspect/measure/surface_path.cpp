@@ -1,4 +1,4 @@
-// Means of cells along a line, their errors carried to the length.
+// Averages cells along a line and propagates their errors to the length.
 #include "core/inspect/measure/surface_path.h"
 
 #include "core/inspect/measure/lengths.h"
@@ -10,7 +10,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kLeap = 3.0; // times what is resolved: so far apart neighbours lie on no surface that is seen
+constexpr double kLeap = 3.0; // times the resolution: neighbours farther apart than this are not on one visible surface
 
 struct Node {
     Eigen::Vector3d pointM = Eigen::Vector3d::Zero();
@@ -18,7 +18,7 @@ struct Node {
     int cells = 0;
 };
 
-/// Cells that have a range, along the straight line between the two.
+/// Cells with a range along the straight line between the two.
 std::vector<std::uint32_t> cellsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to) {
     std::vector<std::uint32_t> valid;
     for (const std::uint32_t k : strokeCells({from, to}, scan.lines(), scan.beams())) {
@@ -31,7 +31,7 @@ class Tape {
 public:
     Tape(const Scan& scan, const CartesianTables& tables, const RangeNoise& noise) : scan_(scan), tables_(tables), noise_(noise) {}
 
-    /// The end that was picked: one cell, and all that is not known of where it was meant.
+    /// Adds a picked end: one cell, with the full uncertainty of the intended place.
     bool pin(std::uint32_t k) {
         const auto resolved = resolutionAt(scan_, tables_, k);
         if (!resolved) return false;
@@ -56,7 +56,7 @@ public:
         ++open_.cells;
         last_ = p;
     }
-    /// The cells since the last node become one.
+    /// Merges the cells since the last node into one.
     void close() {
         if (open_.cells == 0) return;
         const double n = open_.cells;
@@ -78,7 +78,7 @@ private:
     Eigen::Vector3d first_ = Eigen::Vector3d::Zero(), last_ = Eigen::Vector3d::Zero();
 };
 
-/// Errors to first order, and the second-order part that can only lengthen: what the nodes stray across the tape.
+/// First-order errors, plus the second-order part that can only lengthen the path: the scatter of the nodes across it.
 void measure(const std::vector<Node>& nodes, SurfacePath& path) {
     double variance = 0.0, longer = 0.0;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -106,7 +106,7 @@ std::optional<SurfacePath> surfacePath(const Scan& scan, const CartesianTables& 
     const std::vector<std::uint32_t> cells = cellsUnder(scan, from, to);
     Tape tape(scan, tables, noise);
     if (!tape.pin(from)) return std::nullopt;
-    // A node next to an end would be no farther from it than what is resolved: the ends take the place of the cells round them.
+    // A node next to an end would be closer to it than the resolution, so the end replaces the cells around it.
     const Eigen::Vector3d first = tables.point(from), last = tables.point(to);
     for (const std::uint32_t k : cells) {
         if (k == from || k == to) continue;

@@ -1,4 +1,4 @@
-// Rims, pairs by length, and what lies between.
+// Finds rims, sorts pairs of rim cells by length, and checks the space between them.
 #include "core/inspect/measure/throat.h"
 
 #include "core/inspect/measure/resolution.h"
@@ -12,10 +12,10 @@
 namespace edgescan {
 namespace {
 
-constexpr double kNearPicked = 0.25;       // of the distance of the two cells
-constexpr double kRimStep = 2.0;           // times what is resolved: what lies so much farther is behind the opening
-constexpr std::size_t kMostRimCells = 600; // of each side; of more, evenly chosen ones
-constexpr int kMostTried = 4000;           // shortest pairs; where none of them is free nothing is told
+constexpr double kNearPicked = 0.25;       // share of the distance of the two cells
+constexpr double kRimStep = 2.0;           // times the resolution: a surface that is this much farther is behind the opening
+constexpr std::size_t kMostRimCells = 600; // per side; of more, evenly chosen ones
+constexpr int kMostTried = 4000;           // shortest pairs; if all of these are blocked, the result is empty
 
 struct RimCell {
     std::uint32_t cell;
@@ -34,12 +34,12 @@ bool isRim(const Scan& scan, const CartesianTables& tables, int line, int beam) 
     return false;
 }
 
-/// Rim cells within `reachM` of the cell: all that can lie there are within the angle that the reach takes up.
+/// Rim cells within `reachM` of the cell. All of them are within the angle that the reach covers.
 std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double reachM) {
     const int line = static_cast<int>(k) / scan.beams(), beam = static_cast<int>(k) % scan.beams();
     const Eigen::Vector3d at = tables.point(k);
     std::vector<RimCell> rim;
-    // Grows ring by ring until a whole ring holds nothing within reach.
+    // Grows ring by ring until a whole ring has no cell within reach.
     for (int ring = 0; ring < std::max(scan.lines(), scan.beams()); ++ring) {
         bool any = false;
         for (int i = std::max(0, line - ring); i <= std::min(scan.lines() - 1, line + ring); ++i) {
@@ -62,7 +62,7 @@ std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, st
     return some;
 }
 
-/// Nothing was measured before the straight line between the two points, or on it.
+/// True if no cell was measured in front of the straight line between the two points, or on it.
 bool isFree(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
     const std::vector<std::uint32_t> cells = strokeCells({from.cell, to.cell}, scan.lines(), scan.beams());
     const Eigen::Vector3d sensor = tables.sensor();
@@ -70,7 +70,7 @@ bool isFree(const Scan& scan, const CartesianTables& tables, const RimCell& from
     for (const std::uint32_t k : cells) {
         if (k == from.cell || k == to.cell || scan.state[k] != CellState::Valid) continue;
         const Eigen::Vector3d ray = (tables.point(k) - sensor).normalized();
-        // Where the ray passes the line: both start points are known, so the nearest point of the line to the ray.
+        // The point of the line nearest to the ray; both start at known points.
         const Eigen::Vector3d off = from.pointM - sensor;
         const double along = ray.dot(way), square = way.squaredNorm();
         const double det = square - along * along;
@@ -92,7 +92,7 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
     const std::vector<RimCell> first = rimNear(scan, tables, a, reachM), second = rimNear(scan, tables, b, reachM);
     struct Pair {
         double squareM2;
-        std::uint32_t first, second; // places
+        std::uint32_t first, second; // indices
     };
     std::vector<Pair> pairs;
     pairs.reserve(first.size() * second.size());
@@ -102,7 +102,7 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
     const auto shorter = [](const Pair& x, const Pair& y) {
         return std::tie(x.squareM2, x.first, x.second) < std::tie(y.squareM2, y.first, y.second);
     };
-    // As a heap: the shortest free one comes early.
+    // As a heap: the shortest free pair is usually found early.
     const auto longer = [&](const Pair& x, const Pair& y) { return shorter(y, x); };
     std::ranges::make_heap(pairs, longer);
     for (int tried = 0; tried < kMostTried && !pairs.empty(); ++tried) {

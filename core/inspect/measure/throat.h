@@ -1,4 +1,4 @@
-// The narrowest free way across an opening, between two rims that somebody pointed at.
+// The narrowest free distance across an opening, between two rims that the user picked.
 #pragma once
 
 #include "core/scan/grid/cartesian.h"
@@ -10,9 +10,9 @@
 
 namespace edgescan {
 
-/// Two cells on the rims near `a` and `b` that lie nearest each other, with nothing measured in the way: every cell on the straight line
-/// between them has no return or lies behind it. Rims: cells beside something farther or nothing, within a quarter of the distance from
-/// the cell that was picked. Empty where no such pair is there, or one of the two cells has no range.
+/// The two cells on the rims near `a` and `b` that are closest to each other with free space between them: every cell on the straight line
+/// between them has no return or is behind it. Rim cells are cells next to a farther surface or a void, within a quarter of the distance of
+/// the picked cells. Empty if there is no such pair, or if one of the two cells has no range.
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                                            std::uint32_t b);
 

@@ -1,4 +1,4 @@
-// Points of two scans in one frame.
+// Transforms the points of two scans to one frame.
 #include "core/inspect/registration/placed_scan.h"
 
 #include "core/base/inputs.h"
@@ -38,7 +38,7 @@ double usualStep(const PlacedScan& placed, bool alongBeams) {
 
 void measureStep(PlacedScan& placed) { placed.stepRad = std::max(usualStep(placed, true), usualStep(placed, false)); }
 
-/// As 3DTK turns Euler angles into a matrix.
+/// The rotation matrix of Euler angles, as 3DTK computes it.
 Eigen::Matrix3d turnOf(const Eigen::Vector3d& deg) {
     const Eigen::Vector3d rad = deg * (std::numbers::pi / 180);
     return (Eigen::AngleAxisd(rad.x(), Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(rad.y(), Eigen::Vector3d::UnitY()) *

@@ -1,4 +1,4 @@
-// Boost's R-tree.
+// A spatial index by Boost's R-tree.
 #include "core/inspect/registration/point_index.h"
 
 #include <boost/geometry/geometries/point.hpp>
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> PointIndex::nearest(const Eigen::Vector3d& p, unsigne
     std::vector<std::uint32_t> found;
     tree_->tree.query(boost::geometry::index::nearest(treePoint(p), count),
                       boost::make_function_output_iterator([&](const Entry& entry) { found.push_back(entry.second); }));
-    // Boost promises no order; equals go by their place, so that every machine says the same.
+    // Boost does not define the order of points at equal distance; they are sorted by index, so that every machine gives the same result.
     std::ranges::sort(found, [&](std::uint32_t a, std::uint32_t b) {
         const double da = (points_[a] - p).squaredNorm(), db = (points_[b] - p).squaredNorm();
         return da < db || (da == db && a < b);

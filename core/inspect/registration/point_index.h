@@ -1,4 +1,4 @@
-// Which of many points is nearest.
+// Finds the nearest of many points.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ public:
     PointIndex& operator=(PointIndex&&) noexcept;
     ~PointIndex();
 
-    /// Places in the list, the nearest first, `count` at most.
+    /// Indices of points, nearest first, at most `count`.
     [[nodiscard]] std::vector<std::uint32_t> nearest(const Eigen::Vector3d& p, unsigned count) const;
     [[nodiscard]] std::optional<std::uint32_t> nearest(const Eigen::Vector3d& p) const;
 

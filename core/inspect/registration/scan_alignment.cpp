@@ -19,13 +19,13 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr std::size_t kPointsTaken = 8000;
 constexpr unsigned kNeighbours = 12;
-constexpr double kFlattest = 0.15; // of the spread of a plane: third against second axis
+constexpr double kFlattest = 0.15; // spread of a plane: third principal axis divided by second
 constexpr std::size_t kFewestPairs = 200;
 constexpr int kMostRounds = 40;
 constexpr double kStillM = 1e-6;
 constexpr double kTukey = 4.685;
 constexpr double kLeastScaleM = 0.003;
-constexpr double kLeastInformation = 1e-4; // smallest against largest eigenvalue, lengths in units of the scene's size
+constexpr double kLeastInformation = 1e-4; // smallest eigenvalue divided by largest, with lengths in units of the scene's size
 
 struct Plane {
     Eigen::Vector3d pointM, normal;
@@ -48,7 +48,7 @@ struct Pairs {
     std::vector<double> offs; // metres
 };
 
-/// Turns about `about`, so that turning and moving have to do with each other as little as possible.
+/// Rotations are about `about`, so that rotation and translation are as independent as possible.
 Pairs pairsOf(const std::vector<Eigen::Vector3d>& moved, const Eigen::Vector3d& about, const PointIndex& index,
               const std::vector<Eigen::Vector3d>& fixed, double reachM) {
     Pairs pairs;
@@ -69,7 +69,7 @@ double medianOff(const Pairs& pairs) {
     return median(std::move(offs));
 }
 
-/// Turn in radians and move in metres; empty when the surfaces do not hold them.
+/// Rotation in radians and translation in metres; empty if the surfaces do not determine them.
 std::optional<Vector6> step(const Pairs& pairs, double sceneM) {
     const double scale = kTukey * std::max(kLeastScaleM, 1.4826 * medianOff(pairs));
     Matrix6 information = Matrix6::Zero();

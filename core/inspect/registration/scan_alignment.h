@@ -1,4 +1,4 @@
-// Rough poses mended: the surfaces of two scans brought onto each other, point to plane (Chen and Medioni 1992).
+// Corrects approximate poses: registers the surfaces of two scans by point-to-plane distances (Chen and Medioni 1992).
 #pragma once
 
 #include "core/base/result.h"
@@ -8,11 +8,11 @@ namespace edgescan {
 
 struct ScanAlignment {
     RigidTransform correction;                     ///< to be applied to the points of `moved` in the common frame
-    double residualBeforeM = 0.0, residualM = 0.0; ///< surfacesApartM() of `moved` from `fixed`: noise of both, no less
-    std::size_t pairs = 0;                         ///< points that have a neighbour within reach
+    double residualBeforeM = 0.0, residualM = 0.0; ///< surfacesApartM() between `moved` and `fixed`; at least the noise of both
+    std::size_t pairs = 0;                         ///< points with a neighbour within reach
 };
 
-/// Error: too few points lie within `reachM` of each other, or they do not hold all six degrees of freedom.
+/// Error: too few points are within `reachM` of each other, or they do not determine all six degrees of freedom.
 Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& moved, double reachM);
 
 /// The scan after the correction.

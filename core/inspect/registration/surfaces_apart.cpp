@@ -1,4 +1,4 @@
-// Planes in inverse range through neighbours by direction.
+// Fits planes in inverse range to neighbours in direction.
 #include "core/inspect/registration/surfaces_apart.h"
 
 #include "core/base/order_statistic.h"
@@ -12,15 +12,15 @@ namespace edgescan {
 namespace {
 
 constexpr unsigned kCellsOfPlane = 24;
-constexpr double kMostStepsOff = 2.0; // of the nearest cell's direction from the point's
-constexpr double kRougher = 3.0;      // times the median misfit: a jump or a fold runs through the plane
+constexpr double kMostStepsOff = 2.0; // largest angle between the point's direction and that of the nearest cell, in steps
+constexpr double kRougher = 3.0;      // times the median misfit: the plane contains a jump or a fold
 constexpr std::size_t kFewestOffs = 200;
 
 struct Off {
     double m, misfitM;
 };
 
-// The plane is 1 / depth = c0 + c1 x + c2 y over directions (x, y, 1) round the point's own, so that only ranges are noisy.
+// The plane is 1 / depth = c0 + c1 x + c2 y over directions (x, y, 1) around the point's own, so that only ranges are noisy.
 std::optional<Off> offAt(const PlacedScan& fixed, const std::vector<std::uint32_t>& cells, const Eigen::Vector3d& ray) {
     const Eigen::Vector3d ahead = ray.normalized();
     const Eigen::Vector3d right = ahead.unitOrthogonal();
@@ -32,7 +32,7 @@ std::optional<Off> offAt(const PlacedScan& fixed, const std::vector<std::uint32_
         const Eigen::Vector3d q = fixed.pointsM[k] - fixed.sensorM;
         const double depth = q.dot(ahead);
         if (!(depth > 0)) return std::nullopt;
-        // Angles in steps of the grid: numbers near 1 keep the digits.
+        // Angles in steps of the grid: numbers near 1 keep more digits.
         const Eigen::Vector3d row(1, q.dot(right) / depth / fixed.stepRad, q.dot(up) / depth / fixed.stepRad);
         sums += row * row.transpose();
         with += row / depth;

@@ -1,4 +1,4 @@
-// Every method on one scan in one run.
+// Runs every method on one scan.
 #include "core/lab/peers/comparison.h"
 
 #include "core/base/order_statistic.h"
@@ -19,7 +19,7 @@
 namespace edgescan {
 namespace {
 
-// Thread CPU time of one step.
+// Thread CPU time of one step, milliseconds.
 template <class Step>
 auto timed(double& milliseconds, Step step) {
     const double start = threadCpuMilliseconds();
@@ -34,7 +34,7 @@ struct Run {
     Grid<std::uint8_t> classes;
 };
 
-// The steps of the thesis's table from the stages of the pipeline. Only methods on gray levels need the gray image.
+// Assigns the stages of the pipeline to the steps of the thesis's table. Only methods on gray levels need the gray image.
 ComparedSteps stepsOf(const Detection& detection) {
     ComparedSteps steps;
     for (const StageTime& time : detection.timings) {
@@ -76,7 +76,7 @@ std::vector<ComparedMethod> ownMethods() {
     std::vector<ComparedMethod> methods{ownMethod("Canny, thesis to the letter", "thesis", findPreset("thesis")->settings)};
     const Parameter& method = *findParameter("method");
     const Parameter& mask = *findParameter("log-mask");
-    // In the order of the thesis's chapter, ours last.
+    // In the order of the thesis's chapter, EdgeScan's own last.
     std::vector<Method> order;
     for (const MethodTraits& traits : methodTraits()) order.push_back(traits.method);
     std::ranges::stable_sort(order, {}, [](Method m) {
@@ -108,14 +108,14 @@ std::vector<ComparedMethod> ownMethods() {
     return methods;
 }
 
-// Beams are interlaced or lines slipped, and EdgeScan+ takes it into account.
+// Whether the beams are interlaced or lines slipped, and EdgeScan+ corrects this.
 bool isDisplaced(const Scan& scan) {
     InverseRange inverse = inverseRange(scan);
     const SweepSlips slips = straighten(inverse);
     return slips.interlaced || slips.slipCount > 0;
 }
 
-// Those that `only` names; all that say something about the scan where it is empty.
+// The methods in `only`; if it is empty, all that are meaningful for the scan.
 std::vector<ComparedMethod> wantedMethods(const Scan& scan, const std::vector<std::string>& only) {
     std::vector<ComparedMethod> methods = ownMethods();
     const bool displaced = !only.empty() || isDisplaced(scan);
@@ -134,7 +134,7 @@ void medianSteps(ComparedMethod& method, const std::vector<ComparedSteps>& all) 
     }
 }
 
-// Of the threshold in the settings and of those that give from a third to three times as many edges as the truth has.
+// Tries the threshold of the settings, and those that give a third to three times as many edges as the truth has.
 std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const Settings& settings, const TruthSet& truth,
                                            double tolerance) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(scan, settings));
@@ -161,7 +161,7 @@ std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& sc
     return best;
 }
 
-// A point of every cell: what PCL begins with.
+// The time to compute a point for every cell, which PCL needs first.
 double millisecondsOfPoints(const Scan& scan) {
     double milliseconds = 0.0;
     const auto points = timed(milliseconds, [&] {

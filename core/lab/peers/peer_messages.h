@@ -1,4 +1,4 @@
-// What the program with PCL inside is asked and what it answers: numbers in the computer's own order, for two programs of one build.
+// Messages to and from the program that links PCL: numbers in the computer's own byte order, because both programs are from one build.
 #pragma once
 
 #include "core/lab/peers/peers.h"
@@ -44,7 +44,7 @@ private:
     std::string bytes_;
 };
 
-/// Reads what a MessageWriter wrote; isWhole() is false once anything was missing, and what is read then is empty.
+/// Reads what a MessageWriter wrote. isWhole() is false after any value was missing; later values are then empty.
 class MessageReader {
 public:
     explicit MessageReader(std::string_view bytes) : left_(bytes) {}
@@ -85,7 +85,7 @@ private:
     bool whole_ = true;
 };
 
-/// All of a file in memory, from its beginning; less where reading fails.
+/// All bytes of a file in memory, from its beginning; fewer if reading fails.
 inline std::string readAll(int fd) {
     std::string bytes(static_cast<std::size_t>(std::max<off_t>(0, lseek(fd, 0, SEEK_END))), '\0');
     std::size_t done = 0;
@@ -149,7 +149,7 @@ inline std::string answerBytes(const Result<PeerEdges>& answer) {
     return out.bytes();
 }
 
-/// Null when the answer is not whole.
+/// Null if the answer is incomplete.
 inline std::optional<Result<PeerEdges>> readAnswer(std::string_view bytes) {
     MessageReader in(bytes);
     if (!in.value<bool>()) {

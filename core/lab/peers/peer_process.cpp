@@ -1,4 +1,5 @@
-// A peer in a process of its own: the request and the answer are files in memory, so that neither side ever waits for the other to read.
+// Runs a PCL method in a separate process. The request and the answer are files in memory, so that neither process waits for the other to
+// read.
 #include "core/base/memory.h"
 #include "core/lab/peers/peer_messages.h"
 
@@ -23,7 +24,7 @@ namespace edgescan {
 namespace {
 
 constexpr const char* kProgram = "edgescan-peers";
-constexpr std::uint64_t kProgramBytes = 1ULL << 30U; // PCL's libraries alone map some hundred MB
+constexpr std::uint64_t kProgramBytes = 1ULL << 30U; // PCL's libraries alone map several hundred MB
 constexpr std::uint64_t kBytesPerCell = 2000;
 constexpr double kProgramSeconds = 60;
 constexpr double kSecondsPerCell = 2e-4;
@@ -52,7 +53,7 @@ Result<std::filesystem::path> programPath() {
                  "install libpcl-dev and build again"};
 }
 
-// Its status, or null when it had to be killed after `seconds` (infinite = never).
+// The exit status, or null if the process was killed after `seconds` (infinite = never).
 std::optional<int> waitFor(pid_t child, double seconds) {
     const Descriptor handle(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
     bool late = false;
@@ -104,7 +105,7 @@ Result<PeerEdges> runPeer(Peer peer, const PeerScan& scan, const PeerLimits& lim
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) return Error{std::string("it cannot be started (") + std::strerror(failed) + ")", path, "build the project again"};
 
-    const std::optional<int> status = waitFor(child, 4 * seconds); // on a busy machine its own limit of CPU time comes later
+    const std::optional<int> status = waitFor(child, 4 * seconds); // on a busy machine the process reaches its limit of CPU time later
     if (!status || (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU))
         return Error{"PCL did not come to an end in " + time + " s", name, "choose a smaller scan, or --slow"};
     if (WIFSIGNALED(*status))

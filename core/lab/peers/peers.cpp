@@ -1,4 +1,4 @@
-// Scans for the peers.
+// Prepares scans for the PCL methods.
 #include "core/lab/peers/peers.h"
 
 #include "core/scan/grid/cartesian.h"

@@ -1,4 +1,4 @@
-// The Point Cloud Library's own edge detectors and segmentations on a scan, for comparison (thesis, chapters 4 and 6.3).
+// The Point Cloud Library's own edge detectors and segmentations, run on a scan for comparison (thesis, chapters 4 and 6.3).
 #pragma once
 
 #include "core/base/result.h"
@@ -10,16 +10,17 @@
 
 namespace edgescan {
 
+/// The methods of PCL.
 enum class Peer : std::uint8_t {
     BoundaryNeighbours,    ///< BoundaryEstimation on the 30 nearest points
     BoundaryRadius,        ///< BoundaryEstimation on all points within a radius
     RangeImageBorder,      ///< RangeImageBorderExtractor on the scan's own grid
-    OrganizedEdge,         ///< OrganizedEdgeFromNormals on the points as they are
-    OrganizedEdgeUnrolled, ///< OrganizedEdgeFromNormals on x = beam, y = line angle times range, z = range: depth is range again
+    OrganizedEdge,         ///< OrganizedEdgeFromNormals on the points without conversion
+    OrganizedEdgeUnrolled, ///< OrganizedEdgeFromNormals on x = beam, y = line angle times range, z = range, so that depth is range
     RegionGrowing,         ///< segments: RegionGrowing over normals and curvature
     ConvexPatches,         ///< segments: LCCPSegmentation of supervoxels
 };
-inline constexpr int kPeers = 5; ///< those that find edges come first
+inline constexpr int kPeers = 5; ///< number of methods that find edges; they come first
 
 [[nodiscard]] constexpr const char* peerName(Peer peer) {
     constexpr const char* kNames[]{"PCL BoundaryEstimation k=30",  "PCL BoundaryEstimation radius", "PCL RangeImageBorderExtractor",
@@ -29,41 +30,42 @@ inline constexpr int kPeers = 5; ///< those that find edges come first
 }
 
 struct PeerLimits {
-    double seconds = 10.0; ///< thread CPU time after which a peer that works point by point stops; infinite = never
+    double seconds = 10.0; ///< thread CPU time after which a method that works point by point stops; infinite = never
     int neighbours = 30;
     double radiusM = 0.1;
-    std::uint64_t memoryBytes = 0; ///< of the peer's process; 0 = by the size of the scan
+    std::uint64_t memoryBytes = 0; ///< of the separate process; 0 = according to the size of the scan
 };
 
-/// One kind of edge that a peer tells apart.
+/// One kind of edge that a method distinguishes.
 struct PeerClass {
     std::string name;
     Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge
-    bool counts = true;      ///< part of PeerEdges::mask: shadow borders, veils, occluded edges and borders of holes are not
+    bool counts = true;      ///< part of PeerEdges::mask; false for shadow borders, veils, occluded edges and borders of holes
 };
 
 struct PeerEdges {
     Grid<std::uint8_t> mask; ///< lines x beams, 255 = edge of the nearer surface
     std::vector<PeerClass> classes;
     std::vector<StageTime> steps; ///< milliseconds of thread CPU time
-    double share = 1.0;           ///< of the points that were done before the time was up; the mask then covers only these
-    Grid<std::uint32_t> segments; ///< lines x beams, 0 = none; empty for what finds edges, and `mask` for what finds segments
+    double share = 1.0;           ///< share of the points processed within the time limit; the mask covers only these
+    /// lines x beams, 0 = no segment; empty for methods that find edges; for methods that find segments `mask` is empty
+    Grid<std::uint32_t> segments;
 };
 
-/// A scan as the peers see it: all lines x beams, metres, the sensor at 0; NaN where there is no range.
+/// A scan as input of the PCL methods: all lines x beams, metres, sensor at the origin; NaN without a range.
 struct PeerScan {
     Grid<Eigen::Vector3f> pointsM;
-    Grid<Eigen::Vector3f> directions; ///< of the beams, unit; also where there is no range
-    Grid<Eigen::Vector3f> unrolledM;  ///< angles from the middle of the grid times the range, and the range as depth
+    Grid<Eigen::Vector3f> directions; ///< unit directions of the beams, also without a range
+    Grid<Eigen::Vector3f> unrolledM;  ///< angles from the middle of the grid multiplied by the range, and the range as depth
 };
 [[nodiscard]] PeerScan peerScan(const Scan& scan);
 
-/// Runs the detector in a process of its own (edgescan-peers, beside this program or in ../lib/edgescan): PCL may crash, hang or run out of
-/// memory, and starting with PCL linked would cost every command 40 ms. Its memory and time are limited by the size of the scan.
-/// Error: built without PCL, too few cells for this detector, or what ended it.
+/// Runs the method in a separate process (edgescan-peers, in the folder of this program or in ../lib/edgescan): PCL may crash, hang or use
+/// up the memory, and linking PCL would make the start of every command 40 ms slower. Its memory and time are limited according to the size
+/// of the scan. Error: built without PCL, too few cells for this method, or the reason why the process ended.
 [[nodiscard]] Result<PeerEdges> runPeer(Peer peer, const PeerScan& scan, const PeerLimits& limits);
 
-/// Error: why no peer can run here.
+/// Error: the reason why PCL methods cannot run here.
 [[nodiscard]] Result<Done> peersArePresent();
 
 } // namespace edgescan

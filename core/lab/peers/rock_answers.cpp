@@ -1,4 +1,4 @@
-// Ways from one scan to rocks.
+// Methods that find rocks in one scan.
 #include "core/lab/peers/rock_answers.h"
 
 #include "core/edges/pipeline/pipeline.h"

@@ -1,4 +1,4 @@
-// Ways from one scan to rocks, side by side: the recipe, a simple watershed on edges, and PCL's segmentations.
+// Methods that find rocks in one scan, for comparison: EdgeScan's own, a simple watershed on edges, and PCL's segmentations.
 #pragma once
 
 #include "core/edges/settings/settings.h"
@@ -11,16 +11,16 @@
 
 namespace edgescan {
 
-/// What the ways that are ours are set to; PCL's have their own parameters.
+/// The settings of our own methods; PCL's have their own parameters.
 struct RockChoices {
     Settings edges; ///< its method is EdgeScan+ or a part of it
     RockSettings rocks;
 };
 
 struct RockWay {
-    const char* key;  ///< in JSON
-    const char* name; ///< in tables
-    bool peer;        ///< only where peers are asked for
+    const char* key;  ///< key in JSON
+    const char* name; ///< name in tables
+    bool peer;        ///< runs only if PCL's methods are requested
     RockAnswer (*find)(const std::shared_ptr<const Scan>& scan, const RockChoices& choices);
 };
 [[nodiscard]] std::span<const RockWay> rockWays();

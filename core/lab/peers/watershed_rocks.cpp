@@ -14,9 +14,9 @@
 namespace edgescan {
 namespace {
 
-constexpr float kShallowBasin = 1.0F; // cells
-constexpr float kOnEdge = 1.5F;       // cells from an edge: the border runs along it
-constexpr double kLeastCovered = 0.5; // of a border by edges
+constexpr float kShallowBasin = 1.0F; // cells: depth of a saddle below a peak
+constexpr float kOnEdge = 1.5F;       // cells from an edge: the border runs along the edge
+constexpr double kLeastCovered = 0.5; // share of a border along edges
 
 cv::Mat distanceToEdges(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t>& solid) {
     Grid<std::uint8_t> open(edges.lines, edges.beams);
@@ -26,7 +26,7 @@ cv::Mat distanceToEdges(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t
     return distance;
 }
 
-/// Visits the 4 neighbours of a cell.
+/// Calls `visit` for the 4 neighbours of a cell.
 template <class Visit>
 void forNeighbours(const Grid<std::uint32_t>& grid, std::size_t k, Visit visit) {
     const auto beams = static_cast<std::size_t>(grid.beams);
@@ -58,7 +58,7 @@ Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uin
             std::uint32_t high = own;
             if (peak[low] > peak[high]) std::swap(low, high);
             if (peak[low] - height[k] < kShallowBasin) joined.join(high, low);
-            own = high; // the cell goes to the higher one
+            own = high; // the cell joins the higher one
         });
         if (own == 0) {
             own = static_cast<std::uint32_t>(peak.size());
@@ -69,7 +69,7 @@ Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uin
     return basin;
 }
 
-/// Joins basins whose border no edge covers.
+/// Joins basins whose border is not along edges.
 void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& height, JoinedGroups& joined) {
     struct Border {
         std::size_t cracks = 0, covered = 0;
@@ -96,7 +96,7 @@ void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& h
 Grid<std::uint32_t> watershedRocks(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t>& solid) {
     const cv::Mat distance = distanceToEdges(edges, solid);
     const std::vector<float> height(distance.begin<float>(), distance.end<float>());
-    JoinedGroups joined(height.size() + 1); // no more basins than cells
+    JoinedGroups joined(height.size() + 1); // there are at most as many basins as cells
     Grid<std::uint32_t> piece = basins(height, solid, joined);
     joinUncovered(piece, height, joined);
     for (std::uint32_t& cell : piece.cells) cell = joined.of(cell);

@@ -1,4 +1,4 @@
-// Edges of one scan looked for in another.
+// Searches the edges of one scan in another.
 #include "core/lab/repeatability/repeatability.h"
 
 #include "core/edges/pipeline/methods.h"
@@ -13,9 +13,9 @@
 namespace edgescan {
 namespace {
 
-constexpr double kStepsAway = 1.5; // of a measured direction: farther away the other scan did not look
+constexpr double kStepsAway = 1.5; // steps from a measured direction: farther away the other scan did not measure
 
-/// Which points of `a` the sensor of `b` saw: it measured in that direction, and nothing that lies in front by more than `toleranceM`.
+/// Which points of `a` the sensor of `b` saw: `b` measured in that direction, and its range there is not shorter by more than `toleranceM`.
 std::vector<std::uint8_t> seenBy(const PlacedScan& a, const PlacedScan& b, double toleranceM) {
     std::vector<Eigen::Vector3d> directions;
     for (const Eigen::Vector3d& p : b.pointsM) directions.push_back((p - b.sensorM).normalized());
@@ -55,7 +55,7 @@ void countOneWay(RepeatCount& count, const PlacedScan& from, const Grid<std::uin
 
 std::size_t edgesIn(const Grid<std::uint8_t>& mask) { return mask.size() - static_cast<std::size_t>(std::ranges::count(mask.cells, 0)); }
 
-/// With the threshold that gives `edges` of them or a few more; empty when no threshold gives as many.
+/// The mask with the threshold that gives at least `edges` edges, and as few more as possible; empty if no threshold gives as many.
 std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const PlacedScan& placed, const Settings& settings) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
     std::vector<double> highest;
@@ -67,7 +67,7 @@ std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const PlacedScan& 
     return edgesAt(map, highest[edges]);
 }
 
-/// The thinned mask of a threshold, found by halving, whose thinned mask has so many cells; empty when none has as many.
+/// The thinned mask with the threshold, found by bisection, that gives this many cells after thinning; empty if no threshold gives as many.
 std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const PlacedScan& placed, const Settings& settings) {
     const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
     std::vector<double> highest;

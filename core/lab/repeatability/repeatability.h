@@ -12,13 +12,13 @@
 namespace edgescan {
 
 struct RepeatCount {
-    std::size_t edges = 0;   ///< of both scans
-    std::size_t visible = 0; ///< of these, at a place that the other scan saw: measured in that direction, and nothing in front
-    std::size_t found = 0;   ///< of these, with an edge of the other scan within the radius
+    std::size_t edges = 0;   ///< in both scans
+    std::size_t visible = 0; ///< number of these at a place that the other scan saw: measured in that direction, without an object in front
+    std::size_t found = 0;   ///< number of these with an edge of the other scan within the radius
     [[nodiscard]] double share() const { return visible == 0 ? 0.0 : static_cast<double>(found) / static_cast<double>(visible); }
 };
 
-/// Masks: lines x beams of their scans, not 0 = edge. Counts edges of both, each looked for in the other.
+/// Masks: lines x beams of their scans, not 0 = edge. Counts the edges of both scans; each is searched in the other scan.
 class RepeatCounter {
 public:
     RepeatCounter(const PlacedScan& a, const PlacedScan& b, double radiusM);
@@ -33,14 +33,14 @@ private:
 struct MethodRepeatability {
     std::string name, key;
     RepeatCount asSet;                  ///< with its fixed settings
-    std::optional<RepeatCount> atEqual; ///< with the threshold that gives as many edges in each scan as the reference method has there
-    /// Thinned to lines one cell wide, with the threshold that gives as many cells then as the reference method's thinned mask has: a band
-    /// of several cells along one edge counts as one place.
+    std::optional<RepeatCount> atEqual; ///< with the threshold that gives, in each scan, as many edges as the reference method has there
+    /// Thinned to lines one cell wide, with the threshold at which the thinned mask has as many cells as that of the reference method. So a
+    /// band of several cells along one edge counts as one place.
     std::optional<RepeatCount> atEqualPlaces;
     std::string note; ///< why there is no result
 };
 
-/// Every method on both scans. The reference of equal numbers is EdgeScan+ with its fixed settings.
+/// Every method on both scans. The reference for equal numbers is EdgeScan+ with its fixed settings.
 [[nodiscard]] std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const PlacedScan& b, double radiusM,
                                                                    const ComparisonSettings& settings,
                                                                    const ComparisonProgress& progress = {});

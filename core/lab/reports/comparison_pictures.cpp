@@ -1,4 +1,4 @@
-// A comparison as pictures.
+// Draws a comparison as pictures.
 #include "core/lab/reports/comparison_pictures.h"
 
 #include "core/base/foreign_text.h"
@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t kColumns = 4;
 constexpr int kTilePixels = 460;
-constexpr int kLargePixels = 1100; // of a tile, about, where there are few
-constexpr int kMagnified = 5;      // pixels per cell of the pictures that show the shapes of marks
+constexpr int kLargePixels = 1100; // approximate width of a tile if there are few
+constexpr int kMagnified = 5;      // pixels per cell in pictures that show the shapes of marks
 
-// Okabe and Ito's blue and vermilion are told apart by everybody; dark green differs from both by its darkness.
+// Okabe and Ito's blue and vermilion, which people with colour blindness can distinguish; dark green differs from both by its brightness.
 constexpr Rgb kGreen{0, 95, 45};
 constexpr Rgb kBlue{0, 114, 230};
 constexpr Rgb kVermilion{226, 70, 0};
@@ -36,7 +36,7 @@ std::vector<SheetMark> truthLegend() {
             {"false: an edge that is none", kVermilion, MarkShape::Cross}};
 }
 
-constexpr std::size_t kMostOfAName = 60; // what a sheet has room for
+constexpr std::size_t kMostOfAName = 60; // longest name that fits on a sheet
 
 std::string shapeOf(const Scan& scan) {
     return printable(scan.name, kMostOfAName) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
@@ -44,7 +44,7 @@ std::string shapeOf(const Scan& scan) {
 
 int columnsOf(std::size_t tiles) { return static_cast<int>(tiles == kColumns ? kColumns / 2 : std::min(kColumns, tiles)); }
 
-// Few tiles are as large as makes whole pixels of each cell.
+// With few tiles, a tile is large enough for a whole number of pixels per cell.
 int tilePixels(std::size_t tiles, int beams) {
     if (tiles > kColumns) return kTilePixels;
     return beams * std::max(1, static_cast<int>(std::lround(static_cast<double>(kLargePixels) / beams)));

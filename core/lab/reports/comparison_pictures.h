@@ -1,4 +1,4 @@
-// A comparison as pictures: what each method found, and how that stands against the truth.
+// A comparison as pictures: the edges of each method, and their agreement with the truth.
 #pragma once
 
 #include "core/exports/provenance/contact_sheet.h"
@@ -6,20 +6,20 @@
 
 namespace edgescan {
 
-/// The range image, and on it every method's edges: in the colours and shapes of their classes where a method tells classes apart.
+/// The range image, and on it every method's edges: in the colours and shapes of their classes if a method distinguishes classes.
 [[nodiscard]] Grid<Rgb> edgesSheet(const Scan& scan, const std::vector<ComparedMethod>& methods);
 
-/// Places in the legend of truthMarks().
+/// Indices of the legend of truthMarks().
 inline constexpr std::uint8_t kMarkFound = 1, kMarkMissed = 2, kMarkFalse = 3;
 
-/// Per cell of lines x beams: kMarkFound where a detection found a true cell, kMarkMissed on true cells that no detection found,
-/// kMarkFalse where a detection found none. The mask (255 = edge) is thinned and cells are matched as for the score; what is not scored is
-/// not marked.
+/// Per cell of lines x beams: kMarkFound where a detection found a true cell, kMarkMissed on true cells that were not found, kMarkFalse
+/// where a detection is false. The mask (255 = edge) is thinned, and cells are matched as for the score; cells that are not scored are not
+/// marked.
 [[nodiscard]] Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
 
-/// Cells found, missed and false of every method that has a score; below each, where its cells are drawn too small to see their shapes,
-/// the middle of the same picture magnified. Methods that were also scored at their best threshold are drawn at that, except EdgeScan+ and
-/// its parts: they are drawn as they are set. `tolerance`: cells, that of the scores. Empty where no method has a score.
+/// Found, missed and false cells of every method with a score. If a picture is too small to show the shapes of marks, its middle is
+/// magnified below it. Methods that were also scored at their best threshold are drawn at that threshold, except EdgeScan+ and its parts,
+/// which are drawn with their settings. `tolerance`: of the scores, cells. Empty if there are no scores.
 [[nodiscard]] Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const EdgeTruth& truth, double tolerance);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// A comparison as tables and as JSON.
+// Writes a comparison as tables and as JSON.
 #include "core/lab/reports/comparison_report.h"
 
 #include "core/base/foreign_text.h"
@@ -32,7 +32,7 @@ constexpr double kPrintedTotal = 297;
 constexpr double kPrintedBoundary = 1852880;
 constexpr double kPrintedRangeImage = 4510; // on 83,000 points
 
-/// Numbers of one row, each in a column so wide.
+/// The numbers of one row, each in a column of fixed width.
 struct Column {
     double value;
     std::size_t width;
@@ -77,7 +77,7 @@ std::string methodRow(const ComparedMethod& method) {
     return row + "\n";
 }
 
-// Null unless both of the methods that the table holds were compared.
+// Null unless both methods of the thesis's table were compared.
 Json printedReport(const std::vector<ComparedMethod>& methods) {
     const ComparedMethod* thesis = find(methods, "thesis");
     const ComparedMethod* plus = find(methods, "edgescan+");

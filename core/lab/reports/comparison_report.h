@@ -10,7 +10,7 @@
 
 namespace edgescan {
 
-/// Tables for a person: every method with milliseconds per step, edges and scores; then the thesis's printed figures beside today's.
+/// Tables for a person: every method with milliseconds per step, edges and scores; then the thesis's printed figures and today's.
 [[nodiscard]] std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& methods);
 
 [[nodiscard]] nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<ComparedMethod>& methods,

@@ -1,4 +1,4 @@
-// Rows of methods.
+// Writes the rows of the methods.
 #include "core/lab/reports/repeat_report.h"
 
 #include "core/base/number_text.h"

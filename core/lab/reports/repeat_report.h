@@ -12,10 +12,10 @@
 
 namespace edgescan {
 
-/// What was matched, and how the scans came together.
+/// The parameters and results of one repeatability run.
 struct RepeatRun {
     double radiusM = 0.0;
-    std::optional<ScanAlignment> alignment; ///< empty: the poses were taken as they are
+    std::optional<ScanAlignment> alignment; ///< empty: the poses were used without correction
     std::vector<MethodRepeatability> methods;
 };
 

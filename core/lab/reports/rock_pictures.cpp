@@ -1,4 +1,4 @@
-// Rocks of a scene as a picture.
+// Draws the rocks of a scene.
 #include "core/lab/reports/rock_pictures.h"
 
 #include "core/base/foreign_text.h"
@@ -15,11 +15,11 @@ namespace {
 constexpr int kPartLines = 130;
 constexpr int kPartBeams = 170;
 constexpr int kPixelsPerCell = 5;
-constexpr int kPartStep = 10; // cells between two places that are tried
+constexpr int kPartStep = 10; // distance between two places that are tried, cells
 
 enum RockMark : std::uint8_t { kFoundRock = 1, kMergedRock, kSplitRock, kWallRock, kOtherRock, kToldRock, kToldNoRock };
 
-// Okabe and Ito's, darkened: told apart by everybody, and by their shapes in gray.
+// Okabe and Ito's colours, darkened: people with colour blindness can distinguish them; in gray their shapes differ.
 std::vector<SheetMark> rockLegend() {
     return {{"true rock, found", {0, 95, 45}, MarkShape::Square},
             {"merged with another", {0, 114, 230}, MarkShape::Ring},
@@ -45,7 +45,7 @@ RockMark markOf(const RockVerdict& verdict) {
     }
 }
 
-/// Cells whose right or lower neighbour, or left or upper one, has another label: marked as their label says, 0 = not at all.
+/// Cells whose right, lower, left or upper neighbour has another label; they get the mark of their label, 0 = no mark.
 Grid<std::uint8_t> outlines(const Grid<std::uint32_t>& label, const std::vector<std::uint8_t>& markOfLabel) {
     Grid<std::uint8_t> marks(label.lines, label.beams);
     for (int i = 0; i < label.lines; ++i) {
@@ -71,7 +71,7 @@ Grid<T> cut(const Grid<T>& whole, const Part& part) {
     return piece;
 }
 
-/// The part of the scene where `worth` is the largest, the first of several.
+/// The part of the scene where `worth` is largest; the first of several.
 template <class Worth>
 Part bestPart(const Grid<std::uint8_t>& marks, Worth worth) {
     const int lines = std::min(kPartLines, marks.lines);
@@ -91,7 +91,7 @@ Part bestPart(const Grid<std::uint8_t>& marks, Worth worth) {
     return best;
 }
 
-/// Rocks with an outline in the part: found, missed.
+/// Number of rocks with an outline in the part: found, missed.
 std::array<std::size_t, 2> rocksIn(const Part& part, const Grid<std::uint32_t>& rock, const std::vector<std::uint8_t>& markOfRock) {
     std::set<std::uint32_t> seen;
     for (int i = part.line; i < part.line + part.lines; ++i)

@@ -1,4 +1,4 @@
-// Rocks found in a simulated scene as a picture: what became of the true ones, and what was found in their place.
+// Rocks found in a simulated scene as a picture: which true rocks were found, and what was found in place of the others.
 #pragma once
 
 #include "core/exports/provenance/contact_sheet.h"
@@ -6,9 +6,9 @@
 
 namespace edgescan {
 
-/// Two parts of the scene, that with the most rocks missed and that with the most found and none missed: above, the outlines of the true
-/// rocks by what became of them (strict); below, the outlines of the regions told, those called no rock apart. A rock below 100 cells has
-/// no outline.
+/// Two parts of the scene: the one with the most missed rocks, and the one with the most found and without missed rocks. Above: the
+/// outlines of the true rocks by result (strict). Below: the outlines of the detected regions; those classified as not a rock are
+/// distinguished. Rocks of fewer than 100 cells have no outline.
 [[nodiscard]] Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockAnswer& answer, const RockSceneScore& score);
 
 } // namespace edgescan

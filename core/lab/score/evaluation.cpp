@@ -1,4 +1,4 @@
-// Figures of masks and sweeps.
+// Computes the figures of masks and threshold sweeps.
 #include "core/lab/score/evaluation.h"
 
 #include "core/base/order_statistic.h"
@@ -66,7 +66,7 @@ std::vector<double> errorsMm(const EdgeMatches& matches, const TruthSet& truth, 
     return errors;
 }
 
-// The value below which this share of the errors lies; 0 when there are none.
+// The error that this share of the errors is below; 0 without errors.
 double errorAt(std::vector<double> errors, double share) { return errors.empty() ? 0.0 : quantile(errors, share); }
 
 Json countsJson(const EdgeCounts& counts) {
@@ -80,7 +80,7 @@ double shareOfRocks(const std::vector<ScoredOutline>& rocks, double least) {
     return static_cast<double>(count) / static_cast<double>(rocks.size());
 }
 
-// Area under the upper envelope of precision over recall, from the lowest recall that is reached down to 0 at that precision.
+// Area under the upper envelope of precision over recall. From recall 0 to the lowest recall reached, the precision there is used.
 double averagePrecision(std::vector<std::pair<double, double>> recallPrecision) {
     std::sort(recallPrecision.begin(), recallPrecision.end());
     double best = 0.0;

@@ -1,4 +1,4 @@
-// All figures of one mask, or of a method over its thresholds, against the truth.
+// All figures of one mask, or of a method over its thresholds, compared with the truth.
 #pragma once
 
 #include "core/lab/score/score.h"
@@ -11,31 +11,32 @@
 
 namespace edgescan {
 
-/// The outline of one rock.
+/// The score of the outline of one rock.
 struct ScoredOutline {
-    int scan = 0;          ///< place of its scan among those that were added up
+    int scan = 0;          ///< index of its scan among the scans that were added up
     int object = 0;        ///< its number in object.png and rocks.json
-    std::size_t cells = 0; ///< scored outline cells, 10 at least
-    std::size_t found = 0; ///< of them
+    std::size_t cells = 0; ///< scored outline cells, at least 10
+    std::size_t found = 0; ///< number of these that were found
     [[nodiscard]] double share() const { return static_cast<double>(found) / static_cast<double>(cells); }
 };
 
-/// What can be added over scans.
+/// Figures that can be added over scans.
 struct Evaluation {
     EdgeScore score;
-    std::vector<ScoredOutline> rocks; ///< with at least 10 scored outline cells
-    std::vector<double> errorsMm;     ///< per match: distance of the detection's measured 3D point to the true one; empty without a scan
-    double pratt = 0.0;               ///< sum over scans of Pratt's figure of merit, each 0..1
+    std::vector<ScoredOutline> rocks; ///< rocks with at least 10 scored outline cells
+    /// per match, mm: distance of the detection's measured 3D point from the true one; empty without a scan
+    std::vector<double> errorsMm;
+    double pratt = 0.0; ///< sum over scans of Pratt's figure of merit, each 0..1
     int scans = 0;
 
     Evaluation& operator+=(const Evaluation& other);
 };
 
-/// `scan` may be null: then nothing is known in 3D. `mask`: 255 = edge.
+/// `scan` may be null: then there are no errors in 3D. `mask`: 255 = edge. `tolerance`: cells.
 [[nodiscard]] Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const TruthSet& truth, const Scan* scan, double tolerance);
 
-/// Pratt's figure of merit (1978): sum over the detections of 1 / (1 + d^2 / 9) over the greater of the two counts; d in cells to the
-/// nearest true cell. Cells that are not scored are left out. 1 when there is nothing to find and nothing was found.
+/// Pratt's figure of merit (1978): sum over the detections of 1 / (1 + d^2 / 9) divided by the larger of the two counts; d is the distance
+/// to the nearest true cell, in cells. Cells that are not scored are left out. 1 if there are no true cells and no detections.
 [[nodiscard]] double prattMerit(const Grid<std::uint8_t>& thin, const EdgeTruth& truth);
 
 /// A method over its thresholds, on several scans.
@@ -47,10 +48,10 @@ struct ThresholdSweep {
 /// "precision", "recall", "f" per group, rocks, 3D error, Pratt.
 [[nodiscard]] nlohmann::ordered_json evaluationJson(const Evaluation& evaluation);
 
-/// One entry per rock: place of its file, object number, outline cells, found ones and their share.
+/// One entry per rock: index of its file, object number, outline cells, found ones and their share.
 [[nodiscard]] nlohmann::ordered_json rocksJson(const Evaluation& evaluation);
 
-/// Per group of classes: ODS (best F of one threshold for all scans), OIS (every scan at its own best threshold), AP (area under
+/// Per group of classes: ODS (best F with one threshold for all scans), OIS (every scan at its own best threshold), AP (area under
 /// precision over recall, counts summed over the scans); and the whole evaluation at the ODS threshold of all edges.
 [[nodiscard]] nlohmann::ordered_json sweepJson(const ThresholdSweep& sweep);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// Steps within the tolerance, nearest first.
+// Steps within the tolerance, shortest first.
 std::vector<std::array<int, 2>> stepsWithin(double tolerance) {
     const int reach = static_cast<int>(std::floor(tolerance));
     std::vector<std::array<int, 2>> steps;
@@ -62,7 +62,7 @@ public:
         : graph_(graph), truthOf_(graph.detected.size(), kNone), detectionOf_(graph.truth.size(), kNone), level_(graph.detected.size()) {}
 
     const std::vector<std::uint32_t>& run() {
-        // Greedy, nearest first: most pairs are found here.
+        // Greedy, nearest first: this finds most of the pairs.
         for (std::uint32_t d = 0; d < truthOf_.size(); ++d) {
             for (std::size_t c = graph_.first[d]; c < graph_.first[d + 1] && truthOf_[d] == kNone; ++c) {
                 if (detectionOf_[graph_.candidate[c]] == kNone) pair(d, graph_.candidate[c]);
@@ -83,7 +83,7 @@ private:
         detectionOf_[t] = d;
     }
 
-    // Breadth first from the free detections; true when a free truth was reached.
+    // Breadth first from the unmatched detections; true if an unmatched true cell was reached.
     bool layer() {
         std::fill(level_.begin(), level_.end(), kNone);
         std::vector<std::uint32_t> queue;
@@ -108,7 +108,7 @@ private:
         return reached;
     }
 
-    // Depth first along the layers, without recursion: paths can be as long as an edge.
+    // Depth first along the layers, without recursion, because paths can be as long as an edge.
     bool augment(std::uint32_t root) {
         std::vector<std::uint32_t> path{root};
         while (!path.empty()) {
@@ -132,7 +132,7 @@ private:
         return false;
     }
 
-    // Each detection of the path takes the truth that its cursor points at.
+    // Each detection of the path gets the true cell that its cursor points to.
     void flip(const std::vector<std::uint32_t>& path) {
         for (auto d = path.rbegin(); d != path.rend(); ++d) {
             pair(*d, graph_.candidate[next_[*d]]);

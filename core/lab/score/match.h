@@ -1,4 +1,4 @@
-// Which detected edge cell belongs to which true one: at most one each, as many pairs as possible.
+// Matches detected edge cells with true ones: one to one, with as many pairs as possible.
 #pragma once
 
 #include "core/base/grid.h"
@@ -8,14 +8,14 @@
 
 namespace edgescan {
 
-/// A detected cell and the true cell it was matched with.
+/// A detected cell and the true cell matched with it.
 struct MatchedPair {
     std::uint32_t detected = 0; ///< k = line * beams + beam
     std::uint32_t truth = 0;
 };
 
-/// Maximum-cardinality one-to-one matching (Hopcroft and Karp 1973) of the cells set in both masks (255 = edge, same shape) that lie at
-/// most `tolerance` cells apart (Euclidean); near pairs are tried first. Ordered by `detected`.
+/// Maximum-cardinality one-to-one matching (Hopcroft and Karp 1973) of cells set in both masks (255 = edge, same shape) with a distance of
+/// at most `tolerance` cells (Euclidean); near pairs are tried first. Ordered by `detected`.
 [[nodiscard]] std::vector<MatchedPair> matchEdges(const Grid<std::uint8_t>& detected, const Grid<std::uint8_t>& truth, double tolerance);
 
 } // namespace edgescan

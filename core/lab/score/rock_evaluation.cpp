@@ -1,4 +1,4 @@
-// Rocks of a scene, scored.
+// Scores the rocks of a scene.
 #include "core/lab/score/rock_evaluation.h"
 
 #include "core/scan/grid/inverse_range.h"
@@ -19,7 +19,7 @@ Grid<std::uint8_t> scoredCells(const Scan& scan) {
     return counts;
 }
 
-/// A region's claim counts as right where it was found, as wrong where it is false; what is neither is left out.
+/// The confidence of a region counts as right if the rock was found, and as wrong if the region is false; other regions are left out.
 std::vector<ConfidenceSample> confidenceOf(const RockAnswer& answer, const RockMatch& match) {
     std::vector<ConfidenceSample> samples;
     const auto add = [&](std::uint32_t region, bool right) {

@@ -1,4 +1,4 @@
-// Pairs of rocks.
+// Finds and scores pairs of rocks.
 #include "core/lab/score/rock_pairs.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace edgescan {
 namespace {
 
-constexpr int kTornMm = 50; // as an occluding edge
+constexpr int kTornMm = 50; // as for an occluding edge
 constexpr std::size_t kFewestTorn = 3;
 constexpr double kOneWay = 0.8;
 constexpr std::size_t kFewestTouching = 5;
@@ -27,12 +27,12 @@ RockPair pairOf(const Key& key, const Cracks& cracks) {
     return pair;
 }
 
-/// What is said of pairs, one kind of it, by both names of the pair.
+/// One kind of statement about pairs, by the two numbers of the pair.
 using Said = std::map<Key, std::uint32_t>;
 
 PairCounts compared(const Said& truth, const Said& told, const std::map<std::uint32_t, std::uint32_t>& regionOf) {
     PairCounts counts{.told = told.size(), .known = truth.size(), .rocks = regionOf.size()};
-    std::map<std::uint32_t, std::pair<int, int>> ofRock; // true and told neighbours
+    std::map<std::uint32_t, std::pair<int, int>> ofRock; // true and reported neighbours
     for (const auto& [key, front] : told) {
         ++ofRock[key.first].second;
         ++ofRock[key.second].second;

@@ -1,4 +1,4 @@
-// Regions against true rocks.
+// Compares regions with true rocks.
 #include "core/lab/score/rock_score.h"
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 namespace edgescan {
 namespace {
 
-constexpr double kSame = 0.5; // more than this intersection over union is the same rock, so no two regions can be one rock's
+constexpr double kSame = 0.5; // a larger intersection over union means the same rock, so at most one region can match a rock
 
-/// What a region's cells lie on.
+/// The true labels below a region's cells.
 struct Ground {
     std::size_t background = 0, smallRocks = 0;
-    bool isSmallRock = false; ///< it matches a rock that need not be found
+    bool isSmallRock = false; ///< it matches a rock that is too small to be required
 };
 
 double shareOf(std::size_t part, std::size_t whole) { return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole); }
@@ -43,7 +43,7 @@ struct Judged {
     }
 };
 
-/// `of`: what the rock shares with every region, those that are gone included.
+/// `of`: the overlaps of the rock with every region, including removed ones.
 RockVerdict verdictOf(const Judged& judged, std::uint32_t rock, std::span<const Overlaps::Shared> of) {
     const Overlaps& overlaps = judged.overlaps;
     RockVerdict verdict{.rock = rock, .cells = overlaps.rockCells[rock]};

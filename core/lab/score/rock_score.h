@@ -1,4 +1,4 @@
-// How well labelled regions are the true rocks of a scene: regions and rocks whose intersection over union is above a half are one
+// Compares labelled regions with the true rocks of a scene: a region and a rock match if their intersection over union is above one half
 // (docs/method.md, "Truth and score").
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace edgescan {
 
-/// Why a rock was not found; the first that holds.
+/// The reason why a rock was not found; the first that applies.
 enum class Miss : std::uint8_t {
-    Dropped, ///< strict only: a region matches it and was called no rock
-    Wall,    ///< one region holds at least half of it, and the rest of that region is mostly background
-    Merged,  ///< one region holds at least half of it and more besides
-    Split,   ///< regions that lie at least half in it hold at least half of it together
+    Dropped, ///< strict only: a region matches it but was classified as not a rock
+    Wall,    ///< one region covers at least half of it, and the rest of that region is mostly background
+    Merged,  ///< one region covers at least half of it, and also other rocks
+    Split,   ///< regions with at least half of their cells in it cover at least half of it together
     Other,
 };
 inline constexpr std::size_t kMisses = 5;
@@ -28,38 +28,39 @@ struct RockCounts {
     std::array<std::size_t, kMisses> missedBy{};
 
     RockCounts& operator+=(const RockCounts& other);
-    [[nodiscard]] double pq() const; ///< sum of IoU / (found + false / 2 + missed / 2); 0 where there is nothing
+    [[nodiscard]] double pq() const; ///< sum of IoU / (found + false / 2 + missed / 2); 0 without rocks and regions
     [[nodiscard]] double sq() const; ///< mean IoU of those found
     [[nodiscard]] double f1() const; ///< found / (found + false / 2 + missed / 2)
 };
 
-/// Which cells two labellings share. 0 is background in the truth and no region in the labels.
+/// The cells that two labellings share. 0 is background in the truth, and no region in the labels.
 struct Overlaps {
     struct Shared {
         std::uint32_t rock = 0, region = 0;
         std::size_t cells = 0;
     };
-    std::vector<Shared> shared;                        ///< by rock, then region; both 0 included
-    std::vector<std::size_t> rockCells, regionCells;   ///< by number, 0 included
+    std::vector<Shared> shared;                        ///< by rock, then region; both including 0
+    std::vector<std::size_t> rockCells, regionCells;   ///< by number, including 0
     [[nodiscard]] double iou(const Shared& one) const; ///< of a rock and a region
 };
 
-/// `counts`: lines x beams, not 0 where a cell takes part. Labels may be any numbers; the tables reach up to the largest.
+/// `counts`: lines x beams, not 0 where a cell is scored. Labels may be any numbers; the tables extend to the largest.
 [[nodiscard]] Overlaps overlapsOf(const Grid<std::uint8_t>& counts, const Grid<std::uint32_t>& rock, const Grid<std::uint32_t>& region);
 
 struct RockRules {
-    std::size_t leastCells = 100; ///< smaller rocks need not be found, and smaller regions are not false
-    bool strict = false;          ///< regions called no rock are gone, and those on background are false; else background is no matter
+    std::size_t leastCells = 100; ///< smaller rocks are not required, and smaller regions are not false
+    /// true: regions classified as not a rock are removed, and regions on background are false; false: background is ignored
+    bool strict = false;
 };
 
-/// What became of a rock that had to be found.
+/// The result for a rock that is required.
 struct RockVerdict {
     std::uint32_t rock = 0;
     std::size_t cells = 0;
     bool found = false;
-    std::uint32_t region = 0; ///< found: that one; else the region that holds most of it, 0 for none
+    std::uint32_t region = 0; ///< found: its region; otherwise the region that covers most of it, 0 if none does
     double iou = 0.0;         ///< with that region
-    Miss miss = Miss::Other;  ///< where it was not found
+    Miss miss = Miss::Other;  ///< if it was not found
 };
 
 struct RockMatch {
@@ -68,10 +69,10 @@ struct RockMatch {
     std::vector<std::uint32_t> falseRegions; ///< ascending
 };
 
-/// `isRock` by region's number; all are rocks where it is empty.
+/// `isRock` by the region's number; if it is empty all regions are rocks.
 [[nodiscard]] RockMatch matchRocks(const Overlaps& overlaps, const std::vector<std::uint8_t>& isRock, const RockRules& rules);
 
-/// Rocks found, by their size in cells.
+/// Numbers of rocks by their size in cells.
 struct CellClass {
     std::size_t fromCells = 0; ///< up to the next class
     std::size_t rocks = 0, found = 0;

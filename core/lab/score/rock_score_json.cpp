@@ -37,7 +37,7 @@ Json countsJson(const Scores& scenes, RockMatch RockSceneScore::*which) {
     for (const RockSceneScore& scene : scenes) {
         const RockCounts& counts = (scene.*which).counts;
         total += counts;
-        if (counts.found + counts.missed == 0) continue; // nothing to find: no figure of its own
+        if (counts.found + counts.missed == 0) continue; // without rocks there is no figure
         each[0].push_back(counts.pq());
         each[1].push_back(counts.sq());
         each[2].push_back(counts.f1());
@@ -73,7 +73,7 @@ Json byCellsJson(const Scores& scenes) {
     return list;
 }
 
-/// Of one span: what is told against what is visible, as shares of the visible one, and against the whole rock.
+/// For one span: reported against visible and reported against whole, as shares of the true one.
 Json spanJson(const std::vector<SpanSample>& samples, double SpanSample::*told, double SpanSample::*seen, double SpanSample::*whole) {
     std::vector<double> bias, error, againstWhole;
     std::size_t within1 = 0;
@@ -104,7 +104,7 @@ Json spansJson(const Scores& scenes) {
             {"b", spanJson(all, &SpanSample::b, &SpanSample::trueB, &SpanSample::wholeB)}};
 }
 
-/// P50 and P80 of the visible b by count: mean over the scenes of how far off they are, as a share.
+/// P50 and P80 of the visible b by number: mean deviation over the scenes, as a share.
 Json sizeCurveJson(const Scores& scenes) {
     Json json;
     for (const auto& [name, share] : {std::pair{"p50", 0.5}, std::pair{"p80", 0.8}}) {
@@ -121,7 +121,7 @@ Json sizeCurveJson(const Scores& scenes) {
     return json;
 }
 
-/// Probability that a right one is told a higher confidence than a wrong one; ties count a half.
+/// Probability that a right region has a higher reported confidence than a wrong one; ties count one half.
 Json areaUnderCurve(std::vector<ConfidenceSample> samples) {
     std::ranges::sort(samples, {}, &ConfidenceSample::told);
     double wins = 0.0;

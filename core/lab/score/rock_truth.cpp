@@ -1,4 +1,4 @@
-// The true rocks of a simulated scene.
+// Reads the true rocks of a simulated scene.
 #include "core/lab/score/rock_truth.h"
 
 #include "core/base/bounded_json.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kHint = "write the truth again with simulate --truth";
 
-/// Numbers of object.png by places in the list of rocks; what is no rock is background.
+/// Converts numbers of object.png to indices of the list of rocks; objects that are not rocks become background.
 Grid<std::uint32_t> placesOf(const Grid<std::uint16_t>& object, const std::vector<TrueRock>& rocks) {
     std::vector<std::uint32_t> place(65536);
     for (std::size_t n = 0; n < rocks.size(); ++n) place[rocks[n].object] = static_cast<std::uint32_t>(n + 1);
@@ -108,7 +108,7 @@ VisibleSpans spansAcrossSight(const std::vector<Eigen::Vector3d>& pointsM) {
     for (std::size_t n = 0; n < hull.size(); ++n) {
         const cv::Point2f side = hull[(n + 1) % hull.size()] - hull[n];
         const double length = std::hypot(static_cast<double>(side.x), static_cast<double>(side.y));
-        double farthest = 0.0; // from the line through this side: the smallest calipers touch a side of the hull
+        double farthest = 0.0; // distance from the line through this side: the smallest calipers touch a side of the hull
         for (const cv::Point2f& other : hull) {
             const cv::Point2f way = other - hull[n];
             spans.aM = std::max(spans.aM, std::hypot(static_cast<double>(way.x), static_cast<double>(way.y)));

@@ -1,4 +1,4 @@
-// How well a mask finds the true edges.
+// Scores a mask against the true edges.
 #include "core/lab/score/score.h"
 
 #include "core/lab/score/match.h"
@@ -13,7 +13,7 @@ using ClassCounts = std::array<std::size_t, 5>;
 
 std::size_t outlineOf(const ClassCounts& counts) { return counts[1] + counts[2] + counts[4]; }
 
-// Detections that were not matched, outside what is not scored.
+// Number of unmatched detections, without cells that are not scored.
 std::size_t falseCells(const Grid<std::uint8_t>& thin, const std::vector<MatchedPair>& pairs, const Grid<std::uint8_t>& ignore) {
     Grid<std::uint8_t> left = thin;
     for (const MatchedPair& pair : pairs) left[pair.detected] = 0;
@@ -51,7 +51,7 @@ EdgeScore& EdgeScore::operator+=(const EdgeScore& other) {
 }
 
 EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
-    // A true cell that is not scored can be matched: then the detection is no false alarm, and the match counts for nothing.
+    // A true cell that is not scored can also be matched: then the detection is not a false alarm, and the match does not count.
     Grid<std::uint8_t> every(mask.lines, mask.beams);
     Grid<std::uint8_t> outline(mask.lines, mask.beams);
     for (std::size_t k = 0; k < every.size(); ++k) {

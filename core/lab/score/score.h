@@ -1,4 +1,4 @@
-// How well a mask finds the true edges (docs/method.md, "Truth and score").
+// Scores a mask against the true edges (docs/method.md, "Truth and score").
 #pragma once
 
 #include "core/lab/score/match.h"
@@ -11,11 +11,11 @@ namespace edgescan {
 /// Counts that can be added over scans.
 struct EdgeCounts {
     std::size_t truth = 0;  ///< true cells of the group
-    std::size_t found = 0;  ///< of them matched
-    std::size_t false_ = 0; ///< detections that match nothing, outside what is not scored; shared by all groups
+    std::size_t found = 0;  ///< number of these that were matched
+    std::size_t false_ = 0; ///< unmatched detections, without cells that are not scored; the same for all groups
 
     EdgeCounts& operator+=(const EdgeCounts& other);
-    [[nodiscard]] double precision() const; ///< found / (found + false); 1 when nothing was detected
+    [[nodiscard]] double precision() const; ///< found / (found + false); 1 without detections
     [[nodiscard]] double recall() const;
     [[nodiscard]] double f() const;
 };
@@ -32,12 +32,12 @@ struct EdgeScore {
 
 /// Which detections found which true cells.
 struct EdgeMatches {
-    Grid<std::uint8_t> thin;          ///< the mask, thinned
-    std::vector<MatchedPair> all;     ///< with every class
-    std::vector<MatchedPair> outline; ///< with the outline alone
+    Grid<std::uint8_t> thin;          ///< the mask after thinning
+    std::vector<MatchedPair> all;     ///< matched with all classes
+    std::vector<MatchedPair> outline; ///< matched with the outline only
 };
 
-/// `mask`: 255 = edge, thinned here. `tolerance`: cells.
+/// `mask`: 255 = edge; it is thinned here. `tolerance`: cells.
 [[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
 [[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
 

@@ -23,7 +23,7 @@ constexpr bool removable(unsigned neighbours, bool secondPass) {
     return runs == 1 && pairs >= 2 && pairs <= 3 && !kept;
 }
 
-// For each of the two passes: what removable() says of every neighbourhood.
+// For each of the two passes: removable() of every neighbourhood.
 constexpr std::array<std::array<bool, 256>, 2> kRemovable = [] {
     std::array<std::array<bool, 256>, 2> table{};
     for (unsigned neighbours = 0; neighbours < 256; ++neighbours) {
@@ -58,7 +58,7 @@ public:
         std::vector<std::size_t> before; // removed by the pass before
         std::vector<std::size_t> gone = removed(all, 0);
         for (int idle = gone.empty() ? 1 : 0, pass = 1; idle < 2; ++pass) {
-            // A pass decides about a cell as it did two passes ago unless a neighbour was removed since.
+            // A pass decides about a cell as it did two passes before, unless a neighbour was removed since.
             std::vector<std::size_t> next = pass == 1 ? removed(all, pass) : removed(besides(before, gone, pass), pass);
             before = std::move(gone);
             gone = std::move(next);
@@ -97,7 +97,7 @@ private:
 
     int width_;
     std::vector<std::uint8_t> set_;
-    std::vector<int> asked_; // pass that has the cell on its list
+    std::vector<int> asked_; // the pass that has the cell on its list
     std::array<std::ptrdiff_t, 8> offset_{};
 };
 

@@ -7,8 +7,8 @@
 
 namespace edgescan {
 
-/// Guo and Hall (1989), "Parallel thinning with two-subiteration algorithms": 255 = edge in and out; what hangs together stays together,
-/// and nothing vanishes.
+/// Guo and Hall (1989), "Parallel thinning with two-subiteration algorithms": 255 = edge in input and output; connected cells stay
+/// connected, and no component disappears.
 [[nodiscard]] Grid<std::uint8_t> thinned(Grid<std::uint8_t> mask);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Ground truth of edges.
+// Computes the ground truth of edges.
 #include "core/lab/score/truth.h"
 
 #include "core/lab/score/thin.h"
@@ -17,8 +17,8 @@ constexpr double kJumpMm = 50.0; // from here on an occluding edge
 constexpr double kContactDeg = 15.0;
 constexpr double kCreaseDeg = 30.0;
 constexpr std::size_t kSmallestRock = 25; // cells; smaller rocks are not scored
-constexpr int kRoundPatches = 2;          // cells round an absorbing patch that are not scored
-constexpr int kReach = 2;                 // cells that a detection may lie beside an edge; a fold that is wider has no single place
+constexpr int kRoundPatches = 2;          // cells around an absorbing patch that are not scored
+constexpr int kReach = 2;                 // cells between a detection and its edge; a wider fold has no definite position
 
 enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
 
@@ -50,7 +50,7 @@ void dilate(Grid<std::uint8_t>& mask, int reach) {
     }
 }
 
-// Rocks too small to be seen, and what lies round absorbing patches.
+// Rocks too small to be visible, and the surroundings of absorbing patches.
 Grid<std::uint8_t> notScored(const SimulationTruth& truth) {
     Grid<std::uint8_t> ignore(truth.object.lines, truth.object.beams);
     for (std::size_t k = 0; k < ignore.size(); ++k) ignore[k] = truth.absorbed[k] != 0 ? 255 : 0;
@@ -70,7 +70,7 @@ struct MarkedCells {
     Grid<std::uint8_t> edgeClass;
     Grid<std::uint8_t> unsure;
 
-    // The stronger class wins a cell: a jump before a contact before a crease.
+    // The stronger class of a cell is used: jump, then contact, then crease.
     void mark(std::size_t k, EdgeClass wanted) {
         const auto rank = [](std::uint8_t c) { return c == 0 ? 0 : c == 4 ? 4 : 4 - c; };
         if (rank(static_cast<std::uint8_t>(wanted)) > rank(edgeClass[k])) edgeClass[k] = static_cast<std::uint8_t>(wanted);
@@ -104,8 +104,8 @@ void judgePair(const SimulationTruth& truth, MarkedCells& marked, std::size_t a,
     }
 }
 
-// Looks along one row of cells of one rock for a rounded fold that turns by a crease's angle over several cells, or by less from one cell
-// to the next. Whether it is an edge, and where, nobody can say.
+// Searches one row of cells of one rock for a rounded fold: it bends by a crease's angle over several cells, but by less from one cell to
+// the next. Whether it is an edge, and at which cell, is undefined.
 void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
     const std::size_t first = spread.index(line, beam);
     if (truth.object[first] < sim::kFirstRock) return;
@@ -120,8 +120,8 @@ void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, i
     }
 }
 
-// Cells that are not scored because of rounded folds. Sure edges stay scored, and so does what lies beside an outline, because every round
-// rock turns away from the scanner there.
+// Cells that are not scored because of rounded folds. Definite edges are scored, and so are cells next to an outline, because every round
+// rock bends away from the scanner there.
 Grid<std::uint8_t> spreadFolds(const SimulationTruth& truth, const Grid<std::uint8_t>& edgeClass) {
     Grid<std::uint8_t> spread(edgeClass.lines, edgeClass.beams);
     for (int i = 0; i < spread.lines; ++i) {
@@ -163,7 +163,7 @@ EdgeTruth edgeTruth(const SimulationTruth& truth) {
     }
     const Grid<std::uint8_t> spread = spreadFolds(truth, result.edgeClass);
     for (std::size_t k = 0; k < all.size(); ++k) result.ignore[k] |= spread[k];
-    // A sure edge stays scored beside an unsure one.
+    // A definite edge is scored even next to an undefined one.
     dilate(marked.unsure, kReach);
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (result.edgeClass[k] == 0) result.ignore[k] |= marked.unsure[k];

@@ -1,4 +1,4 @@
-// Ground truth as files.
+// Reads and writes ground truth.
 #include "core/lab/score/truth_files.h"
 
 #include "core/base/json_text.h"
@@ -84,7 +84,7 @@ Grid<std::uint16_t> wholeTears(const Grid<sim::Seam>& seams) {
 Result<Grid<std::uint16_t>> readTruthNumbers(const fs::path& path) {
     std::error_code failed;
     if (!fs::exists(path, failed)) return Grid<std::uint16_t>();
-    ReadingOptions options; // angles that nobody uses: a picture has none
+    ReadingOptions options; // placeholder angles, because a picture has no angles
     options.beamStartDeg = 0.0;
     options.beamStepDeg = 0.001;
     options.lineStartDeg = 0.0;

@@ -7,28 +7,28 @@
 
 namespace edgescan {
 
-/// What a scan is scored against. All grids are lines x beams.
+/// The truth for the score of a scan. All grids are lines x beams.
 struct TruthSet {
     EdgeTruth edges;
-    Grid<std::uint16_t> object;  ///< 0 none, 1 wall, 2.. rocks; empty when it is not known
-    Grid<std::uint16_t> cleanMm; ///< range without noise, whole mm, 0 = none; empty when it is not known
+    Grid<std::uint16_t> object;  ///< 0 no object, 1 wall, 2.. rocks; empty if unknown
+    Grid<std::uint16_t> cleanMm; ///< range without noise, whole mm, 0 = no range; empty if unknown
 };
 
 /// Writes gt_class.png, gt_ignore.png, object.png, face.png, range_clean.png, tear_beam.png, tear_line.png (gap in depth to the next beam
-/// and line, mm), rocks.json (true size, volume, visible cells and visible spans of each rock, metres) and scene.json (every setting, seed
-/// included) into the folder, which is made when it is missing.
+/// and line, mm), rocks.json (true size, volume, visible cells and visible spans of each rock, metres) and scene.json (every setting,
+/// including the seed) into the folder, which is created if it does not exist.
 Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const std::filesystem::path& folder);
 
-/// Numbers of a 16-bit picture of the truth; empty when there is no such file. Error: damaged, no such picture.
+/// Numbers of a 16-bit picture of the truth; empty if the file does not exist. Error: damaged, not such a picture.
 Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
 
-/// How far apart the surfaces of two neighbouring cells are, whole mm; 65535 for all that is more.
+/// Distance between the surfaces of two neighbouring cells, whole mm; 65535 for all larger values.
 [[nodiscard]] Grid<std::uint16_t> wholeTears(const Grid<sim::Seam>& seams);
 
-/// From what the simulator holds in memory.
+/// From the simulation in memory.
 [[nodiscard]] TruthSet truthSetOf(const Simulation& simulation);
 
-/// gt_class.png and gt_ignore.png; object.png and range_clean.png where they are there. Error: missing, damaged, of different shapes.
+/// Reads gt_class.png and gt_ignore.png, and object.png and range_clean.png if they exist. Error: missing, damaged, of different shapes.
 Result<TruthSet> readTruth(const std::filesystem::path& folder);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Whether a scan is the one that its ground truth was made with.
+// Checks whether a ground truth belongs to a scan.
 #include "core/lab/score/truth_fit.h"
 
 #include "core/scan/grid/inverse_range.h"
@@ -9,15 +9,15 @@
 namespace edgescan {
 namespace {
 
-constexpr double kLongestTold = 65535.0; // mm; range_clean.png has 16 bits
+constexpr double kLargestRange = 65535.0; // mm; range_clean.png has 16 bits
 constexpr double kSigmas = 5.0;
-constexpr double kShareOfRange = 0.01; // a beam has a width, and a slanted surface many ranges within it
+constexpr double kShareOfRange = 0.01; // a beam has a width, and a slanted surface has many ranges within it
 constexpr double kOffsetMm = 20.0;
-constexpr double kUnknownShare = 0.05; // where too few cells tell the noise
-constexpr double kFewest = 0.85;       // a scan itself has over 0.9, another bell with the same wall 0.75
+constexpr double kUnknownShare = 0.05; // if there are too few cells to measure the noise
+constexpr double kFewest = 0.85;       // the scan itself gives more than 0.9, another bell with the same wall 0.75
 
-// Share of the ranges (lone ones left out) that agree with the clean ranges: within five standard deviations of the scan's own noise + 1 %
-// + 20 mm. Near 1 for the scan itself, whatever its noise, drop-outs, dust or slips; 1 where the truth has no clean ranges.
+// Share of the ranges (without isolated cells) that agree with the clean ranges: within five standard deviations of the scan's own noise +
+// 1 % + 20 mm. Near 1 for the scan itself with any noise, drop-outs, dust or slips; 1 if the truth has no clean ranges.
 double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
     if (truth.cleanMm.size() == 0) return 1.0;
     const InverseRange inverse = inverseRange(scan);
@@ -32,7 +32,7 @@ double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
         const double cleanMm = truth.cleanMm[k];
         const double allowed =
             kOffsetMm + (known ? kShareOfRange * cleanMm + kSigmas * noise.at(0.001 * cleanMm) : kUnknownShare * cleanMm);
-        const double rangeMm = std::min(static_cast<double>(scan.rangeMm[k]), kLongestTold);
+        const double rangeMm = std::min(static_cast<double>(scan.rangeMm[k]), kLargestRange);
         fitting += std::abs(rangeMm - cleanMm) <= allowed ? 1 : 0;
     }
     return measured == 0 ? 1.0 : static_cast<double>(fitting) / static_cast<double>(measured);

@@ -1,4 +1,4 @@
-// Whether a scan is the one that its ground truth was made with.
+// Checks whether a ground truth belongs to a scan.
 #pragma once
 
 #include "core/lab/score/truth_files.h"
@@ -7,7 +7,7 @@
 
 namespace edgescan {
 
-/// Error: the truth is of another scene. `folder` goes into the error. Shapes must be equal.
+/// Error: the truth belongs to another scene. The error names `folder`. The shapes must be equal.
 [[nodiscard]] Result<Done> checkTruthFits(const Scan& scan, const TruthSet& truth, const std::string& folder);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Rows of rocks.
+// Computes the rows of the rock table.
 #include "core/rocks/attributes/attributes.h"
 
 #include "core/rocks/attributes/cells.h"
@@ -18,16 +18,16 @@
 namespace edgescan {
 namespace {
 
-constexpr double kTolerance = 2.0; // times the resolution: it covers 89 % of a and 97 % of b
+constexpr double kTolerance = 2.0; // times the resolution: this covers 89 % of the errors of a and 97 % of those of b
 constexpr float kLeastDepthMm = 100.0F;
-constexpr double kPushedBack = 0.3; // of b: from the centre of what is seen to that of the rock
+constexpr double kPushedBack = 0.3; // share of b: distance from the centre of the visible points to the estimated centre of the rock
 
-/// By label: the row of the rock that had the same leaves before; null where there was none.
+/// By label: the row of the earlier rock with the same segments; null if there was none.
 std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* before) {
     std::vector<const Rock*> same(static_cast<std::size_t>(map.rocks) + 1, nullptr);
     if (before == nullptr || before->map.regionOfLeaf.size() != map.regionOfLeaf.size()) return same;
     std::vector<std::uint32_t> leavesNow(map.regions.size(), 0), leavesThen(before->map.regions.size(), 0);
-    std::vector<std::uint8_t> shared(map.regions.size(), 1); // all its leaves were in one region
+    std::vector<std::uint8_t> shared(map.regions.size(), 1); // 1 while all segments of the region belonged to one earlier region
     const auto thenOf = [&](std::uint32_t region) { return before->map.regionOfLeaf[map.regions[region].group]; };
     for (std::size_t leaf = 1; leaf < map.regionOfLeaf.size(); ++leaf) {
         const std::uint32_t now = map.regionOfLeaf[leaf];
@@ -80,15 +80,15 @@ private:
         rock.freeBelowM = known.freeBelowM;
     }
 
-    // Of the ranges of a rock, mm: those that 5, 50 and 95 % of them lie below.
+    // Quantiles of the ranges of a rock, mm: 5, 50 and 95 %.
     struct Ranges {
         float front, middle, back;
 
-        // Cells on the rim of a rock that saw past it: behind the rock by more than it is deep. Seen from the side a few of them would
-        // make a span twice as long.
+        // Limit that excludes cells on the rim of a rock whose beam passed the rock: they are behind it by more than its depth. Seen from
+        // the side, a few of them would double a span.
         [[nodiscard]] float farthest() const { return back + std::max(back - front, kLeastDepthMm); }
     };
-    // Not empty; moved.
+    // `rangesMm` is not empty; reorders it.
     static Ranges rangesOf(std::vector<float>& rangesMm) {
         const auto last = static_cast<double>(rangesMm.size() - 1);
         const auto front = rangesMm.begin() + static_cast<std::ptrdiff_t>(0.05 * last);
@@ -100,7 +100,7 @@ private:
         return {*front, *middle, *back};
     }
 
-    // Points of a rock, one after the other.
+    // Coordinates of the points of a rock.
     struct RockPoints {
         std::vector<std::uint32_t> cell;
         std::vector<double> x, y, z; // m
@@ -110,7 +110,7 @@ private:
             cell.resize(count);
             for (auto* values : {&x, &y, &z}) values->resize(count);
         }
-        // How far the points lie along a direction, from a place on.
+        // Coordinate of each point along a direction, measured from `from`.
         void along(const Eigen::Vector3d& way, const Eigen::Vector3d& from, std::vector<double>& lengths) const {
             lengths.resize(count());
             alongWay(way, from, lengths.data());
@@ -122,7 +122,7 @@ private:
                 lengths[n] = (way[0] * (x[n] - from[0]) + way[1] * (y[n] - from[1])) + way[2] * (z[n] - from[2]);
         }
     };
-    // Those of its cells that are no farther than that.
+    // Collects the points of those of its cells that are not farther than `farthestMm`.
     void collect(std::uint32_t label, float farthestMm, RockPoints& points) const {
         const Grid<float>& rangeMm = leaves_.inputs.scan->rangeMm;
         const std::span<const std::uint32_t> cells = cells_.of(label);
@@ -142,7 +142,7 @@ private:
         points.resize(count);
     }
 
-    // What needs every point.
+    // Computes the values that need every point.
     void measure(Rock& rock) {
         const Eigen::Vector3d sight = (rock.centreM - tables_.sensor()).normalized();
         const Eigen::Vector3d right = sight.unitOrthogonal();
@@ -181,7 +181,7 @@ private:
     CellsOfRocks cells_;
     CartesianTables tables_;
     Eigen::Vector3d up_;
-    // Room for one rock after the other.
+    // Buffers reused for each rock.
     std::vector<float> ranges_;
     RockPoints points_;
     PlanePoints projected_;
@@ -191,7 +191,7 @@ private:
 void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
     for (const RegionBorder& border : map.borders) {
         const bool contact = touch(border);
-        if (border.b > map.rocks) { // ascending: b is the larger
+        if (border.b > map.rocks) { // borders are ascending and b is the larger label
             if (contact && border.a <= map.rocks) rocks[border.a - 1].touchesOther = true;
             continue;
         }
@@ -212,7 +212,7 @@ void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
     }
 }
 
-// Where the middle of the rock may be: behind that of its visible points.
+// Estimated middle of the rock: behind the centre of its visible points.
 Eigen::Vector3d middleOf(const Rock& rock, const Eigen::Vector3d& sensor) {
     return rock.centreM + kPushedBack * rock.wideM * (rock.centreM - sensor).normalized();
 }
@@ -229,7 +229,7 @@ void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Ei
                 const double angle = std::atan2(p.cross(q).norm(), p.dot(q)) * 180.0 / std::numbers::pi;
                 if (rock.archDeg && angle <= *rock.archDeg) continue;
                 rock.archDeg = angle;
-                // The place of the line between them that is over or under the rock.
+                // The point of the line between both centres that is directly above or below the rock.
                 const Eigen::Vector3d line = other - one;
                 const Eigen::Vector3d level = line - up * up.dot(line);
                 const double along = std::clamp(level.dot(here - one) / std::max(level.squaredNorm(), 1e-12), 0.0, 1.0);

@@ -1,4 +1,4 @@
-// What may be said of a rock that was seen from one point, and how well it is known (docs/rocks-method.md, "What is said of a rock").
+// The attributes of a rock seen from one viewpoint, and their uncertainty (docs/rocks-method.md, "What is said of a rock").
 #pragma once
 
 #include "core/rocks/selection/rock_map.h"
@@ -11,59 +11,60 @@
 
 namespace edgescan {
 
-/// To be said with every result.
+/// This caveat must accompany every result.
 inline constexpr const char* kRockCaveat = "candidate - geometry only, one viewpoint";
 
-/// Below this confidence an outline is shown as doubtful.
+/// Below this confidence an outline is marked as doubtful.
 inline constexpr double kSureConfidence = 0.85;
 
-/// How far an arch angle may be off, degrees.
+/// Uncertainty of an arch angle, degrees.
 inline constexpr double kArchToleranceDeg = 25.0;
 
-/// One row per rock. Lengths in metres; spans and areas are of the visible part, never of the whole rock.
+/// One row of the table per rock. Lengths in metres; spans and areas are those of the visible part, never of the whole rock.
 struct Rock {
     std::uint32_t label = 0;                           ///< as in rockLabels()
-    std::uint32_t cells = 0;                           ///< measured
-    std::uint32_t cell = 0;                            ///< the measured cell of it that lies closest to its centre
-    Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< of the visible points, frame of the scan
-    double distanceM = 0.0;                            ///< from the sensor: median of the ranges
-    double longM = 0.0;                                ///< a: largest caliper across the line of sight
-    double wideM = 0.0;                                ///< b: smallest
-    double toleranceM = 0.0;                           ///< of both: 2 (point spacing + width of the beam)
-    double areaM2 = 0.0;                               ///< across the beams
-    double unoccluded = 0.0;                           ///< 0..1: share of its outline where it is the nearer side
-    std::vector<std::uint32_t> before;                 ///< rocks that it lies in front of, ascending
-    std::vector<std::uint32_t> behind;                 ///< rocks that lie in front of it
-    std::vector<std::uint32_t> contacts;               ///< rocks that it is seen to touch: at least these
-    bool touchesOther = false;                         ///< it is seen to touch something that is no rock
-    double freeBelowM = 0.0;                           ///< free height under its lowest visible point: at least this
-    std::optional<double> archDeg;                     ///< largest angle at it between the centres of two rocks that it touches
-    bool hangsBelow = false;                           ///< it lies below the line between these two centres
-    double confidence = 0.0;                           ///< p
-    double score = 0.0;                                ///< R
+    std::uint32_t cells = 0;                           ///< number of measured cells
+    std::uint32_t cell = 0;                            ///< its measured cell closest to its centre
+    Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< mean of the visible points, frame of the scan
+    double distanceM = 0.0;                            ///< distance from the sensor: median of the ranges
+    /// a: largest caliper (distance of two parallel lines around the visible points) in the plane across the line of sight
+    double longM = 0.0;
+    double wideM = 0.0;                  ///< b: smallest caliper of the visible points in the same plane
+    double toleranceM = 0.0;             ///< uncertainty of a and b: 2 (point spacing + width of the beam)
+    double areaM2 = 0.0;                 ///< visible area, across the beams
+    double unoccluded = 0.0;             ///< 0..1: share of its outline at which it is the nearer side
+    std::vector<std::uint32_t> before;   ///< rocks behind it, ascending
+    std::vector<std::uint32_t> behind;   ///< rocks in front of it, ascending
+    std::vector<std::uint32_t> contacts; ///< rocks that it visibly touches; there may be more
+    bool touchesOther = false;           ///< it visibly touches something that is not a rock
+    double freeBelowM = 0.0;             ///< free height under its lowest visible point; the true height may be larger
+    std::optional<double> archDeg;       ///< degrees: largest angle at it between the centres of two rocks that it touches
+    bool hangsBelow = false;             ///< it is below the line between these two centres
+    double confidence = 0.0;             ///< p, 0..1 (RockRegion::confidence)
+    double score = 0.0;                  ///< R, log odds (RockRegion::score)
     bool byHand = false;
 
     bool operator==(const Rock&) const = default;
 };
 
-/// Which way is up in the frame of the scan.
+/// The vertical in the frame of the scan.
 struct UpDirection {
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-    bool assumed = true; ///< the scan has no place: taken for the scanner's z axis
+    bool assumed = true; ///< true: the scan has no placement, so the scanner's z axis is used
 };
 [[nodiscard]] UpDirection upOf(const Scan& scan);
 
-/// A map of the same leaves, and its rows.
+/// An earlier map of the same segments, and its rows.
 struct RowsBefore {
     const RockMap& map;
     const std::vector<Rock>& rocks;
 };
 
-/// One row per rock of the map, in the order of the labels. `before` may be null: what it measured of a rock of the same leaves is not
+/// One row per rock of the map, in the order of the labels. `before` may be null. Rocks with the same segments as in `before` are not
 /// measured again; the rows are the same without it.
 [[nodiscard]] std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before = nullptr);
 
-/// The regions of one kind together.
+/// Totals of the regions of one kind.
 struct RegionCounts {
     std::uint32_t regions = 0;
     std::uint64_t cells = 0;

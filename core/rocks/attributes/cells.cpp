@@ -1,4 +1,4 @@
-// Cells sorted by rock, by counting.
+// Sorts cells by rock, by counting.
 #include "core/rocks/attributes/cells.h"
 
 namespace edgescan {

@@ -1,4 +1,4 @@
-// Which measured cells belong to which rock.
+// The measured cells of each rock.
 #pragma once
 
 #include "core/rocks/selection/rock_map.h"
@@ -11,17 +11,17 @@
 
 namespace edgescan {
 
-/// Measured cells, one rock after the other, each one's ascending.
+/// Measured cells of one rock after the other, ascending within each rock.
 struct CellsOfRocks {
     std::vector<std::uint32_t> cells;
-    std::vector<std::size_t> first; ///< by label; one more at the end
+    std::vector<std::size_t> first; ///< by label: index of the first cell; one more entry at the end
 
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t label) const {
         return std::span(cells).subspan(first[label], first[label + 1] - first[label]);
     }
 };
 
-/// Of all rocks but those that `skipped` (by label) says yes to: nobody will ask for their cells.
+/// The cells of all rocks except those for which `skipped(label)` is true.
 [[nodiscard]] CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map,
                                         const std::function<bool(std::uint32_t label)>& skipped = {});
 

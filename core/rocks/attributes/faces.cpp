@@ -1,4 +1,4 @@
-// Colours of rock faces.
+// Chooses the colours of rock faces.
 #include "core/rocks/attributes/faces.h"
 
 #include <algorithm>
@@ -6,9 +6,9 @@
 namespace edgescan {
 namespace {
 
-constexpr int kHatchesAcross = 70; // per width of the picture ...
-constexpr int kNarrowestHatch = 6; // ... in cells
-constexpr int kDarkOfTen = 4;      // share of a hatch that is dark
+constexpr int kHatchesAcross = 70; // number of hatch stripes across the picture ...
+constexpr int kNarrowestHatch = 6; // ... but each at least this many cells wide
+constexpr int kDarkOfTen = 4;      // tenths of a hatch that are dark
 
 } // namespace
 
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> rockColours(const RockMap& map) {
         for (const std::uint32_t other : neighbours[rock]) {
             if (colours[other] != kNone) ++taken[colours[other]];
         }
-        // The first choice depends on the rock's oldest piece alone; the least taken one follows where more than seven meet.
+        // The first choice depends only on the rock's first segment. If more than seven rocks meet, the least used colour follows.
         const std::size_t first = map.regions[rock].group * 2654435761U % kRockColourCount;
         std::size_t best = first;
         for (std::size_t step = 1; step < kRockColourCount; ++step) {

@@ -1,4 +1,4 @@
-// Steps down the vertical.
+// Checks points at steps down the vertical.
 #include "core/rocks/attributes/free_below.h"
 
 #include "core/scan/grid/cartesian.h"
@@ -7,17 +7,18 @@ namespace edgescan {
 namespace {
 
 constexpr double kStepM = 0.05;
-constexpr double kMarginM = 0.05; // the beam must go on so far behind
+constexpr double kMarginM = 0.05; // the measured range must be this much longer than the distance to the step
 constexpr double kMostM = 30.0;
-constexpr double kOffCells = 1.0; // cells that the nearest beam may pass beside the step
+constexpr double kOffCells = 1.0; // largest distance, in cells, between the step and the nearest beam
 
-// The cell whose beam points there best, by going from cell to cell; angles fall on the way, as they do on every grid of beams.
+// Finds the cell whose beam points best in a direction by moving from cell to cell. The angle to the direction decreases on the way, as it
+// does on every grid of beams.
 class BeamFinder {
 public:
     BeamFinder(const RockInputs& inputs, const CartesianTables& tables, std::size_t k)
         : inputs_(inputs), tables_(tables), line_(static_cast<int>(k / beams())), beam_(static_cast<int>(k % beams())) {}
 
-    /// False where no beam passes near enough.
+    /// Returns false if no beam passes close enough.
     bool find(const Eigen::Vector3d& way) {
         double off = offOf(line_, beam_, way);
         for (bool moved = true; moved;) {

@@ -1,4 +1,4 @@
-// How far nothing is seen to stand under a point.
+// The visible free height under a point.
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"
@@ -6,9 +6,9 @@
 
 namespace edgescan {
 
-/// Metres of free space down from the point (frame of the scan, seen from its sensor near cell `k`), in steps of 5 cm: each step must lie
-/// on a beam that was measured to go on behind it. What sent nothing back is never free, so this is the least that is free. `tables`: of
-/// the scan.
+/// Metres of free space below the point (frame of the scan, seen from its sensor near cell `k`), in steps of 5 cm. A step is free if a beam
+/// passes through it and was measured to end behind it. Cells without a return do not count as free, so the true height may be larger.
+/// `tables`: of the scan.
 [[nodiscard]] double freeBelowM(const RockInputs& inputs, const CartesianTables& tables, const Eigen::Vector3d& pointM, std::size_t k,
                                 const Eigen::Vector3d& up);
 

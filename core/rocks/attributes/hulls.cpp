@@ -1,4 +1,4 @@
-// Hulls grown from the outermost points of many directions.
+// Hulls that start from the outermost points in many directions and grow.
 #include "core/rocks/attributes/hulls.h"
 
 #include "core/base/geometry/convex_hull.h"
@@ -29,7 +29,8 @@ std::vector<Eigen::Vector3d> directions() {
     return ways;
 }
 
-// The chosen points as hull; `outside` keeps the places of points that lie outside, and the farthest over each triangle is chosen too.
+// Builds the hull of the chosen points. `outside` receives the indices of points outside the hull; the farthest of them over each triangle
+// is added to the chosen points.
 bool grow(const std::vector<Eigen::Vector3d>& points, std::vector<std::size_t>& chosen, std::vector<std::size_t>& outside,
           std::vector<sim::HullTriangle>& triangles) {
     std::vector<Eigen::Vector3d> corners;

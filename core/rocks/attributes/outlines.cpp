@@ -1,4 +1,4 @@
-// Following the sides of cells round each label.
+// Follows the sides of cells around each label.
 #include "core/rocks/attributes/outlines.h"
 
 #include "core/rocks/segmentation/basins.h"
@@ -20,7 +20,7 @@ public:
         return labels_.at(line, beam) != 0 && labelAt(line - 1, beam) != labels_.at(line, beam) && followed_.at(line, beam) == 0;
     }
 
-    // Along the upper side of the cell eastwards, the label on the right hand, until it comes back.
+    // Starts along the upper side of the cell to the east, with the label on the right, and follows the outline until it returns.
     OutlineRing follow(int line, int beam) {
         const std::uint32_t label = labels_.at(line, beam);
         const CellCorner start{line, beam};
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // The cell on the right hand of one who goes on from the corner.
+    // The cell on the right when moving on from the corner.
     static CellCorner rightCell(const CellCorner& corner, std::size_t way) {
         static constexpr std::array<CellCorner, 4> kRight{{{0, 0}, {0, -1}, {-1, -1}, {-1, 0}}};
         return {corner.line + kRight[way].line, corner.beam + kRight[way].beam};
@@ -60,10 +60,10 @@ private:
     [[nodiscard]] std::uint32_t labelAt(int line, int beam) const { return labels_.contains(line, beam) ? labels_.at(line, beam) : 0; }
 
     const Grid<std::uint32_t>& labels_;
-    Grid<std::uint8_t> followed_; // 1 where the upper side of the cell was
+    Grid<std::uint8_t> followed_; // 1 where the upper side of the cell was followed
 };
 
-// Any number per part (4 neighbours), by cell.
+// An arbitrary number per connected part (4 neighbours), by cell.
 std::vector<std::uint32_t> partsOf(const Grid<std::uint32_t>& labels) {
     JoinedGroups groups(labels.size());
     const auto beams = static_cast<std::size_t>(labels.beams);
@@ -94,7 +94,7 @@ std::vector<std::vector<OutlineRing>> outlinesOf(const Grid<std::uint32_t>& labe
         }
     }
     for (std::vector<OutlineRing>& rings : outlines) {
-        // The first ring of each part in scan order is its outer one, and so names the part's number.
+        // The first ring of each part in scan order is its outer ring, so it determines the part's number.
         std::vector<std::uint32_t> names;
         for (OutlineRing& ring : rings) {
             const auto name = std::find(names.begin(), names.end(), ring.part);

@@ -1,4 +1,4 @@
-// Shares of rocks by visible width.
+// Computes the size distribution by visible width.
 #include "core/rocks/attributes/size_curve.h"
 
 #include "core/base/order_statistic.h"

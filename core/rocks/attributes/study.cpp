@@ -1,4 +1,4 @@
-// All stages of rocks, and which of them have to run again.
+// Runs the stages of rock detection, and skips those whose inputs are unchanged.
 #include "core/rocks/attributes/study.h"
 
 #include <optional>

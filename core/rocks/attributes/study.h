@@ -1,4 +1,4 @@
-// The rocks of a scan with everything that they are made from.
+// The rocks of a scan with all their intermediate results.
 #pragma once
 
 #include "core/rocks/attributes/attributes.h"
@@ -9,7 +9,8 @@
 
 namespace edgescan {
 
-/// Made once, never changed. What a move of the level makes anew: map and rocks; what an edit does: tree, and with a stroke the leaves.
+/// Immutable after construction. A change of the level changes map and rocks only; an edit also changes the tree; a cutting stroke also
+/// changes the segments.
 struct RockStudy {
     std::shared_ptr<const RockLeaves> leaves;
     std::shared_ptr<const MergeTree> tree;
@@ -19,8 +20,8 @@ struct RockStudy {
     std::vector<RockEdit> edits;
 };
 
-/// Same scan, settings and edits: same labels and rows, on every machine. `before` may be null: what it holds of the same inputs is
-/// not made again.
+/// The same scan, settings and edits give the same labels and rows on every machine. `before` may be null; its results for unchanged inputs
+/// are reused.
 [[nodiscard]] RockStudy studyRocks(const RockInputs& inputs, const RockSettings& settings, const std::vector<RockEdit>& edits = {},
                                    const RockStudy* before = nullptr);
 

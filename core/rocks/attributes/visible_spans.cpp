@@ -1,4 +1,4 @@
-// Calipers by the convex hull.
+// Computes calipers from the convex hull.
 #include "core/rocks/attributes/visible_spans.h"
 
 #include "core/base/simd.h"
@@ -23,7 +23,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
     return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// 1 where a point lies within the polygon of eight corners.
+// 1 where a point is inside the polygon of eight corners.
 EDGESCAN_SIMD void markInside(const double* x, const double* y, std::size_t count, const std::array<Eigen::Vector2d, 8>& corners,
                               std::uint8_t* __restrict inside) {
     for (std::size_t n = 0; n < count; ++n) inside[n] = 1;
@@ -38,7 +38,7 @@ EDGESCAN_SIMD void markInside(const double* x, const double* y, std::size_t coun
     }
 }
 
-// Leaves out most of what lies inside: what is within the polygon of the farthest points of eight directions is no corner.
+// Removes most of the inner points: a point inside the polygon of the farthest points in eight directions is not a corner.
 Points outermost(const PlanePoints& points) {
     const auto& [x, y] = points;
     std::array<std::size_t, 8> at{};
@@ -56,7 +56,7 @@ Points outermost(const PlanePoints& points) {
     }
     std::array<Eigen::Vector2d, 8> corners;
     for (std::size_t way = 0; way < corners.size(); ++way) corners[way] = {x[at[way]], y[at[way]]};
-    if (corners[0] == corners[4] && corners[2] == corners[6]) return {corners[0]}; // they are all in one place
+    if (corners[0] == corners[4] && corners[2] == corners[6]) return {corners[0]}; // all points coincide
     std::vector<std::uint8_t> inside(x.size());
     markInside(x.data(), y.data(), x.size(), corners, inside.data());
     Points left;
@@ -77,7 +77,7 @@ Points hullOf(Points points) {
             while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
             hull.push_back(p);
         }
-        hull.pop_back(); // it is the first of the other half
+        hull.pop_back(); // it is the first point of the other half
         std::reverse(points.begin(), points.end());
     }
     return hull;

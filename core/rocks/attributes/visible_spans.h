@@ -5,7 +5,7 @@
 
 namespace edgescan {
 
-/// Point n lies at (x[n], y[n]).
+/// Points of a plane: point n is at (x[n], y[n]).
 struct PlanePoints {
     std::vector<double> x, y;
 
@@ -15,7 +15,7 @@ struct PlanePoints {
     }
 };
 
-/// Largest and smallest distance of two parallel lines that hold all the points between them; 0 without points.
+/// Largest and smallest distance of two parallel lines that enclose all the points; 0 without points.
 struct Calipers {
     double longest = 0.0, shortest = 0.0;
 };

@@ -1,4 +1,4 @@
-// The border between two cells' regions, and the level that joins them.
+// Finds the border between two cells' regions, and the level that joins them.
 #include "core/rocks/attributes/why_border.h"
 
 #include "core/base/number_text.h"

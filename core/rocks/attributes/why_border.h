@@ -1,4 +1,4 @@
-// Why two pieces are two rocks, or one.
+// Explains why two pieces are two rocks, or one.
 #pragma once
 
 #include "core/rocks/attributes/study.h"
@@ -12,11 +12,12 @@ namespace edgescan {
 
 struct BorderWhy {
     std::array<std::uint32_t, 2> cells{};
-    std::array<std::uint32_t, 2> regions{}; ///< places in map.regions; 0: the cell belongs to none
-    std::optional<RegionBorder> border;     ///< of the two regions, the first one as a; empty where they are one or do not touch
-    std::optional<double> joinedFrom;       ///< level from which on the two cells are in one region; empty: at none, or always
-    bool alwaysOne = false;                 ///< they are in one leaf, or were joined by hand
-    std::string verdict;                    ///< one sentence
+    std::array<std::uint32_t, 2> regions{}; ///< indices of map.regions; 0: the cell is not in a region
+    /// border of the two regions, with the first region as a; empty if they are the same region or do not touch
+    std::optional<RegionBorder> border;
+    std::optional<double> joinedFrom; ///< from this level on the two cells are in one region; empty: at no level, or at every level
+    bool alwaysOne = false;           ///< they are in one segment, or were joined by the user
+    std::string verdict;              ///< one sentence
 
     [[nodiscard]] bool sameRegion() const { return regions[0] != 0 && regions[0] == regions[1]; }
 };

@@ -1,4 +1,4 @@
-// Barriers and the distance to them.
+// Finds barriers and computes the distance to them.
 #include "core/rocks/segmentation/barrier.h"
 
 #include "core/scan/grid/opencv_view.h"
@@ -13,7 +13,7 @@ constexpr float kChainHigh = 0.8F;
 constexpr int kChainCells = 3;
 constexpr std::uint8_t kFree = 255;
 
-// 0 at barriers, as OpenCV wants it.
+// 0 at barriers, the input format of OpenCV's distance transform.
 Grid<std::uint8_t> barriers(const RockInputs& inputs) {
     const Grid<Support>& support = inputs.surface->inverse.support;
     const auto beams = static_cast<std::size_t>(support.beams);
@@ -22,7 +22,7 @@ Grid<std::uint8_t> barriers(const RockInputs& inputs) {
     Grid<std::uint8_t> free = linkedChains(strength, kChainHigh, kChainLow, kChainCells);
     for (std::size_t k = 0; k < free.size(); ++k) free[k] = free[k] != 0 || support[k] == Support::Void ? 0 : kFree;
     const DepthCracks& cracks = *inputs.cracks;
-    // There is no jump on the cracks that lead out of the sweep.
+    // The cracks at the border of the sweep have no jump.
     for (std::size_t k = 0; k < free.size(); ++k) {
         if (cracks.jumpBeams[k] > 1.0F) free[k] = free[k + 1] = 0;
         if (cracks.jumpLines[k] > 1.0F) free[k] = free[k + beams] = 0;

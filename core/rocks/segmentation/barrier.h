@@ -1,4 +1,4 @@
-// Where a rock certainly ends, and how far each cell is from there (docs/rocks-method.md, "Step 2").
+// Barriers, where a rock certainly ends, and the distance of each cell to them (docs/rocks-method.md, "Step 2").
 #pragma once
 
 #include "core/rocks/segmentation/inputs.h"
@@ -7,27 +7,28 @@
 
 namespace edgescan {
 
-/// Which neighbours lie on one piece of surface: both hold a range, measured or filled, and there is no jump between them.
+/// Which neighbouring cells are on one surface: both have a range, measured or filled, and there is no jump between them.
 struct CellLinks {
     const Grid<Support>& support;
     const DepthCracks& cracks;
 
     [[nodiscard]] bool solid(std::size_t k) const { return support[k] != Support::Void; }
-    /// Between cell k and the next beam; that must exist.
+    /// Between cell k and the next beam; that cell must exist.
     [[nodiscard]] bool toNextBeam(std::size_t k) const { return solid(k) && solid(k + 1) && cracks.jumpBeams[k] <= 1.0F; }
-    /// Between cell k and the next line; that must exist.
+    /// Between cell k and the next line; that cell must exist.
     [[nodiscard]] bool toNextLine(std::size_t k) const {
         return solid(k) && solid(k + static_cast<std::size_t>(support.beams)) && cracks.jumpLines[k] <= 1.0F;
     }
 };
 
-/// Strength of what parts rocks, per cell: the thinned jump or the thinned valley, whichever is stronger; 0 for a ridge, which lies inside
-/// one rock.
+/// Strength of the separation between rocks, per cell: the jump or the valley after suppression, whichever is stronger; 0 on a ridge,
+/// because a ridge is inside one rock.
 [[nodiscard]] inline float partingStrength(const DepthResponses& responses, std::size_t k) {
     return std::max({responses.jump[k], -responses.crease[k], 0.0F});
 }
 
-/// Exact distance of each cell to the nearest barrier, in cells, 0 on it: chains of parting edges, both cells of each jump, voids.
+/// Exact distance of each cell to the nearest barrier, in cells, 0 on a barrier. Lines x beams. Barriers are chains of separating edges,
+/// both cells of each jump, and voids.
 [[nodiscard]] Grid<float> barrierDistance(const RockInputs& inputs);
 
 } // namespace edgescan

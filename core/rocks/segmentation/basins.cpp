@@ -1,4 +1,4 @@
-// Basins by steepest ascent, and their joining.
+// Basins by steepest ascent, and the joining of basins.
 #include "core/rocks/segmentation/basins.h"
 
 #include "core/base/simd.h"
@@ -10,7 +10,7 @@
 namespace edgescan {
 namespace {
 
-// 1 where a cell and the one `step` cells on lie on one piece of surface (CellLinks).
+// 1 where a cell and the one `step` cells further are on one surface (CellLinks).
 EDGESCAN_SIMD void markLinks(const Support* support, const float* jump, std::size_t step, std::size_t cells,
                              std::uint8_t* __restrict linked) {
     for (std::size_t k = 0; k < cells; ++k)
@@ -32,7 +32,7 @@ struct LinkMarks {
     }
 };
 
-// Where the cell k goes: distances of it and of its neighbours, -1 of those that are not linked.
+// The neighbour to which cell k moves, from the distances of the cell and its neighbours; -1 for those that are not linked.
 inline __attribute__((always_inline)) std::uint32_t ascent(std::uint32_t k, std::uint32_t beams, float here, float above, float left,
                                                            float right, float below) {
     float highest = here;
@@ -48,13 +48,13 @@ inline __attribute__((always_inline)) std::uint32_t ascent(std::uint32_t k, std:
     return to == k && left == here ? k - 1 : to;
 }
 
-// Distances and links of a line and of those beside it; the links that lead out of the sweep are 0.
+// Distances and links of a line and of its two neighbouring lines; links at the border of the sweep are 0.
 struct AscentLine {
     const float *above, *here, *below;
     const std::uint8_t *toAbove, *toNext, *toBelow;
 };
 
-// Of the cells between the ends of a line; `first`: its first cell.
+// The moves of the cells between the ends of a line; `first`: its first cell.
 EDGESCAN_SIMD void ascentsInside(const AscentLine& at, std::uint32_t first, std::uint32_t beams, std::uint32_t* __restrict to) {
     const auto [above, here, below, toAbove, toNext, toBelow] = at;
     for (std::uint32_t j = 1; j + 1 < beams; ++j) {
@@ -63,7 +63,7 @@ EDGESCAN_SIMD void ascentsInside(const AscentLine& at, std::uint32_t first, std:
     }
 }
 
-// The cell that each cell goes to; itself at a peak, and where nothing was measured.
+// The cell to which each cell moves; the cell itself at a peak, and where the cell was not measured.
 std::vector<std::uint32_t> ascents(const Grid<float>& distance, const LinkMarks& links) {
     const auto beams = static_cast<std::uint32_t>(distance.beams);
     std::vector<std::uint32_t> to(distance.size());
@@ -85,7 +85,7 @@ std::vector<std::uint32_t> ascents(const Grid<float>& distance, const LinkMarks&
     return to;
 }
 
-// Every cell goes to its peak at once.
+// Replaces each cell's next cell by its peak.
 void climbToPeaks(std::vector<std::uint32_t>& to) {
     std::vector<std::uint32_t> way;
     for (std::uint32_t k = 0; k < to.size(); ++k) {
@@ -101,9 +101,9 @@ void climbToPeaks(std::vector<std::uint32_t>& to) {
     }
 }
 
-// Peaks in the order of their cells, and the number of its peak, from 1, for each cell with a range; kOpen without.
+// Peaks in the order of their cells, and for each cell with a range the number of its peak, from 1; kOpen without a range.
 struct Basins {
-    std::vector<std::uint32_t> peaks; // by number; place 0 unused
+    std::vector<std::uint32_t> peaks; // by number; index 0 is unused
     Grid<std::uint32_t> of;
 };
 
@@ -124,10 +124,10 @@ Basins basinsOf(const Grid<float>& distance, const CellLinks& links, const LinkM
 struct Saddle {
     std::uint32_t a, b;
     float distance;
-    std::uint32_t squared; // of the distance, a whole number of cells
+    std::uint32_t squared; // squared distance to the barrier, a whole number
 };
 
-// 1 where another basin lies beyond the link to the next beam, 2 beyond that to the next line.
+// 1 where the link to the next beam leads to another basin, 2 where that to the next line does.
 EDGESCAN_SIMD void markSaddles(const std::uint32_t* basin, const std::uint8_t* toNextBeam, const std::uint8_t* toNextLine,
                                std::size_t beams, std::size_t below, std::uint8_t* __restrict mark) {
     mark[beams - 1] = 0;
@@ -157,7 +157,7 @@ std::vector<Saddle> saddles(const Grid<float>& distance, const LinkMarks& links,
     return found;
 }
 
-// Highest first; those of one height stay in the order of their cells.
+// Highest first; saddles of equal height in the order of their cells.
 std::vector<Saddle> highestFirst(const std::vector<Saddle>& saddles) {
     std::uint32_t highest = 0;
     for (const Saddle& saddle : saddles) highest = std::max(highest, saddle.squared);
@@ -201,7 +201,7 @@ Grid<std::uint32_t> leafBasins(const Grid<float>& distance, const CellLinks& lin
     if (distance.size() == 0) return Grid<std::uint32_t>(distance.lines, distance.beams);
     const LinkMarks marks(links);
     Basins basins = basinsOf(distance, links, marks);
-    // A group of basins is named by the one with the highest peak.
+    // A group of basins has the number of the basin with the highest peak.
     const auto heightOf = [&](std::uint32_t basin) { return distance[basins.peaks[basin]]; };
     JoinedGroups groups(basins.peaks.size());
     for (const Saddle& saddle : highestFirst(saddles(distance, marks, basins))) {

@@ -1,4 +1,4 @@
-// Evidence on cracks, added up to borders.
+// Measures the evidence on cracks and adds it up for borders.
 #include "core/rocks/segmentation/borders.h"
 
 #include "core/edges/edgescan_plus/range_field.h"
@@ -38,13 +38,13 @@ bool CrackMeasure::isContact(std::size_t p, std::size_t q, Along along) const {
     return jump(p, along) <= kContactJump && std::min(fold[p], fold[q]) < kContactFold;
 }
 
-// From p to q, which lie on the two sides of the crack; `before` cells of p's leaf follow on its far side, `after` of q's.
+// From p to q, the two cells at the crack; `before` more cells of p's segment follow on its far side, `after` more of q's.
 struct CrackMeasure::Chord {
     std::size_t p, q, step;
     float nearest, angle;
     int before, after;
 
-    // How many cells a length covers here.
+    // Number of cells that a length covers here.
     [[nodiscard]] int cells(float lengthM, float most) const {
         return static_cast<int>(std::clamp(std::round(lengthM * nearest / angle), kFewestChord, most));
     }
@@ -129,7 +129,8 @@ std::vector<LeafBorder> leafBorders(const RockInputs& inputs, const Grid<std::ui
 }
 
 std::vector<LeafBorder> addedUp(std::vector<LeafBorder> parts) {
-    // Those with the same sides are found by a table of places in `parts`, half empty at least; the first one takes in the others.
+    // Finds borders of the same two segments by a hash table of indices of `parts`, at least half empty. The first one receives the sums of
+    // the others.
     constexpr std::uint32_t kEmpty = UINT32_MAX;
     const auto pairOf = [](const LeafBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
     const unsigned bits = std::bit_width(2 * parts.size() + 1);

@@ -1,4 +1,5 @@
-// What is measured on each crack between two leaves: does a rock end there? (docs/rocks-method.md, "Step 4".)
+// Evidence on each crack between two segments: does a rock end there? (docs/rocks-method.md, "Step 4".) A crack is the side between two
+// neighbouring cells.
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"
@@ -8,31 +9,31 @@ namespace edgescan {
 /// Evidence on one crack.
 struct CrackEvidence {
     double e1 = 0.0;       ///< 0..1: jump at the crack, or valley across it
-    double e2 = 0.0;       ///< 0..1: a thinned edge runs within two cells of it
-    double valleyMm = 0.0; ///< depth under a chord of up to 120 mm to each side; negative: a ridge
+    double e2 = 0.0;       ///< 0..1: an edge (after suppression) is at most two cells away
+    double valleyMm = 0.0; ///< mm: depth below a chord of up to 120 mm on each side; negative: a ridge
     double v = 0.0;        ///< -2..2: the same, in units of 30 mm
-    double wideMm = 0.0;   ///< depth under a chord of up to 500 mm to each side
+    double wideMm = 0.0;   ///< mm: depth below a chord of up to 500 mm on each side
     double w = 0.0;        ///< -2..2: the same, in units of 125 mm
     double z = 0.0;        ///< log odds "two rocks"
 };
 
-/// Everything that the evidence of a crack is worked out from.
+/// The inputs of the evidence on cracks.
 class CrackMeasure {
 public:
     CrackMeasure(const RockInputs& inputs, const Grid<std::uint32_t>& leaf);
 
-    /// Of the crack between cell (line, beam) and the next one along `along`; both belong to leaves.
+    /// The evidence on the crack between cell (line, beam) and the next one along `along`; both must belong to segments.
     [[nodiscard]] CrackEvidence at(int line, int beam, Along along) const;
-    /// S_J of that crack.
+    /// S_J of that crack (docs/method.md, "Step 3").
     [[nodiscard]] float jump(std::size_t k, Along along) const {
         return (along == Along::Beams ? cracks_.jumpBeams : cracks_.jumpLines)[k];
     }
-    /// No jump, and a clear valley across it.
+    /// True without a jump and with a clear valley across the crack.
     [[nodiscard]] bool isContact(std::size_t p, std::size_t q, Along along) const;
     [[nodiscard]] bool isNearer(std::size_t p, std::size_t q) const { return cracks_.smoothed[p] >= cracks_.smoothed[q]; }
 
 private:
-    /// A chord across the crack, and how far it can reach at most.
+    /// A chord across the crack, and its largest possible length.
     struct Chord;
     [[nodiscard]] Chord chordAt(int line, int beam, Along along) const;
     [[nodiscard]] double depthMm(const Chord& chord, int cells) const;

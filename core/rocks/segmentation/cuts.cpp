@@ -1,4 +1,4 @@
-// Lines of cells through leaves.
+// Cuts segments along lines of cells.
 #include "core/rocks/segmentation/cuts.h"
 
 #include "core/rocks/segmentation/basins.h"
@@ -12,15 +12,15 @@
 namespace edgescan {
 namespace {
 
-constexpr int kSideReach = 2;        // cells beside a line that say which leaves lie on its sides
-constexpr std::uint32_t kMostly = 3; // times as many cells on one side as on the other
+constexpr int kSideReach = 2;        // distance to the line of the cells that decide which segments are on its sides
+constexpr std::uint32_t kMostly = 3; // a segment is on one side if it has this many times as many cells there as on the other
 
 struct LineCell {
     int line, beam;
-    int overLine, overBeam; // direction of the stroke there
+    int overLine, overBeam; // direction of the stroke at this cell
 };
 
-// Cells of the stroke, 8-connected: no way along the sides of cells leads through.
+// Cells of the stroke, 8-connected, so that no path along the sides of cells crosses it.
 std::vector<LineCell> cellsOf(const CutLine& cut, int lines, int beams) {
     std::vector<LineCell> corners;
     for (const std::uint32_t k : cut) {
@@ -43,7 +43,7 @@ std::vector<LineCell> cellsOf(const CutLine& cut, int lines, int beams) {
     return cells;
 }
 
-// Gives the cells that were taken out to the nearest piece, from all pieces at once.
+// Assigns the removed cells to the nearest piece, growing from all pieces at the same time.
 void giveBack(const CellLinks& links, const std::vector<std::size_t>& taken, const Grid<std::uint32_t>& before,
               Grid<std::uint32_t>& piece) {
     const auto beams = static_cast<std::size_t>(piece.beams);
@@ -95,7 +95,7 @@ void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::
     if (taken.empty()) return;
     std::vector<std::uint8_t> isCut(leaf.size() + 1);
     for (const std::size_t k : taken) isCut[leaf[k]] = 1;
-    // Pieces of the leaves that are crossed; all others stay as they are.
+    // Pieces of the crossed segments; all other segments are unchanged.
     const auto beams = static_cast<std::size_t>(leaf.beams);
     JoinedGroups groups(leaf.size());
     const auto join = [&](std::size_t k, std::size_t next, bool linked) {
@@ -108,7 +108,7 @@ void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::
         if (k + beams < leaf.size()) join(k, k + beams, links.toNextLine(k));
     }
     Grid<std::uint32_t> piece(leaf.lines, leaf.beams);
-    std::vector<std::uint32_t> someCell(leaf.size() + 1, UINT32_MAX); // of each leaf that stays
+    std::vector<std::uint32_t> someCell(leaf.size() + 1, UINT32_MAX); // one cell of each unchanged segment
     for (std::uint32_t k = 0; k < leaf.size(); ++k) {
         if (leaf[k] == kOpen || isTaken[k] != 0) continue;
         if (isCut[leaf[k]] == 0 && someCell[leaf[k]] == UINT32_MAX) someCell[leaf[k]] = k;
@@ -116,7 +116,7 @@ void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::
     }
     giveBack(links, taken, leaf, piece);
     for (const std::size_t k : taken) {
-        if (piece[k] == kOpen) piece[k] = static_cast<std::uint32_t>(k) + 1; // a leaf that is nothing but stroke
+        if (piece[k] == kOpen) piece[k] = static_cast<std::uint32_t>(k) + 1; // a segment that consists only of stroke cells
     }
     leaf = std::move(piece);
     numberByFirstCell(leaf);
@@ -125,7 +125,7 @@ void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::
 std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<const LeafBorder> borders, std::span<const CutLine> cuts) {
     std::vector<LeafPair> pairs;
     for (const CutLine& cut : cuts) {
-        std::map<std::uint32_t, std::array<std::uint32_t, 2>> sides; // cells beside the stroke, by leaf
+        std::map<std::uint32_t, std::array<std::uint32_t, 2>> sides; // number of cells on each side of the stroke, by segment
         for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
             for (int i = cell.line - kSideReach; i <= cell.line + kSideReach; ++i) {
                 for (int j = cell.beam - kSideReach; j <= cell.beam + kSideReach; ++j) {

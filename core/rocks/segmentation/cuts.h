@@ -1,4 +1,4 @@
-// Strokes of a person through leaves (docs/rocks-method.md, "Edits").
+// Strokes that a person draws through segments (docs/rocks-method.md, "Edits").
 #pragma once
 
 #include "core/rocks/segmentation/barrier.h"
@@ -11,17 +11,17 @@
 
 namespace edgescan {
 
-/// Cells one after the other, joined by straight lines of cells.
+/// Consecutive cells, connected by straight lines of cells.
 using CutLine = std::vector<std::uint32_t>;
 
-/// All cells of the line, one after the other; corners that do not exist are left out.
+/// All cells of the line in order; corners outside of the grid are left out.
 [[nodiscard]] std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams);
 
-/// Cuts each leaf that a line crosses into what lies on its two sides, and numbers all leaves anew by first cells. Cells that do not
-/// exist are left out.
+/// Cuts each segment that a line crosses into the parts on its two sides, and numbers all segments again by first cells. Cells outside of
+/// the grid are left out.
 void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf);
 
-/// Leaves that lie on the two sides of a line, in front of each other: to be kept apart. `leaf`: as cutLeaves() left it.
+/// Pairs of segments on opposite sides of a line that border on each other: they must not be merged. `leaf`: as cutLeaves() left it.
 [[nodiscard]] std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<const LeafBorder> borders,
                                                  std::span<const CutLine> cuts);
 

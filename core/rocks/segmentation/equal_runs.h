@@ -1,4 +1,4 @@
-// Runs of equal numbers, one after the other.
+// Runs of consecutive equal numbers.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace edgescan {
 
-/// Calls say(number, first place, one after the last) for each run of equal numbers, in their order.
+/// Calls say(number, first index, index behind the last) for each run of equal numbers, in order.
 template <class Say>
 void eachEqualRun(std::span<const std::uint32_t> numbers, const Say& say) {
     for (std::size_t begin = 0; begin < numbers.size();) {

@@ -1,4 +1,4 @@
-// What rocks are made from.
+// Collects the inputs of rock detection.
 #include "core/rocks/segmentation/inputs.h"
 
 #include "core/edges/edgescan_plus/plus_settings.h"

@@ -1,4 +1,4 @@
-// What rocks are made from: the surface, its cracks and its thinned edges (docs/rocks-method.md, "Inputs").
+// The inputs of rock detection: the surface, its cracks and its edges after suppression (docs/rocks-method.md, "Inputs").
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -8,16 +8,16 @@
 
 namespace edgescan {
 
-/// All grids are lines x beams of one scan. Made once, never changed.
+/// All grids are lines x beams of one scan. Immutable after construction.
 struct RockInputs {
     std::shared_ptr<const Scan> scan;
     std::shared_ptr<const DepthSurface> surface;     ///< cleaned inverse range and its noise
-    std::shared_ptr<const DepthResponses> responses; ///< thinned jumps and creases
-    std::shared_ptr<const DepthCracks> cracks;       ///< before suppression
+    std::shared_ptr<const DepthResponses> responses; ///< jumps and creases after suppression
+    std::shared_ptr<const DepthCracks> cracks;       ///< jumps and creases before suppression
 };
 
-/// Takes what the detection holds and works out the rest. A method that does not measure the surface gives the rocks of EdgeScan+ with the
-/// same settings.
+/// Takes the results of the detection and computes the missing ones. For a method that does not measure the surface: the rocks of EdgeScan+
+/// with the same settings.
 [[nodiscard]] RockInputs rockInputs(const Detection& detection);
 
 } // namespace edgescan

@@ -47,10 +47,10 @@ private:
     };
     struct Waiting {
         double meanZ;
-        std::uint32_t a, b; // names, a < b
+        std::uint32_t a, b; // names of the groups, a < b
         std::uint32_t border, version;
         bool operator<(const Waiting& other) const {
-            return std::tie(meanZ, a, b) > std::tie(other.meanZ, other.a, other.b); // the least comes first
+            return std::tie(meanZ, a, b) > std::tie(other.meanZ, other.a, other.b); // the smallest comes first
         }
     };
     using Neighbours = std::unordered_map<std::uint32_t, std::uint32_t>; // group -> border
@@ -64,13 +64,13 @@ private:
         waiting_.push({border.sums.meanZ(), std::min(a, b), std::max(a, b), n, border.version});
     }
 
-    // There is no such border any more.
+    // Marks the border as removed.
     static void end(Border& border) {
         border.sums.cracks = 0;
         ++border.version;
     }
 
-    // The larger neighbourhood takes in the smaller one.
+    // The smaller neighbourhood is added to the larger one.
     void join(std::uint32_t one, std::uint32_t other, double height) {
         one = groups_.of(one);
         other = groups_.of(other);
@@ -111,7 +111,7 @@ private:
         borders_[place->second].apart = true;
     }
 
-    // From the last to the first, as far as they do not contradict those taken already.
+    // Accepts pairs from the last to the first, unless they contradict those already accepted.
     void take(std::span<const LeafPair> pairs) {
         JoinedGroups joined(name_.size());
         std::vector<LeafPair> taken;
@@ -137,8 +137,8 @@ private:
     }
 
     JoinedGroups groups_;
-    std::vector<std::uint32_t> name_; // smallest leaf, by group
-    std::vector<Neighbours> of_;      // by group
+    std::vector<std::uint32_t> name_; // smallest segment, by group
+    std::vector<Neighbours> of_;      // borders, by group
     std::vector<Border> borders_;
     std::priority_queue<Waiting> waiting_;
     MergeTree tree_;
@@ -157,7 +157,7 @@ std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t leaves,
         if (merge.height > level) break;
         group[merge.gone] = merge.kept;
     }
-    // A group goes into a smaller one, which is resolved by then.
+    // A group was merged into one with a smaller number, which already has its final number.
     for (std::uint32_t n = 1; n < group.size(); ++n) group[n] = group[group[n]];
     return group;
 }

@@ -1,4 +1,4 @@
-// In which order leaves become rocks (docs/rocks-method.md, "Step 5").
+// The order in which segments are merged to rocks (docs/rocks-method.md, "Step 5").
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"
@@ -11,11 +11,11 @@
 
 namespace edgescan {
 
-/// Two groups of leaves become one. A group has the name of its smallest leaf.
+/// Two groups of segments become one. A group has the number of its smallest segment.
 struct Merge {
-    double height = 0.0;    ///< level from which on they are one: the largest mean log odds of this merge and all before it
-    std::uint32_t kept = 0; ///< name of the group afterwards; smaller than `gone`
-    std::uint32_t gone = 0;
+    double height = 0.0;    ///< they are merged from this level on: the largest mean log odds of this merge and all before it
+    std::uint32_t kept = 0; ///< number of the merged group; smaller than `gone`
+    std::uint32_t gone = 0; ///< number of the group that disappears
 };
 
 /// Ascending by height.
@@ -23,16 +23,17 @@ struct MergeTree {
     std::vector<Merge> merges;
 };
 
-/// What a person decided of leaves; the later one of two that contradict each other holds.
+/// A person's decision about two segments. Of two contradicting decisions the later one is valid.
 struct LeafPair {
     std::uint32_t a = 0, b = 0;
-    bool joined = false; ///< else apart at every level
+    bool joined = false; ///< true: one rock; false: separate at every level
 };
 
-/// Merges the border of least mean log odds again and again, ties by smaller leaves. Pairs that are joined come first, at minus infinity.
+/// Repeatedly merges at the border with the lowest mean log odds; ties are broken by smaller segment numbers. Joined pairs come first, at
+/// minus infinity.
 [[nodiscard]] MergeTree mergeTree(std::uint32_t leaves, std::span<const LeafBorder> borders, std::span<const LeafPair> pairs = {});
 
-/// The name of the group of each leaf, by leaf, after all merges up to `level`; kOpen for kOpen.
+/// The number of the group of each segment after all merges up to `level`, by segment; kOpen for kOpen.
 [[nodiscard]] std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t leaves, double level);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Sums over windows, a few columns at once.
+// Computes sums over windows, several columns at once.
 #include "core/rocks/segmentation/planes.h"
 
 #include "core/base/simd.h"
@@ -9,7 +9,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kRidge = 0.5; // added to the spreads, so that few cells on a line tilt nothing
+constexpr double kRidge = 0.5; // added to the spreads, so that few cells in one line do not tilt the plane
 constexpr int kFewestForPlane = 6;
 constexpr int kWide = 2 * kPlaneReach + 1;
 constexpr std::size_t kLanesAtOnce = 4;
@@ -18,9 +18,10 @@ constexpr std::size_t kGroups = kPlaneColumns / kLanesAtOnce;
 using FourNumbers = std::uint32_t __attribute__((vector_size(16)));
 using FourWide = double __attribute__((vector_size(32)));
 
-// Of each column, rows counted from 0 at the top. All sums are exact, in any order: u has 24 bits, and a double 53.
+// Sums of each column, rows counted from 0 at the top. All sums are exact in any order: u has 24 bits, a double 53.
 struct ColumnSums {
-    std::array<std::uint32_t, kPlaneColumns> counts; // cells, their rows (from the 9th bit on) and squares of rows (from the 17th)
+    // number of cells, sum of their rows (from bit 9 on) and of the squared rows (from bit 17 on)
+    std::array<std::uint32_t, kPlaneColumns> counts;
     std::array<double, kPlaneColumns> u;
     std::array<double, kPlaneColumns> upward; // sum of u x (kWide - row)
 };

@@ -1,4 +1,4 @@
-// Cells on the borders of leaves choose the leaf whose plane they lie on.
+// Assigns cells on the borders of segments to the segment whose plane fits them.
 #include "core/rocks/segmentation/refinement.h"
 
 #include "core/base/order_statistic.h"
@@ -19,19 +19,19 @@ namespace {
 
 constexpr int kPasses = 4;
 constexpr std::uint32_t kVoid = UINT32_MAX;
-// mostDeviations(): by how many times the step from beam to beam the beam widens.
+// mostDeviations(): ratio of the beam's growth to the step from beam to beam.
 constexpr double kBesideEachOther = 1.1;
 constexpr double kOverlapping = 1.5;
 constexpr double kMostBeside = 5.0;
 constexpr double kMostOverlapping = 30.0;
 constexpr double kBeyond = 0.01;
 constexpr double kPerNeighbour = 2.0;
-constexpr float kAcrossEdge = 0.5F; // how little a neighbour counts behind a full jump or valley
-constexpr double kFitsOpen = 20.0;  // standard deviations within which an open cell is taken
+constexpr float kAcrossEdge = 0.5F; // weight of a neighbour behind a full jump or valley
+constexpr double kFitsOpen = 20.0;  // an open cell is assigned within this many standard deviations
 constexpr std::size_t kMostChoices = 9;
 constexpr double kLeastU = 1e-4; // 1/m
 
-// 0..1 on the crack between each cell and the next one along the way: the jump or valley there.
+// 0..1 on the crack between each cell and the next one in the direction: strength of the jump or valley there.
 EDGESCAN_SIMD void edgesOf(const float* jump, const float* fold, std::size_t step, std::size_t cells, float* __restrict edge) {
     for (std::size_t k = 0; k < cells; ++k) {
         const float valley = std::max(-fold[k], -fold[k + step]);
@@ -39,8 +39,8 @@ EDGESCAN_SIMD void edgesOf(const float* jump, const float* fold, std::size_t ste
     }
 }
 
-// The leaf of each cell of a line, or kOpen where there is no range, or where one of its neighbours (of 8) holds a range and belongs to
-// another leaf or to none. `solid`: leaves, kVoid without a range, `step` cells a line.
+// The segment of each cell of a line. kOpen where there is no range, or where one of the 8 neighbours has a range and belongs to another
+// segment or to no segment. `solid`: segments, kVoid without a range, `step` cells per line.
 EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
     const std::uint32_t* const above = solid - step;
     const std::uint32_t* const below = solid + step;
@@ -54,16 +54,16 @@ EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std
     }
 }
 
-// Marks of what a choice depends on: the leaves of the neighbours, and one of seven bits for each leaf that is weighed.
+// Bits for the inputs of a choice: one for the segments of the neighbours, and one of seven for each segment that was considered.
 constexpr std::uint8_t kNeighbours = 128;
 std::uint8_t markOf(std::uint32_t leaf) {
     return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
 }
 
-// A leaf that a cell may go to.
+// A segment that a cell may choose.
 struct LeafChoice {
     std::uint32_t leaf;
-    double neighbours; // of the cell, less for those behind an edge
+    double neighbours; // weighted number of neighbours in it; smaller weight behind an edge
 };
 
 class Refinement {
@@ -117,7 +117,7 @@ public:
     }
 
 private:
-    // The next cell of a line that is marked at all, eight at a time.
+    // The next marked cell of a line, searched eight at a time.
     [[nodiscard]] int nextLooked(const std::uint8_t* look, int from) const {
         for (std::uint64_t eight = 0; from + 8 <= leaf_.beams; from += 8) {
             std::memcpy(&eight, look + from, sizeof eight);
@@ -126,8 +126,8 @@ private:
         while (from < leaf_.beams && look[from] == 0) ++from;
         return from;
     }
-    // What a cell chooses depends on the leaves of its neighbours, and on which cells of its window are inner ones of the leaves that it
-    // weighed; where neither has changed, it chooses as before.
+    // A cell's choice depends on the segments of its neighbours, and on which cells of its window are inner cells of the segments that it
+    // considered. If neither changed, its choice is the same as before.
     void look(int line, int beam, int reach, std::uint8_t leaves) {
         const int first = std::max(beam - reach, 0);
         const int last = std::min(beam + reach, leaf_.beams - 1);
@@ -135,7 +135,7 @@ private:
             for (int j = first; j <= last; ++j) looked_.at(i, j) |= leaves;
         }
     }
-    // Of a cell that has moved, and of its neighbours.
+    // Updates a cell that changed its segment, and its neighbours.
     void renewInner(int line, int beam) {
         for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
             const std::size_t first = marginIndex(i, beam - 1);
@@ -150,13 +150,13 @@ private:
         }
     }
     [[nodiscard]] std::uint32_t choice(int line, int beam) {
-        std::array<LeafChoice, kMostChoices> choices; // filled as far as there are some
+        std::array<LeafChoice, kMostChoices> choices; // used up to the number of choices
         const std::uint32_t own = leaf_.at(line, beam);
         const std::size_t count = choicesAt(marginIndex(line, beam), choices);
         std::uint8_t& weighed = weighed_.at(line, beam);
         weighed = kNeighbours;
         if (count == 0 || (count == 1 && choices[0].leaf == own)) return own;
-        // The one with most neighbours first: after it most others cannot cost less, however well they fit.
+        // The one with the most neighbours first: after it most others cannot cost less, however well they fit.
         const auto fewer = [](const LeafChoice& x, const LeafChoice& y) { return x.neighbours < y.neighbours; };
         std::swap(choices[0], *std::max_element(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count), fewer));
         const double rangeM = 1.0 / static_cast<double>(inverse_.u.at(line, beam));
@@ -179,10 +179,10 @@ private:
         }
         return best;
     }
-    // How much each of the eight neighbours counts, by line, then beam; less behind a jump or valley. Round a corner, on the way where it
-    // is less.
+    // The weight of each of the eight neighbours, by line, then beam; smaller behind a jump or valley. For a diagonal neighbour: the path
+    // around the corner with the larger weight.
     [[nodiscard]] std::array<double, 9> neighbourWeights(std::size_t at) const {
-        const float* const up = &edgeLines_[at - marginBeams_]; // to the line before
+        const float* const up = &edgeLines_[at - marginBeams_]; // towards the line before
         const float* const down = &edgeLines_[at];
         const float* const above = &edgeBeams_[at - marginBeams_ - 1];
         const float* const here = &edgeBeams_[at - 1];
@@ -201,7 +201,7 @@ private:
                 counts(down[0]),
                 corner(here[1], down[1], down[0], below[1])};
     }
-    // The leaves among the cell and its neighbours, and how many neighbours each has.
+    // The segments of the cell and its neighbours, with the weighted number of neighbours in each.
     std::size_t choicesAt(std::size_t at, std::array<LeafChoice, kMostChoices>& choices) const {
         std::array<std::uint32_t, 9> leaves;
         for (std::size_t n = 0; n < 3; ++n) std::copy_n(&solid_[at + n * marginBeams_ - marginBeams_ - 1], 3, &leaves[3 * n]);
@@ -216,7 +216,7 @@ private:
         }
         return count;
     }
-    // Of a cell in the grids with a margin.
+    // Index of a cell in the grids with a margin.
     [[nodiscard]] std::size_t marginIndex(int line, int beam) const {
         return static_cast<std::size_t>(line + kPlaneReach) * marginBeams_ + static_cast<std::size_t>(beam + kPlaneReach);
     }
@@ -225,14 +225,14 @@ private:
     const RangeNoise& noise_;
     const double most_;
     Grid<std::uint32_t>& leaf_;
-    // With kPlaneReach cells more on each side, and a few beams more after them.
+    // With kPlaneReach more cells on each side, and a few more behind them.
     const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kPlaneReach);
-    std::vector<std::uint32_t> inner_; // the leaf of cells that touch no other one, else kOpen
-    std::vector<std::uint32_t> solid_; // the leaf, or kVoid where there is no range
+    std::vector<std::uint32_t> inner_; // the segment of cells that do not touch another one, otherwise kOpen
+    std::vector<std::uint32_t> solid_; // the segment, or kVoid without a range
     std::vector<float> u_;
-    std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one along the way
-    Grid<std::uint8_t> looked_;                // marks of what has changed around since a cell chose last
-    Grid<std::uint8_t> weighed_;               // marks of what that choice depended on
+    std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one in the direction
+    Grid<std::uint8_t> looked_;                // bits of the inputs that changed since the cell's last choice
+    Grid<std::uint8_t> weighed_;               // bits of the inputs of that choice
 };
 
 void openSmallLeaves(Grid<std::uint32_t>& leaf, std::uint32_t count) {

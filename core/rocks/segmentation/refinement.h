@@ -1,19 +1,20 @@
-// Borders of leaves put right by the measured ranges (docs/rocks-method.md, "Step 6").
+// Corrects the borders of segments by the measured ranges (docs/rocks-method.md, "Step 6").
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"
 
 namespace edgescan {
 
-/// Leaves of fewer cells are opened, for their neighbours to take.
+/// Smaller segments are dissolved; neighbouring segments take their cells.
 inline constexpr std::uint32_t kSmallestLeaf = 12;
 
-/// 5 to 30: standard deviations off a plane beyond which more of them hardly counts. Where the beams of neighbouring cells hardly overlap,
-/// a range between two surfaces is one cell's, and its neighbours know better where it belongs; where they overlap, whole strips are such.
+/// 5 to 30: deviation from a plane, in standard deviations, above which a larger deviation costs hardly more. If the beams of neighbouring
+/// cells hardly overlap, only single cells have a range between two surfaces, and their neighbours decide better where they belong. If the
+/// beams overlap, whole strips have such ranges.
 [[nodiscard]] double mostDeviations(const AngularSteps& steps);
 
-/// Each cell that touches another leaf goes to the one of its neighbours' leaves whose plane fits its range best, in four passes; an open
-/// cell only where one fits well. Deterministic: a pass looks at what the pass before left. `most`: of mostDeviations().
+/// Each cell next to another segment moves to the segment, among those of its neighbours, whose plane fits its range best; an open cell
+/// only if a plane fits well. Four passes. Deterministic: a pass reads the result of the pass before. `most`: from mostDeviations().
 void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf,
                   std::uint32_t count);
 

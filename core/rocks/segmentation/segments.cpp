@@ -1,4 +1,4 @@
-// Leaves with their borders and sums, from the inputs on.
+// Computes segments with their borders and sums from the inputs.
 #include "core/rocks/segmentation/segments.h"
 
 #include "core/rocks/segmentation/basins.h"
@@ -15,7 +15,7 @@
 namespace edgescan {
 namespace {
 
-// Points of a line from the sensor on, metres, coordinates apart.
+// Points of a line relative to the sensor, metres, in separate arrays per coordinate.
 struct LinePoints {
     std::vector<double> x, y, z;
 
@@ -32,7 +32,7 @@ struct LinePoints {
     }
 };
 
-// Adds the measured cells of a run; `steps` of its line's cells.
+// Adds the measured cells of a run; `steps` are those of the line's cells.
 void addRun(const RockInputs& inputs, const LinePoints& points, const LeafRun& run, LeafSums& sums) {
     const AngularSteps& steps = inputs.surface->steps;
     const auto line = static_cast<int>(run.row);
@@ -48,7 +48,7 @@ void addRun(const RockInputs& inputs, const LinePoints& points, const LeafRun& r
         ++sum.cells;
         sum.areaM2 += rangeM * rangeM * static_cast<double>(steps.beam[j]) * static_cast<double>(steps.lineAt(line, static_cast<int>(j)));
         sum.sumM += Eigen::Vector3d(x, y, z);
-        // The upper half: the lower one is the same.
+        // The upper half of the symmetric matrix.
         sum.sumM2(0, 0) += x * x;
         sum.sumM2(0, 1) += x * y;
         sum.sumM2(0, 2) += x * z;
@@ -90,7 +90,7 @@ std::vector<LeafRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
     return runs;
 }
 
-// By beam, then line; gone through line by line, as the cells lie in memory.
+// By beam, then line; computed line by line, in the order of memory.
 std::vector<LeafRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
     const auto beams = static_cast<std::size_t>(leaf.beams);
     const std::vector<std::uint32_t> outside(beams, kOpen);
@@ -103,7 +103,7 @@ std::vector<LeafRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
             }
         }
     };
-    std::vector<std::size_t> next(beams + 1, 0); // place of the next run of each beam
+    std::vector<std::size_t> next(beams + 1, 0); // index of the next run of each beam
     eachChange([&](std::uint32_t, std::size_t j, std::uint32_t, std::uint32_t here) { next[j + 1] += here != kOpen ? 1 : 0; });
     std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<LeafRun> runs(next.back());

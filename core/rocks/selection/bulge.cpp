@@ -1,4 +1,4 @@
-// Bulges over runs of cells.
+// Computes bulges over runs of cells.
 #include "core/rocks/selection/bulge.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kShortestRun = 6;
 constexpr double kMostBulge = 0.3;
-constexpr double kSmallAngle = 0.5; // radians, up to which three terms give the sine to seven digits
+constexpr double kSmallAngle = 0.5; // radians; up to this, three terms give the sine to seven digits
 
 double sineOf(double angle) {
     if (angle > kSmallAngle) return std::sin(angle);
@@ -22,14 +22,14 @@ struct Bulge {
     double beforeM = 0.0, chordsM = 0.0;
 };
 
-// Range at two ends and in the middle, and the angles from the first end.
+// Ranges at two ends and in the middle, and the angles from the first end.
 struct Chord {
     double u1, u2, u;   // 1/m
     double whole, part; // radians
 };
 void add(Bulge& bulge, const Chord& c) {
     const double sine = sineOf(c.whole);
-    if (!(sine > 0)) return; // a run over half a turn has no chord
+    if (!(sine > 0)) return; // a run over more than half a turn has no chord
     const double onChord = (c.u1 * sineOf(c.whole - c.part) + c.u2 * sineOf(c.part)) / sine;
     if (!(onChord > 0)) return;
     const double r1 = 1.0 / c.u1;
@@ -39,7 +39,7 @@ void add(Bulge& bulge, const Chord& c) {
     bulge.chordsM += std::sqrt((r1 - r2) * (r1 - r2) + 4.0 * r1 * r2 * half * half);
 }
 
-// From the first index on, by index.
+// Sums of the angles from the first index on, by index.
 std::vector<double> addedAngles(const std::vector<float>& steps) {
     std::vector<double> angles;
     double angle = 0;

@@ -1,4 +1,4 @@
-// How far regions lie before their own chords (docs/rocks-method.md, "Step 7").
+// How far regions are in front of their own chords (docs/rocks-method.md, "Step 7").
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"
@@ -8,7 +8,8 @@
 
 namespace edgescan {
 
-/// Per region -0.3 .. 0.3, positive: convex towards the scanner. `regionOfLeaf`: by leaf, below `regions`; 0 is no region.
+/// The bulge of each region as a share of its chord, -0.3 .. 0.3; positive: convex towards the scanner. `regionOfLeaf`: by segment, below
+/// `regions`; 0 means no region.
 [[nodiscard]] std::vector<double> regionBulges(const RockLeaves& leaves, std::span<const std::uint32_t> regionOfLeaf, std::size_t regions);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Edits as constraints on leaves.
+// Converts edits to constraints on segments.
 #include "core/rocks/selection/edits.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace edgescan {
 namespace {
 
-constexpr double kLeastZ = -13.0; // less than that no evidence can be: a leaf lives from there on
+constexpr double kLeastZ = -13.0; // less than any evidence: the level at which a segment appears
 
 std::uint32_t leafAt(const RockLeaves& leaves, std::uint32_t k) { return k < leaves.leaf.size() ? leaves.leaf[k] : kOpen; }
 
@@ -62,7 +62,7 @@ RockLine rockLine(const RockLeaves& leaves, const MergeTree& tree, double level,
     };
     std::uint32_t own = leaf;
     double made = kLeastZ;
-    bool isLarger = false; // than the region
+    bool isLarger = false; // larger than the region
     RockEdit join{RockEditKind::Join, {k}};
     const auto add = [&](double until, RockEdit edit) {
         std::vector<std::uint32_t> sorted = members[own];

@@ -1,4 +1,5 @@
-// What a person changed by hand: constraints by cell and kind, applied anew whatever is turned (docs/rocks-method.md, "Edits").
+// Changes by the user: constraints given by cell and kind, which are applied again after any change of settings (docs/rocks-method.md,
+// "Edits").
 #pragma once
 
 #include "core/base/result.h"
@@ -19,14 +20,14 @@ enum class RockEditKind : std::uint8_t {
     Join,    ///< the pieces at these cells are one rock
     Part,    ///< the pieces at these two cells are never one rock
     Cut,     ///< a stroke through these cells: pieces are cut along it, and its two sides are never one rock
-    Rock,    ///< what lies at this cell is a rock
-    NotRock, ///< it is none
+    Rock,    ///< the region at this cell is a rock
+    NotRock, ///< it is not a rock
 };
 
-/// By cell index k = line * beams + beam, never by the number of a region.
+/// Cells are given by index k = line * beams + beam, never by the number of a region.
 struct RockEdit {
     RockEditKind kind = RockEditKind::Join;
-    std::vector<std::uint32_t> cells = {}; ///< Join: 2 and more; Part: 2; Cut: 2 and more; Rock, NotRock: 1
+    std::vector<std::uint32_t> cells = {}; ///< number of cells: Join 2 or more; Part 2; Cut 2 or more; Rock, NotRock 1
 
     bool operator==(const RockEdit&) const = default;
 };
@@ -36,38 +37,42 @@ struct RockEdit {
 
 /// The strokes among the edits.
 [[nodiscard]] std::vector<CutLine> cutsOf(std::span<const RockEdit> edits);
-/// What the edits say of leaves; a cell without a leaf says nothing. `leaves` must have been made with the same strokes.
+/// Decisions of the edits about pairs of segments; a cell without a segment has no effect. `leaves` must have been made with the same
+/// strokes.
 [[nodiscard]] std::vector<LeafPair> pairsOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
 [[nodiscard]] std::vector<CalledLeaf> calledOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
 
-/// Smaller pieces are no rocks that anybody would want.
+/// Smaller pieces are not useful as rocks.
 inline constexpr std::uint32_t kFewestSplit = 50;
 
-/// A piece round a cell: at some level it is a region.
+/// A piece around a cell: a region at some level.
 struct RockAncestor {
     std::vector<std::uint32_t> leaves; ///< ascending
-    std::uint32_t cells = 0;           ///< measured
-    double life = 0.0;                 ///< levels between its making and its merging; 0 for what is larger than the region
-    RockEdit part;                     ///< makes a rock of it: keeps it apart from what it was merged with, or joins it up
+    std::uint32_t cells = 0;           ///< measured cells
+    /// difference of the levels at which it appears and at which it is merged; 0 for pieces larger than the region
+    double life = 0.0;
+    /// the edit that makes it a rock: separates it from the piece it was merged with, or joins its parts
+    RockEdit part;
 };
 
-/// The pieces round a cell from its leaf on, each inside the next.
+/// The pieces around a cell, from its segment on, each inside the next.
 struct RockLine {
     std::vector<RockAncestor> pieces;
-    std::size_t region =
-        0; ///< place of the region at the level, whose `part` has no cells; before it what is smaller, behind what is larger
+    /// index of the region at the current level, whose `part` has no cells; before it are smaller pieces, behind it larger ones
+    std::size_t region = 0;
 };
-/// Empty where the cell belongs to no leaf. At most `mostLarger` pieces are larger than the region.
+/// Empty if the cell does not belong to a segment. At most `mostLarger` pieces are larger than the region.
 [[nodiscard]] RockLine rockLine(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger);
 
-/// Place of the one that a click splits off: of 50 cells and more the one with the longest life; that of the region where there is none.
+/// Index of the piece that a click splits off: of those with 50 or more cells the one with the longest life; the region's index if there is
+/// no such piece.
 [[nodiscard]] std::size_t bestSplit(const RockLine& line);
-/// Its edit. Empty where there is none.
+/// The edit of that piece. Empty if there is no such piece.
 [[nodiscard]] std::optional<RockEdit> splitAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k);
 
 /// {"format": "edgescan-rock-edits/1", "lines": N, "beams": N, "edits": [{"kind": "join", "cells": [[line, beam], ...]}, ...]}
 [[nodiscard]] nlohmann::ordered_json rockEditsToJson(std::span<const RockEdit> edits, int lines, int beams);
-/// Error: damaged, of another format, for another grid than lines x beams, unknown kinds, cells that do not exist.
+/// Error: damaged text, another format, another grid than lines x beams, unknown kinds, cells outside of the grid.
 Result<std::vector<RockEdit>> rockEditsFromJson(const nlohmann::json& object, int lines, int beams, const std::string& where);
 
 } // namespace edgescan

@@ -16,7 +16,7 @@ constexpr std::size_t kMostCells = 100'000; // of one edit
 struct EditRow {
     RockEditKind kind;
     const char* name;
-    std::size_t fewest, most; // cells
+    std::size_t fewest, most; // number of cells
 };
 constexpr std::array kEdits{
     EditRow{RockEditKind::Join, "join", 2, kMostCells}, EditRow{RockEditKind::Part, "part", 2, 2},
@@ -26,14 +26,14 @@ constexpr std::array kEdits{
 
 using Json = nlohmann::json;
 
-// Empty where it is no cell.
+// Empty if it is not a cell of the grid.
 std::optional<std::uint32_t> cellOf(const Json& pair, int lines, int beams) {
     if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number_integer() || !pair[1].is_number_integer()) return std::nullopt;
     if (pair[0] < 0 || pair[0] >= lines || pair[1] < 0 || pair[1] >= beams) return std::nullopt;
     return pair[0].get<std::uint32_t>() * static_cast<std::uint32_t>(beams) + pair[1].get<std::uint32_t>();
 }
 
-// The edit, or what is wrong with it.
+// Reads an edit. Returns an empty text, or the fault.
 std::string read(const Json& object, int lines, int beams, RockEdit& edit) {
     if (!object.is_object() || object.size() != 2 || !object.contains("kind") || !object.contains("cells"))
         return "is not {\"kind\": ..., \"cells\": ...}";

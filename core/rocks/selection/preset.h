@@ -1,4 +1,4 @@
-// What a person turned and changed on one scan, as a file beside it: settings of rocks and edits by hand (docs/rocks-method.md, "Edits").
+// The settings of rocks and the user's edits for one scan, as a sidecar file (docs/rocks-method.md, "Edits").
 #pragma once
 
 #include "core/rocks/selection/edits.h"
@@ -11,19 +11,19 @@
 namespace edgescan {
 
 struct RockPreset {
-    std::optional<RockSettings> settings; ///< empty: edits alone
+    std::optional<RockSettings> settings; ///< empty: edits only
     std::vector<RockEdit> edits;
-    std::string sha256; ///< of the scan's file; empty: not said
+    std::string sha256; ///< hash of the scan's file; empty: unknown
 };
 
 /// SCAN.EXT.rocks.json
 [[nodiscard]] std::filesystem::path rockPresetPath(const std::filesystem::path& scan);
 
-/// The edits (rockEditsToJson) with "settings" and "sha256" where they are known, as text of a file.
+/// The edits (rockEditsToJson), with "settings" and "sha256" if they are known, as text of a file.
 [[nodiscard]] std::string rockPresetText(const RockPreset& preset, int lines, int beams);
 
-/// Reads what rockPresetText() or rockEditsToJson() wrote. Error: as of rockEditsFromJson() and rockSettingsFromJson(), or made on a file
-/// with another hash than `sha256` where both are known.
+/// Reads the text of rockPresetText() or rockEditsToJson(). Error: those of rockEditsFromJson() and rockSettingsFromJson(), or the text
+/// belongs to a file with a hash other than `sha256` (if both are known).
 Result<RockPreset> rockPresetFromText(std::string_view text, int lines, int beams, const std::string& sha256, const std::string& where);
 /// The same from a file.
 Result<RockPreset> readRockPreset(const std::filesystem::path& path, const Scan& scan);

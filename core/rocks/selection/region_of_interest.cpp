@@ -1,4 +1,4 @@
-// Cells in a polygon of cells.
+// Finds the cells inside a polygon of cells.
 #include "core/rocks/selection/region_of_interest.h"
 
 #include <opencv2/imgproc.hpp>
@@ -9,7 +9,7 @@ namespace edgescan {
 namespace {
 
 struct Side {
-    RegionCorner a, b; // a above b, or beside it
+    RegionCorner a, b; // a above b, or on the same line
 };
 
 std::vector<Side> sidesOf(const std::vector<RegionCorner>& corners) {
@@ -51,7 +51,7 @@ Grid<std::uint8_t> insideMask(const std::vector<RegionCorner>& region, int lines
     if (region.empty()) return mask;
     const std::vector<Side> sides = sidesOf(region);
     for (int i = 0; i < lines; ++i) {
-        std::vector<Side> here; // the others say nothing about this line
+        std::vector<Side> here; // the sides that cross this line
         for (const Side& side : sides) {
             if (i >= side.a.line && i <= side.b.line) here.push_back(side);
         }

@@ -1,20 +1,20 @@
-// Which regions lie mostly outside the region of interest.
+// Finds the regions that are mostly outside the region of interest.
 #pragma once
 
 #include "core/rocks/selection/rock_map.h"
 
 namespace edgescan {
 
-/// Marks regions with more measured cells outside than inside; nothing happens where the settings name no region.
+/// Marks regions with more measured cells outside than inside. Does nothing if the settings have no region of interest.
 void markOutside(const RockLeaves& leaves, RockMap& map);
 
-/// Whether a cell lies in the region; true everywhere where there is none.
+/// Whether a cell is inside the region; always true for an empty region.
 [[nodiscard]] bool isInside(const std::vector<RegionCorner>& region, int line, int beam);
-/// The same of all cells, lines x beams: 1 inside.
+/// The same for all cells, lines x beams: 1 inside.
 [[nodiscard]] Grid<std::uint8_t> insideMask(const std::vector<RegionCorner>& region, int lines, int beams);
 
-/// The polygon round a line that was drawn, without corners that change it by less than a cell or two; empty where fewer than three are
-/// left.
+/// The polygon of a drawn line, without corners whose removal changes it by less than a cell or two; empty if fewer than three corners
+/// remain.
 [[nodiscard]] std::vector<RegionCorner> regionOfDrawing(const std::vector<RegionCorner>& drawn);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Regions at one level, and which of them are rocks.
+// Finds the regions at one level and decides which of them are rocks.
 #include "core/rocks/selection/rock_map.h"
 
 #include "core/rocks/selection/bulge.h"
@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::uint32_t kFewestValleys = 5;
 constexpr std::uint32_t kFewestJumps = 3;
-constexpr double kOneWay = 0.8; // share of the jumps that go the same way
+constexpr double kOneWay = 0.8; // least share of the jumps with the same nearer side
 
-// R, rock or not, and p, how sure (docs/rocks-method.md, "Step 7", "Confidence").
+// Weights of R, the log odds "rock", and of p, the confidence (docs/rocks-method.md, "Step 7", "Confidence").
 constexpr double kPerBulge = 22.0;
 constexpr double kPerNear = 8.4;
 constexpr double kPerMetreTooLong = 1.1;
@@ -35,7 +35,7 @@ constexpr double kPerEvidence = 0.48;
 constexpr double kPerScore = 0.39;
 constexpr double kLeastScore = -6.0;
 constexpr double kMostScore = 12.0;
-constexpr double kDeviations = 4.0; // standard deviations that a size is told as
+constexpr double kDeviations = 4.0; // a size is this many standard deviations
 
 // From the spread of the points about their mean.
 void measureSpread(RockRegion& region) {
@@ -48,12 +48,12 @@ void measureSpread(RockRegion& region) {
     const Eigen::Vector3d deviations = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt(); // ascending
     region.longM = kDeviations * deviations[2];
     const double boxM2 = kDeviations * deviations[1] * region.longM;
-    if (boxM2 <= 0.0) return; // on one line
+    if (boxM2 <= 0.0) return; // all points are on one line
     region.depth = deviations[0] / deviations[2];
     region.fill = sums.areaM2 / boxM2;
 }
 
-// Sums of the leaves of each region; places as in `regions`.
+// Sums of the segments of each region; indices as in `regions`.
 void addLeaves(const RockLeaves& leaves, RockMap& map) {
     for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) map.regions[map.regionOfLeaf[leaf]].sums.add(leaves.sums[leaf]);
 }
@@ -79,7 +79,7 @@ void addBorders(const RockLeaves& leaves, RockMap& map) {
     for (RockRegion& region : map.regions) {
         const double cracks = std::max(1.0, static_cast<double>(region.outlineCracks));
         region.near /= cracks;
-        const bool alone = region.outlineCracks == 0; // nothing that it could be one with
+        const bool alone = region.outlineCracks == 0; // without a neighbour that it could be merged with
         region.edges = alone ? 1.0 : region.edges / cracks;
         region.evidence = alone ? kMostZ : region.evidence / cracks;
     }
@@ -98,7 +98,7 @@ void judge(RockRegion& region, const RockSettings& settings) {
     region.kind = region.score > 0 && awayM < settings.farthestM ? RegionKind::Rock : RegionKind::NotRock;
 }
 
-// Rocks first, then the largest first; the map's places follow.
+// Rocks first, then the largest first; renumbers the map's regions.
 void putInOrder(RockMap& map) {
     std::vector<std::uint32_t> order(map.regions.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -156,7 +156,7 @@ RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSetti
             place[leaf] = static_cast<std::uint32_t>(map.regions.size());
             map.regions.emplace_back().group = leaf;
         }
-        region = place[region]; // its smallest leaf has been there before
+        region = place[region]; // the region of this segment was found before
     }
     addLeaves(leaves, map);
     addBorders(leaves, map);

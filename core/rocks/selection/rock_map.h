@@ -1,4 +1,5 @@
-// Which leaves are one rock at one level, and which regions are none (docs/rocks-method.md, "Step 7"). What a move of the slider costs.
+// Groups segments to regions at one level, and decides which regions are rocks (docs/rocks-method.md, "Step 7"). This is the work when the
+// level slider moves.
 #pragma once
 
 #include "core/rocks/segmentation/merge_tree.h"
@@ -14,29 +15,30 @@ namespace edgescan {
 enum class RegionKind : std::uint8_t {
     Rock,    ///< candidate: geometry only, one viewpoint
     NotRock, ///< wall, floor, or too far away
-    Fines,   ///< fewer cells than a rock must have
+    Fines,   ///< fewer cells than RockSettings::minimumCells
     Outside, ///< mostly outside the region of interest
 };
 
 /// "rock", "not_rock", "fines", "outside".
 [[nodiscard]] const char* regionKindName(RegionKind kind);
 
-/// A group of leaves at the level chosen.
+/// A group of segments at the chosen level. The letters E, R, s1, e2 and p are those of docs/rocks-method.md, "Step 7".
 struct RockRegion {
-    std::uint32_t group = 0; ///< its smallest leaf
+    std::uint32_t group = 0; ///< its smallest segment
     RegionKind kind = RegionKind::Fines;
-    bool byHand = false; ///< a person said that it is a rock, or that it is none
+    bool byHand = false; ///< the user marked it as a rock, or as not a rock
     LeafSums sums;
-    std::uint32_t outlineCracks = 0; ///< cracks to other regions
-    double bulge = 0.0;              ///< -0.3 .. 0.3: how far it lies before its chords, as a share of them
-    double near = 0.0;               ///< 0..1: share of the outline where it is the nearer side of a jump
-    double edges = 0.0;              ///< 0..1: how far the outline is covered by edges, mean of e2
-    double depth = 0.0;              ///< 0..1: standard deviation along the shortest principal axis over that along the longest
-    double fill = 0.0;               ///< visible area over that of a box of 4 standard deviations along the two longer axes
-    double evidence = 0.0;           ///< E: mean log odds of the outline, each border counted with 6 at most
-    double longM = 0.0;              ///< s1: 4 standard deviations along the first principal axis
-    double score = 0.0;              ///< R: log odds of being a rock and no wall
-    double confidence = 0.0;         ///< p, 0..1: chance that its outline is right to IoU 0.5
+    std::uint32_t outlineCracks = 0; ///< number of cracks to other regions; a crack is the side between two neighbouring cells
+    double bulge = 0.0;              ///< -0.3 .. 0.3: distance of the surface in front of its chords, as a share of their length
+    double near = 0.0;               ///< 0..1: share of the outline at which it is the nearer side of a jump
+    double edges = 0.0;              ///< 0..1: mean of the evidence e2 (an edge is near) over the outline
+    /// 0..1: standard deviation of the points along the shortest principal axis divided by that along the longest
+    double depth = 0.0;
+    double fill = 0.0;       ///< visible area divided by that of a box of 4 standard deviations along the two longer axes
+    double evidence = 0.0;   ///< E: mean log odds "two rocks" along the outline; each border counts with 6 at most
+    double longM = 0.0;      ///< s1, m: 4 standard deviations of the points along the first principal axis
+    double score = 0.0;      ///< R: log odds that it is a rock and not a wall
+    double confidence = 0.0; ///< p, 0..1: probability that its outline is right (IoU of 0.5 or more)
 };
 
 /// The border of two regions.
@@ -44,32 +46,33 @@ using RegionBorder = LeafBorder;
 
 struct RockMap {
     RockSettings settings;
-    std::vector<RockRegion> regions;         ///< place 0 is empty; rocks first, the largest visible area first; then the others likewise
+    /// index 0 is empty; rocks first, the largest visible area first; then the other regions in the same order
+    std::vector<RockRegion> regions;
     std::uint32_t rocks = 0;                 ///< regions 1 .. rocks are rocks
-    std::vector<std::uint32_t> regionOfLeaf; ///< by leaf: a place in `regions`, or 0
-    std::vector<RegionBorder> borders;       ///< a, b: places in `regions`, a < b; ascending
+    std::vector<std::uint32_t> regionOfLeaf; ///< by segment: an index of `regions`, or 0
+    std::vector<RegionBorder> borders;       ///< a, b: indices of `regions`, a < b; ascending
 };
 
-/// A region that a person called a rock, or none, by a leaf of it.
+/// The user's decision whether a region is a rock; the region is given by one of its segments.
 struct CalledLeaf {
     std::uint32_t leaf = 0;
     bool rock = false;
 };
 
-/// Steps 5 at one level and 7. The last word on a region holds.
+/// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.
 [[nodiscard]] RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSettings& settings,
                               std::span<const CalledLeaf> called = {});
 
-/// Whether enough clear valleys run along the border for its two sides to touch.
+/// Whether there are enough clear valleys along the border to say that its two sides touch.
 [[nodiscard]] bool touch(const RegionBorder& border);
 
-/// The side that lies in front, border.a or border.b; 0 where there are too few jumps, or where they go both ways.
+/// The side in front, border.a or border.b; 0 if there are too few jumps, or if both sides are nearer in places.
 [[nodiscard]] std::uint32_t nearerSide(const RegionBorder& border);
 
-/// Lines x beams: 0 none, then the rocks 1 .. map.rocks, the largest visible area first.
+/// Lines x beams: 0 = not a rock, otherwise rocks 1 .. map.rocks, the largest visible area first.
 [[nodiscard]] Grid<std::uint32_t> rockLabels(const RockLeaves& leaves, const RockMap& map);
 
-/// Lines x beams: places in map.regions, whatever their kind; 0 where a cell belongs to none.
+/// Lines x beams: indices of map.regions of any kind; 0 where a cell does not belong to a region.
 [[nodiscard]] Grid<std::uint32_t> regionLabels(const RockLeaves& leaves, const RockMap& map);
 
 } // namespace edgescan

@@ -1,4 +1,4 @@
-// Strokes and ancestors as edits.
+// Converts strokes and wheel turns to edits.
 #include "core/rocks/selection/strokes.h"
 
 #include "core/rocks/segmentation/equal_runs.h"
@@ -8,7 +8,7 @@
 namespace edgescan {
 namespace {
 
-// Region of each cell of the line, in order; 0 where there is none.
+// Region of each cell of the line, in order; 0 without a region.
 std::vector<std::uint32_t> regionsAlong(const RockLeaves& leaves, const RockMap& map, const std::vector<std::uint32_t>& cells) {
     std::vector<std::uint32_t> regions;
     for (const std::uint32_t k : cells) regions.push_back(map.regionOfLeaf[leaves.leaf[k]]);
@@ -24,7 +24,7 @@ std::optional<RockEdit> joinAlong(const RockLeaves& leaves, const RockMap& map, 
         std::uint32_t region;
         std::size_t begin, end;
     };
-    std::vector<Run> longest; // of each region, in the order in which they are met
+    std::vector<Run> longest; // the longest run in each region, in the order in which the regions are met
     eachEqualRun(regions, [&](std::uint32_t region, std::size_t begin, std::size_t end) {
         if (region == 0) return;
         const auto met = std::ranges::find(longest, region, &Run::region);

@@ -1,4 +1,4 @@
-// What a line that a person drew, or a turn of the wheel, says about rocks: edits for the pieces there.
+// Converts a drawn line, or a turn of the wheel, to edits of the rocks there.
 #pragma once
 
 #include "core/rocks/selection/edits.h"
@@ -9,19 +9,19 @@
 
 namespace edgescan {
 
-/// A line over cracks: all regions that it crosses become one. Each is named by a cell in the middle of its part of the line. Empty where
-/// it crosses fewer than two.
+/// A line over borders: all regions that it crosses become one rock. Each region is given by a cell in the middle of its part of the line.
+/// Empty if the line crosses fewer than two regions.
 [[nodiscard]] std::optional<RockEdit> joinAlong(const RockLeaves& leaves, const RockMap& map, const CutLine& stroke);
 
-/// A line along which pieces are cut. Empty where it lies on no region at all.
+/// A line along which pieces are cut. Empty if the line is outside of all regions.
 [[nodiscard]] std::optional<RockEdit> cutAlong(const RockLeaves& leaves, const RockMap& map, const CutLine& stroke);
 
-/// What the wheel walks through at a cell: the pieces round it of 50 cells and more, and its region at the level.
+/// The pieces that the wheel steps through at a cell: those around it with 50 or more cells, and its region at the current level.
 struct RockFamily {
     RockLine line;
-    std::size_t split = 0; ///< place of what splitAt() would split off; that of the region where there is nothing
+    std::size_t split = 0; ///< index of the piece that splitAt() would split off; that of the region if there is no such piece
 };
-/// At most `mostLarger` pieces are larger than the region. Without pieces where the cell belongs to no leaf.
+/// At most `mostLarger` pieces are larger than the region. Without pieces if the cell does not belong to a segment.
 [[nodiscard]] RockFamily familyAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k,
                                   std::size_t mostLarger = 8);
 

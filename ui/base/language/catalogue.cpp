@@ -1,4 +1,4 @@
-// Reading .ts files.
+// Reads .ts files.
 #include "ui/base/language/catalogue.h"
 
 #include <QFile>

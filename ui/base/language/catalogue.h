@@ -1,4 +1,4 @@
-// The texts of one language, as Qt Linguist keeps them (.ts).
+// The texts of one language, read from a Qt Linguist file (.ts).
 #pragma once
 
 #include <QHash>
@@ -6,12 +6,12 @@
 
 namespace edgescan::ui {
 
-/// One text has one translation, wherever in the window it stands: the classes that Qt calls contexts are not looked at.
+/// One text has one translation in the whole window: the contexts (class names) of Qt are ignored.
 class Catalogue : public QTranslator {
     Q_OBJECT
 public:
     using QTranslator::QTranslator;
-    /// Reads a .ts file. False when it is none, or holds no finished translation.
+    /// Reads a .ts file. False if the file is not a .ts file or has no finished translation.
     bool read(const QString& path);
 
     [[nodiscard]] QString translate(const char* context, const char* source, const char* disambiguation, int n) const override;
@@ -23,7 +23,8 @@ private:
     QHash<QString, QString> texts_;
 };
 
-/// While one lives, texts are those of the sources: for what is kept in files and compared with them. GUI thread only.
+/// While an object of this class exists, tr() returns the texts of the sources: for texts that are stored in files and compared later. GUI
+/// thread only.
 class SourceTexts {
 public:
     SourceTexts();

@@ -1,4 +1,4 @@
-// Choosing and installing a language.
+// Chooses and installs a language.
 #include "ui/base/language/languages.h"
 
 #include "ui/base/language/catalogue.h"
@@ -14,7 +14,7 @@
 namespace edgescan::ui {
 namespace {
 
-// What Qt's own buttons and fields say, for systems on which its translations are not installed.
+// Texts of Qt's own buttons and fields, for systems without Qt's translations.
 [[maybe_unused]] constexpr std::array kTextsOfQt{
     QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),
     QT_TRANSLATE_NOOP("QPlatformTheme", "Save"),
@@ -36,7 +36,7 @@ namespace {
 
 struct LanguageInstalled {
     QString code = "en";
-    std::vector<std::unique_ptr<QTranslator>> translators; // a translator that ends takes itself out
+    std::vector<std::unique_ptr<QTranslator>> translators; // the destructor of a translator removes it from the application
 };
 
 LanguageInstalled& installed() {

@@ -1,4 +1,4 @@
-// Which languages the window speaks.
+// The languages of the window.
 #pragma once
 
 #include <QString>
@@ -10,19 +10,19 @@ namespace edgescan::ui {
 
 struct Language {
     const char* code; ///< ISO 639-1
-    const char* name; ///< in itself
+    const char* name; ///< in its own language
 };
-/// English first: it is what stands in the sources.
+/// English first: the sources are in English.
 inline constexpr std::array<Language, 4> kLanguages{{{"en", "English"}, {"fr", "Français"}, {"es", "Español"}, {"pt", "Português"}}};
 
-/// The first of the languages of the system ("fr-CA", "en-US" ...) that the window speaks; "en" when it speaks none of them.
+/// The first of the system's languages ("fr-CA", "en-US" ...) that the window has; "en" if it has no translation for any of them.
 [[nodiscard]] QString languageOfSystem(const QStringList& spoken);
 
-/// Installs the texts of a language, and Qt's own where they are installed, before the first widget is made. Empty: that of the system.
-/// False: it is not spoken, and the window is in English. `folder`: where the .ts files are.
+/// Installs the texts of a language, and Qt's own translations if the system has them, before the first widget is made. Empty: the language
+/// of the system. Returns false if the window has no such language; the window is then in English. `folder`: the folder of the .ts files.
 bool useLanguage(const QString& code, const QString& folder = ":/languages");
 
-/// What useLanguage() chose last.
+/// The language that useLanguage() chose last.
 [[nodiscard]] QString languageInUse();
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// The assembly from the scan on the screen.
+// Estimates the mounting errors from the scan on the screen.
 #include "ui/controllers/files/calibrating.h"
 
 #include "core/base/sha256.h"
@@ -36,7 +36,7 @@ QImage imageOf(const Grid<Rgb>& picture) {
     return image;
 }
 
-/// Pixel of the seam's picture in the middle of the square of cells with most edges of both views.
+/// The pixel of the seam's picture with the most edges of both views around it.
 QPoint busiestOf(const SeamEdges& seam) {
     constexpr int kSquare = 40, kPxPerCell = 3;
     int most = -1;
@@ -85,7 +85,7 @@ void Calibrating::show() {
         card_ = new CalibrationCard(notice_.window());
         connect(card_, &CalibrationCard::addWanted, this, &Calibrating::askAdd);
         connect(card_, &CalibrationCard::removeWanted, this, [this](int row) {
-            if (row <= 0 || row > others_.size()) return; // the one on the screen stays
+            if (row <= 0 || row > others_.size()) return; // the scan on the screen stays in the list
             others_.removeAt(row - 1);
             ask();
         });
@@ -106,7 +106,7 @@ void Calibrating::show() {
     card_->activateWindow();
 }
 
-// Another scan on the screen: what was found is of the one before. The same one, read in another way, stays.
+// Another scan is on the screen: the result belongs to the previous one. The same scan with other reading options keeps the result.
 void Calibrating::followScreen() {
     if (card_ == nullptr || files_.path() == screenPath_) return;
     wanted_ = 0;
@@ -148,7 +148,7 @@ void Calibrating::setBase(const QString& path) {
 void Calibrating::start() {
     if (card_ == nullptr || !engine_.picture() || files_.path() != screenPath_) return;
     Question question{++questions_, engine_.picture()->detection, others_, files_.options(), base_};
-    question.reading.pose.clear(); // of the scan on the screen alone
+    question.reading.pose.clear(); // they belong only to the scan on the screen
     question.reading.calibration.clear();
     found_.reset();
     saved_.clear();
@@ -286,7 +286,7 @@ void Calibrating::saveTo(const QString& path) {
                 memory_.keepFolder("exports", path);
                 notice_.tellSaved(path, tr("a calibration"));
                 emit saved(path);
-                if (found_ != answer) return; // another question meanwhile
+                if (found_ != answer) return; // another question was asked meanwhile
                 saved_ = path;
                 card_->setSaved(path, whyNotApplied());
             };
@@ -297,7 +297,7 @@ void Calibrating::saveTo(const QString& path) {
         [this] { saving_ = false; });
 }
 
-// A calibration alone gives no place (docs/coordinates.md).
+// A calibration alone does not give a pose (docs/coordinates.md).
 QString Calibrating::whyNotApplied() const {
     const Scan& scan = *engine_.picture()->detection->scan;
     const bool recorded = scan.format == "recording" || scan.format == "sweep";

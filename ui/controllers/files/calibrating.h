@@ -1,5 +1,5 @@
-// Scan > Calibrate: the errors of the assembly from the scan on the screen and others of it, worked out on a thread of their own; saved
-// and applied only when somebody says so.
+// Scan > Calibrate: estimates the mounting errors from the scan on the screen and other scans of the same mounting, on its own thread. The
+// result is saved and applied only on the operator's request.
 #pragma once
 
 #include "core/base/inputs.h"
@@ -27,27 +27,27 @@ class Memory;
 class NoticeBar;
 class Engine;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Calibrating : public QObject {
     Q_OBJECT
 public:
     Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
     ~Calibrating() override { wanted_ = 0; }
 
-    /// The card, with the scan on the screen.
+    /// Shows the card for the scan on the screen.
     void show();
-    /// Further scans of the same assembly; what was found before is gone.
+    /// Adds scans of the same mounting; drops the former result.
     void add(const QStringList& paths);
-    /// The robot's present file; empty: none.
+    /// Sets the robot's present calibration file; empty: none.
     void setBase(const QString& path);
     void start();
     void saveTo(const QString& path);
-    /// Opens the scan on the screen again with the file that was saved, as a step of undo.
+    /// Opens the scan on the screen again with the saved file, as an undo step.
     void apply();
 
     /// Null before the first show().
     [[nodiscard]] CalibrationCard* card() const { return card_; }
-    /// Null while nothing was found.
+    /// Null while there is no result.
     [[nodiscard]] const SelfCalibration* found() const { return found_ && *found_->found ? &**found_->found : nullptr; }
     [[nodiscard]] bool saving() const { return saving_; }
 
@@ -57,9 +57,9 @@ signals:
 private:
     struct Question {
         std::uint64_t number = 0;
-        std::shared_ptr<const Detection> shown; ///< its edges are those of the picture
+        std::shared_ptr<const Detection> shown; ///< with the edges of the shown picture
         QStringList others;
-        ReadingOptions reading; ///< of the others
+        ReadingOptions reading; ///< for the other scans
         QString base;
     };
     /// The seam before and after.
@@ -72,9 +72,9 @@ private:
     struct Answer {
         std::uint64_t number = 0;
         std::optional<Result<SelfCalibration>> found;
-        std::string file; ///< as it is saved
+        std::string file; ///< the text to be saved
         Seam seam;
-        std::shared_ptr<const InputClaims> inputs; ///< nothing is saved over them
+        std::shared_ptr<const InputClaims> inputs; ///< files that must not be overwritten
     };
     [[nodiscard]] Answer run(const Question& question); // worker's thread
     [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, std::vector<CalibrationSource>& sources);
@@ -94,13 +94,13 @@ private:
     NoticeBar& notice_;
     Memory& memory_;
     CalibrationCard* card_ = nullptr;
-    QString screenPath_; // of the scan that the card is about
+    QString screenPath_; // path of the card's scan
     QStringList others_;
     QString base_, saved_;
     std::shared_ptr<const Answer> found_;
     bool saving_ = false;
     std::uint64_t questions_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
+    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is awaited; 0: none
     Newest<Question, Answer> worker_;      // last
 };
 

@@ -1,4 +1,4 @@
-// Numbers with their units and what they do not say.
+// Numbers with their units and limits of validity.
 #include "ui/controllers/files/calibration_words.h"
 
 #include <QObject>

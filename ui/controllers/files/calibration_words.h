@@ -1,4 +1,4 @@
-// What a calibration found, in the words of the window.
+// The result of a calibration in the words of the window.
 #pragma once
 
 #include "core/inspect/calibration/self_calibration.h"
@@ -8,11 +8,11 @@
 
 namespace edgescan::ui {
 
-/// All but the pictures.
+/// All parts except the pictures.
 [[nodiscard]] CalibrationShown calibrationWords(const SelfCalibration& found);
-/// Over the seam's edges; `met`: share of the late edges beside an early one, before and after. The images are not set.
+/// About the edges at the seam; `met`: share of the late edges within a cell of an early one, before and after. The images are not set.
 [[nodiscard]] CalibrationPicture seamWords(std::size_t lateEdges, const std::array<double, 2>& met);
-/// Over the distance of the views.
+/// About the distance between the views.
 [[nodiscard]] CalibrationPicture apartWords(const SelfCalibration& found);
 
 } // namespace edgescan::ui

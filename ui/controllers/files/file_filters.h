@@ -1,4 +1,4 @@
-// How file dialogs name a kind of file.
+// File dialog filters of formats.
 #pragma once
 
 #include "core/files/formats/formats.h"
@@ -9,7 +9,7 @@
 
 namespace edgescan::ui {
 
-/// "Point Cloud Library (*.pcd)"; empty where a format has no extensions of that kind.
+/// "Point Cloud Library (*.pcd)"; empty if the format has no extensions of that kind.
 [[nodiscard]] inline QString filterOf(const Format& format, const std::vector<const char*>& extensions) {
     QStringList patterns;
     for (const char* extension : extensions) patterns << QString("*") + extension;

@@ -1,4 +1,4 @@
-// Opening files, one after the other and again.
+// Opens files, a series of files, and the same file again.
 #include "ui/controllers/files/files.h"
 
 #include "core/scan/angle_correction/straighten_scan.h"
@@ -20,7 +20,7 @@
 namespace edgescan::ui {
 namespace {
 
-/// The scans that lie beside it, by their names, itself among them; what others belong to a scan (records, settings) is passed over.
+/// The scans in its folder, by name, including the file itself; other files of a scan (records, settings) are skipped.
 QStringList scansBeside(const QString& path) {
     QStringList patterns;
     for (const Format& format : formats()) {
@@ -29,7 +29,7 @@ QStringList scansBeside(const QString& path) {
     const QFileInfo own(path);
     QStringList scans;
     for (const QFileInfo& file : own.dir().entryInfoList(patterns, QDir::Files | QDir::Readable, QDir::Name)) {
-        // A raw grid is a description and its numbers: the one that was opened counts.
+        // A raw grid is a description and a file of numbers: the opened one of both counts.
         const bool part = file.suffix() == "u16" || file.fileName().endsWith(".provenance.json");
         if (!part || file.fileName() == own.fileName()) scans << file.absoluteFilePath();
     }
@@ -41,7 +41,7 @@ QStringList scansBeside(const QString& path) {
 Files::Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), notice_(notice), memory_(memory), undo_(undo) {
     connect(&engine_, &Engine::opened, this, &Files::noteOpened);
-    // What was refused or given up leaves what is on the screen as it was read.
+    // A refused or cancelled reading leaves the screen with the former options.
     connect(&engine_, &Engine::workEnded, this, [this] {
         if (!engine_.opening()) setOptions(shownOptions_);
     });
@@ -63,7 +63,7 @@ void Files::openDemo(bool afterBlast) {
     engine_.openDemo(afterBlast);
 }
 
-// "All supported" first, then one entry per kind.
+// "All supported" first, then one filter per kind.
 QString Files::filters() {
     QStringList all;
     QStringList filters;
@@ -167,7 +167,7 @@ void Files::tellWarnings() {
     QStringList warnings;
     for (const std::string& warning : scan.warnings) warnings << shownText(warning);
     for (const std::string& warning : placeWarnings(scan)) warnings << shownText(warning);
-    // Of a live scan the health strip tells.
+    // The health strip reports the warnings of a live scan.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
     if (std::ranges::any_of(scan.warnings, tellsOfDisplacement) && !path_.isEmpty())

@@ -1,4 +1,4 @@
-// Checking what was opened, and showing it in another way.
+// Checks how a scan was read, and previews other readings.
 #include "ui/controllers/files/opening.h"
 
 #include "ui/base/notice_bar.h"
@@ -23,14 +23,14 @@ Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
           [](const Question& asked) {
               return Answer{asked.scan, asked.scan ? openingCheck(*asked.scan, asked.options) : std::vector<OpeningPoint>()};
           },
-          [this](Answer answer) { take(std::move(answer)); }, [](const QString&) {}) { // not known: nothing is said
+          [this](Answer answer) { take(std::move(answer)); }, [](const QString&) {}) { // the check failed: show no message
     connect(&engine_, &Engine::streamChanged, this, &Opening::follow);
 }
 
 void Opening::follow() {
     const auto& picture = engine_.picture();
     const bool sameFile = path_ == files_.path();
-    if (before_ && sameFile && card_ != nullptr && card_->isVisible()) return; // the preview of one of them
+    if (before_ && sameFile && card_ != nullptr && card_->isVisible()) return; // a preview of one of the readings
     before_.reset();
     points_.reset();
     path_ = files_.path();
@@ -49,10 +49,10 @@ void Opening::take(Answer answer) {
                            });
     QStringList against;
     for (const OpeningPoint& point : *points_) {
-        // Of beams and lines out of place the warnings of the scan tell.
+        // The scan's warnings already report beams and lines out of place.
         if (!point.against.empty() && std::string_view(point.what) != kDisplacedPoint) against << shownSentence(point.against);
     }
-    const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // what was guessed
+    const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
     if (against.isEmpty() && (displaced || !told || !looksGuessed(*points_))) return;
     if (!against.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
@@ -99,11 +99,11 @@ void Opening::adopt(int point, int other) {
     if (wanted == nullptr) return;
     const ReadingOptions before = before_.value_or(files_.options());
     const ReadingOptions after = wanted->options;
-    before_.reset(); // what is read now is checked anew
+    before_.reset(); // the new reading is checked again
     files_.readAgain(after, stepName("How the Scan Is Read"), before);
 }
 
-/// Without Adopt it is as it was.
+/// Closing without Adopt restores the former reading.
 void Opening::closed() {
     if (!before_) return;
     const ReadingOptions back = *std::exchange(before_, std::nullopt);

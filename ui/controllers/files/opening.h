@@ -1,4 +1,4 @@
-// "Does this look right?" when a scan is opened: what speaks against how it was read, shown and put right with a click.
+// "Does this look right?" after opening: shows evidence against the reading of the scan, with corrections to click.
 #pragma once
 
 #include "core/files/plausibility/opening_check.h"
@@ -18,17 +18,17 @@ class NoticeBar;
 class OpeningCard;
 class Engine;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Opening : public QObject {
     Q_OBJECT
 public:
     Opening(Engine& engine, Files& files, NoticeBar& notice);
 
-    /// The card about the file on the screen.
+    /// Shows the card about the file on the screen.
     void show();
-    /// Null before the first time.
+    /// Null before it was first shown.
     [[nodiscard]] OpeningCard* card() const { return card_; }
-    /// Of the file on the screen; empty until it is known.
+    /// For the file on the screen; empty until known.
     [[nodiscard]] const std::optional<std::vector<OpeningPoint>>& points() const { return points_; }
 
 private:
@@ -53,9 +53,9 @@ private:
     NoticeBar& notice_;
     OpeningCard* card_ = nullptr;
     std::optional<std::vector<OpeningPoint>> points_;
-    QString path_;                         // that points_ are of
-    std::optional<ReadingOptions> before_; // a preview, while one is on the screen
-    bool cardWanted_ = false;              // as soon as the points are known
+    QString path_;                         // the file of points_
+    std::optional<ReadingOptions> before_; // set while a preview is on the screen
+    bool cardWanted_ = false;              // show the card as soon as the points are known
     Newest<Question, Answer> worker_;      // last
 };
 

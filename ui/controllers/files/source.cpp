@@ -1,4 +1,4 @@
-// The badge of the picture.
+// The badge with the source of the picture.
 #include "ui/controllers/files/source.h"
 
 #include "core/base/utc_time.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLongestName = 28; // characters
 
-/// "2026-11-19 08:12:05 UTC"; empty where it is not known.
+/// "2026-11-19 08:12:05 UTC"; empty if unknown.
 QString timeWords(const std::string& utc) {
     const auto seconds = parseUtc(utc);
     if (!seconds) return {};
@@ -25,18 +25,18 @@ QString timeWords(const std::string& utc) {
 
 QString agoWords(const std::string& utc) {
     const double seconds = utcNow() - parseUtc(utc).value_or(std::nan(""));
-    if (!(seconds >= 0.0)) return {}; // not known, or the clocks disagree
+    if (!(seconds >= 0.0)) return {}; // unknown, or the clocks disagree
     if (seconds < 7200.0) return QObject::tr(", %1 min ago").arg(std::floor(seconds / 60.0), 0, 'f', 0);
     if (seconds < 172800.0) return QObject::tr(", %1 h ago").arg(std::floor(seconds / 3600.0), 0, 'f', 0);
     return QObject::tr(", %1 days ago").arg(std::floor(seconds / 86400.0), 0, 'f', 0);
 }
 
-/// What gave the scan its place: pose and calibration, by name and SHA-256.
+/// The pose and the calibration that placed the scan, by name and SHA-256.
 QString placedWords(const Scan& scan) {
     return scan.placement ? "\n" + QObject::tr("Placed by %1").arg(shownText(scan.placement->source)) : QString();
 }
 
-/// Of the scanner that is connected, or was.
+/// The badge for the connected scanner, or the last one.
 PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanner) {
     const QString last = timeWords(measured.endUtc);
     const QString at = last.isEmpty() ? QObject::tr(" · no time") : " · " + last;

@@ -1,4 +1,4 @@
-// Where the picture on the screen comes from, and of when: what its badge says (docs/operator.md, "S4").
+// The source and time of the picture on the screen, as shown in its badge (docs/operator.md, "S4").
 #pragma once
 
 #include "ui/panels/live/state_badge.h"
@@ -16,7 +16,7 @@ struct PictureOrigin {
     QString more;  ///< a tool tip
 };
 
-/// `picture`: null = none yet. Nothing is made up: what the file does not say is told as not known.
+/// `picture`: null = no picture yet. Values missing in the file are shown as unknown; none are guessed.
 [[nodiscard]] PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner);
 
 } // namespace edgescan::ui

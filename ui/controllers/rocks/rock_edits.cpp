@@ -1,4 +1,4 @@
-// Edits of rocks by hand: merge, split, rock or not, undo.
+// The operator's edits of rocks: merge, split, rock or not a rock, undo.
 #include "ui/base/notice_bar.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
@@ -30,7 +30,7 @@ void Rocks::turn(const RockSettings& settings) {
     undo_.push(new UndoStep<RockSettings>(
         turn_, [name](const RockSettings&, const RockSettings&) { return name; }, settings_, settings,
         [this](RockSettings value) {
-            value.region = settings_.region; // it is of one scan and has steps of its own
+            value.region = settings_.region; // it belongs to one scan and has its own undo steps
             useSettings(value);
             return true;
         }));
@@ -72,7 +72,7 @@ void Rocks::setByHand(const RockByHand& byHand) {
 void Rocks::pushByHand(const QString& name, RockByHand after) {
     undo_.push(new UndoStep<RockByHand>(name, byHand(), std::move(after), [this, stream = stream_](const RockByHand& value) {
         if (stream_ == stream) setByHand(value);
-        return stream_ == stream; // else the scan is gone, and its edits with it
+        return stream_ == stream; // else the scan was closed, and its edits with it
     }));
 }
 

@@ -1,4 +1,4 @@
-// Rocks as files: table, report, labels, outlines, hulls.
+// Exports of rocks: table, report, labels, outlines, hulls.
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
@@ -16,12 +16,12 @@
 namespace edgescan::ui {
 namespace {
 
-// What a file holds follows from its extension.
+// The extension determines the content of the file.
 struct RockFile {
     const char* extension;
     ExportContent content;
     const char* title;
-    bool hasFrame; // its numbers are coordinates
+    bool hasFrame; // it contains coordinates
 };
 constexpr std::array<RockFile, 7> kRockFiles{{
     {"csv", ExportContent::RockTable, QT_TRANSLATE_NOOP("QObject", "Table, one row per rock"), true},
@@ -53,7 +53,7 @@ void Rocks::askExport() {
     question.extension = QString(".") + kRockFiles.front().extension;
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
     question.place = QDir(memory_.folder("exports")).filePath(name + question.extension);
-    // The record beside the file is replaced with it.
+    // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);

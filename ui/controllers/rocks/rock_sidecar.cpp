@@ -1,4 +1,4 @@
-// Reading and writing SCAN.rocks.json.
+// Reads and writes the sidecar SCAN.rocks.json.
 #include "ui/controllers/rocks/rock_sidecar.h"
 
 #include "core/base/whole_file.h"
@@ -12,7 +12,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kSoonMs = 400; // a slider that moves is written once
+constexpr int kSoonMs = 400; // a moving slider causes one write
 
 } // namespace
 
@@ -87,7 +87,7 @@ void RocksBeside::keep(const RockSettings& settings, const std::vector<RockEdit>
     soon_.start();
 }
 
-// Another scan comes, or the program ends: a small file, and the last chance.
+// Called when another scan comes or the program ends: the last chance to write this small file.
 void RocksBeside::writeNow() {
     soon_.stop();
     if (!waiting_) return;
@@ -97,7 +97,7 @@ void RocksBeside::writeNow() {
 
 void RocksBeside::writeInBackground() {
     if (writing_) {
-        soon_.start(); // one after the other
+        soon_.start(); // wait for the running write
         return;
     }
     if (!waiting_) return;

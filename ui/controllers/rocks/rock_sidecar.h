@@ -1,4 +1,4 @@
-// The settings and edits of rocks in a file beside the scan, so that they are there when it is opened again.
+// The settings and edits of rocks in a sidecar file of the scan, so that they are restored when the scan is opened again.
 #pragma once
 
 #include "core/rocks/selection/preset.h"
@@ -13,42 +13,42 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only; files are read and written on threads of their own.
+/// GUI thread only; files are read and written on separate threads.
 class RocksBeside : public QObject {
     Q_OBJECT
 public:
     explicit RocksBeside(QObject* parent = nullptr);
     ~RocksBeside() override;
 
-    /// From now on it is about this scan; what is still to be written of the one before is written. Null, or a scan that grows: about none.
+    /// Switches to the sidecar of this scan; pending writes for the previous scan are finished. Null, or a growing scan: no sidecar.
     void follow(std::shared_ptr<const Scan> scan);
-    /// follow() has not answered yet.
+    /// True until follow() has its answer.
     [[nodiscard]] bool reading() const { return reading_; }
-    /// To be written soon; without edits and region the file goes away.
+    /// Schedules a write; without edits and region the file is deleted.
     void keep(const RockSettings& settings, const std::vector<RockEdit>& edits);
-    /// Where they are kept; empty: nowhere.
+    /// Path of the sidecar; empty: none.
     [[nodiscard]] const std::string& path() const { return path_; }
 
 signals:
-    /// After follow(), where there was a file.
+    /// After follow(), if there was a file.
     void found(const edgescan::RockPreset& preset);
-    /// After follow(): found() was before, or there is nothing.
+    /// After follow() and a possible found().
     void readEnded();
-    /// A sentence: what is beside the scan cannot be read or written.
+    /// A sentence: the sidecar cannot be read or written.
     void failed(const QString& sentence);
 
 private:
     struct Writing {
         std::uint64_t number = 0; ///< later ones are larger
-        std::string path, text;   ///< empty text: the file goes away
+        std::string path, text;   ///< empty text: delete the file
     };
-    class Disk; ///< writes what is newest, whichever thread comes first
+    class Disk; ///< writes the newest content, whichever thread comes first
     void writeNow();
     void writeInBackground();
 
     std::shared_ptr<const Scan> scan_;
     std::string path_;
-    bool ours_ = false; // what stands there was written here, or read
+    bool ours_ = false; // the file was written by this object, or read by it
     bool reading_ = false;
     std::uint64_t number_ = 0; // of follow()
     std::optional<Writing> waiting_;

@@ -1,4 +1,4 @@
-// What mouse and wheel do with rocks while a tool is in use: pieces of a rock to choose from, lines, the region of interest.
+// Mouse and wheel of the rock tools: choosing segments of a rock, lines, the region of interest.
 #include "core/rocks/selection/region_of_interest.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/undo_step.h"
@@ -21,7 +21,7 @@ CellDrag::Wanted wantedBy(RockTool tool) {
 
 void Rocks::useTool(RockTool tool) {
     if (tool != RockTool::None && (!on_ || !picture_)) tool = RockTool::None;
-    if (tool != RockTool::None) notice_.window()->installEventFilter(&drag_); // Esc, wherever the keyboard is
+    if (tool != RockTool::None) notice_.window()->installEventFilter(&drag_); // for Esc, whichever widget has the keyboard focus
     const RockTool before = std::exchange(tool_, tool);
     if (before != tool) {
         drag_.want(wantedBy(tool));
@@ -29,7 +29,7 @@ void Rocks::useTool(RockTool tool) {
         familyPicture_ = nullptr;
         if (before == RockTool::Split) showSelection();
     }
-    emit toolChanged(tool_); // also where it was refused: a switch that was pressed goes back
+    emit toolChanged(tool_); // also if it was refused: a pressed switch goes back
 }
 
 void Rocks::choosePieceAt(std::size_t cell) {
@@ -49,7 +49,7 @@ void Rocks::stepPiece(int by) {
     showPiece(nullptr);
 }
 
-// Its outline in all views, and what a click would do.
+// Shows the segment's outline in all views, and the effect of a click.
 void Rocks::showPiece(const QObject* from) {
     if (family_.line.pieces.empty()) return;
     const RockAncestor& piece = family_.line.pieces[piece_];
@@ -97,7 +97,7 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
     if (tool == RockTool::Region) return takeRegion(cells);
     CutLine stroke;
     for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
-    if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that went on
+    if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that grew meanwhile
     const RockStudy& study = picture_->study;
     if (tool == RockTool::Join) {
         if (auto join = joinAlong(*study.leaves, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));

@@ -1,4 +1,4 @@
-// Rocks in all views.
+// Shows rocks in all views.
 #include "ui/controllers/rocks/rocks.h"
 
 #include "ui/base/notice_bar.h"
@@ -19,7 +19,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kBetweenSweepsMs = 800; // rocks are those of a second ago at most, and the time that they take
+constexpr int kBetweenSweepsMs = 800; // in a sweep, rocks are at most this old plus the time to find them
 
 bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier); }
 
@@ -120,7 +120,7 @@ void Rocks::followPicture() {
     if (beside_.reading()) return show();
     if (asked_ != shown->detection) {
         if (shown->source.growth.growing && nextOfSweep_.isActive()) {
-            show(); // what is known stays, and is marked as older
+            show(); // the former rocks stay, marked as older
             return;
         }
         ask();
@@ -151,7 +151,7 @@ void Rocks::takePreset(const RockPreset& preset) {
 }
 
 void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
-    // An answer about another scan, or after rocks were switched off, is no longer wanted.
+    // An answer about another scan, or after rocks were switched off, is dropped.
     if (!on_ || !engine_.picture() || (finder_.behind() && picture->detection->scan != engine_.picture()->detection->scan)) return;
     picture_ = picture;
     show();
@@ -177,7 +177,7 @@ void Rocks::show() {
 
 void Rocks::showFaces() {
     const bool stale = picture_ && ofAnotherPicture();
-    const bool away = views_.flipped(); // another picture is shown for a moment: these are not its rocks
+    const bool away = views_.flipped(); // another picture is shown by a flip: the rocks do not belong to it
     const QString told = !on_ || !engine_.picture() ? QString()
                                                     : (picture_ ? tr("%1 rocks · ").arg(picture_->study.rocks.size()) : QString()) +
                                                           (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
@@ -192,7 +192,7 @@ void Rocks::showFaces() {
         cloud.setFaces(nullptr);
     } else if (picture_->points->size() == cells) {
         cloud.setFaces(picture_->points);
-    } else { // lines came or went since: the cells of both are the same ones
+    } else { // the number of lines changed since: the common cells are the same
         auto fitted = std::make_shared<std::vector<std::uint32_t>>(*picture_->points);
         fitted->resize(cells, kBesideRocks);
         cloud.setFaces(std::move(fitted));

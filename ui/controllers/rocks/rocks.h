@@ -1,4 +1,4 @@
-// The rocks of the picture shown: their faces in all views, what pointing and clicking at one does, table, card, edits by hand.
+// The rocks of the shown picture: their faces in all views, pointing and clicking, table, card, the operator's edits.
 #pragma once
 
 #include "core/rocks/selection/strokes.h"
@@ -27,23 +27,23 @@ class NoticeBar;
 class RocksPanel;
 class RockTable;
 
-/// What the operator does with the mouse.
+/// The tool of the mouse.
 enum class RockTool : std::uint8_t {
     None,
-    Split,  ///< a click splits off the piece that is outlined; the wheel takes a smaller or a larger one
-    Join,   ///< a line joins what it crosses
-    Cut,    ///< a line cuts what it crosses
-    Region, ///< a line goes round the region of interest
+    Split,  ///< a click splits off the outlined segment; the wheel chooses a smaller or a larger one
+    Join,   ///< a line joins the rocks that it crosses
+    Cut,    ///< a line cuts the rocks that it crosses
+    Region, ///< a line encloses the region of interest
 };
 
-/// What is of one scan and survives closing it.
+/// The part that belongs to one scan and is stored when the scan is closed.
 struct RockByHand {
     std::vector<RockEdit> edits{};
     std::vector<RegionCorner> region{};
     bool operator==(const RockByHand&) const = default;
 };
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Rocks : public QObject {
     Q_OBJECT
 public:
@@ -51,58 +51,58 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// Nothing is worked out while they are not shown.
+    /// Off: rocks are not computed.
     void setShown(bool on);
     [[nodiscard]] bool shown() const { return on_; }
-    /// What is on the screen; null while rocks are not shown, and before the first ones are known.
+    /// The rocks on the screen; null while rocks are off and before the first result.
     [[nodiscard]] const std::shared_ptr<const RockPicture>& picture() const { return picture_; }
-    /// What is on the screen was not made of the picture, the settings and the edits wanted last.
+    /// True if the shown rocks do not belong to the current picture, settings and edits.
     [[nodiscard]] bool behind() const;
 
     void useSettings(const RockSettings& settings);
     [[nodiscard]] const RockSettings& settings() const { return settings_; }
-    /// The same as one step of undo; a slider that moves on makes one with what it did before.
+    /// The same as one undo step; consecutive changes by a slider are merged into one step.
     void turn(const RockSettings& settings);
     /// Empty while they are not shown.
     [[nodiscard]] std::optional<RockPreset> part() const;
-    /// Settings and edits, as steps of undo, once what lies beside the scan is read.
+    /// Restores settings and edits as undo steps, after the scan's sidecar was read.
     void setPart(const std::optional<RockPreset>& part);
 
-    /// Cells: a rock is known by a cell of it, since its label changes with every setting. The last one is on the card.
+    /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
     void jumpTo(std::uint32_t label);
 
-    /// Edits by hand stay with the scan whatever is turned; each is one step of undo.
+    /// The operator's edits stay with the scan when settings change; each is one undo step.
     [[nodiscard]] const std::vector<RockEdit>& edits() const { return edits_; }
     [[nodiscard]] RockByHand byHand() const { return {edits_, settings_.region}; }
     void setByHand(const RockByHand& byHand);
-    /// The file beside the scan that holds them; empty where there are none, or nowhere to keep them.
+    /// The sidecar file with the edits; empty without edits or if it cannot be stored.
     [[nodiscard]] std::string keptIn() const { return byHand() == RockByHand{} ? std::string() : beside_.path(); }
     void mergeSelected();
-    /// What the next click or drag does; afterwards none.
+    /// Sets the tool for the next click or drag; afterwards no tool is set.
     void useTool(RockTool tool);
     [[nodiscard]] RockTool tool() const { return tool_; }
     void clearRegion();
     void callSelected(bool rock);
-    /// A rock becomes none, anything else a rock.
+    /// Changes a rock to "not a rock", other regions to "rock".
     void turnSelected();
 
-    /// Asks where to; what is written follows from the ending of the file's name.
+    /// Asks for a path; the extension determines the content.
     void askExport();
-    /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls). What is on the screen, while it is not behind().
+    /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls). Exports the rocks on the screen if behind() is false.
     void exportTo(const QString& path);
 
-    /// All over the views anew: they showed another picture for a moment.
+    /// Draws everything in the views again after a flip to another picture.
     void redraw() {
         if (on_) show();
     }
 
 signals:
     void shownChanged(bool on);
-    /// Settings or edits are others.
+    /// Settings or edits changed.
     void changed();
-    /// Views, table and card show picture() now.
+    /// Views, table and card now show picture().
     void rocksShown();
     void toolChanged(edgescan::ui::RockTool tool);
 
@@ -141,22 +141,22 @@ private:
     RocksBeside beside_;
     RockSettings settings_;
     std::vector<RockEdit> edits_;
-    std::optional<RockPreset> restored_; // waits for what is beside the scan
-    std::uint64_t stream_ = 0;           // that the edits and the selection belong to
-    std::uint64_t besideStream_ = 0;     // that beside_ is about
+    std::optional<RockPreset> restored_; // waits until the sidecar was read
+    std::uint64_t stream_ = 0;           // the stream of the edits and the selection
+    std::uint64_t besideStream_ = 0;     // the stream of beside_
     std::shared_ptr<const RockPicture> picture_;
-    std::shared_ptr<const Detection> asked_; // last
+    std::shared_ptr<const Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
-    // Of the tool that splits: the cell that is pointed at, and the piece round it that is outlined.
+    // For the split tool: the cell under the mouse, and the outlined segment around it.
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;
     RockFamily family_;
-    std::size_t piece_ = 0; // of the family
+    std::size_t piece_ = 0; // index in the family
     // Turning on without a pause is one step of undo: the number of the last one, what it turned, and when.
     int turn_ = 0;
     QString turned_;
     QElapsedTimer sinceTurn_;
-    QTimer nextOfSweep_; // a growing sweep is asked about once a second
+    QTimer nextOfSweep_; // a growing sweep is processed once a second
     RockFinder finder_;
 };
 

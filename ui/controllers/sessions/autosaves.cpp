@@ -1,4 +1,4 @@
-// Files of sessions that nobody named.
+// Session files that the viewer saves itself.
 #include "ui/controllers/sessions/autosaves.h"
 
 #include "core/inspect/session_file/session_file.h"
@@ -11,7 +11,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMostLeftBehind = 3; // older ones go away
+constexpr int kMostLeftBehind = 3; // older ones are deleted
 const char* const kRunningStart = "running-";
 
 QString lockOf(const QString& path) { return path + ".lock"; }
@@ -20,13 +20,13 @@ QString lockOf(const QString& path) { return path + ".lock"; }
 
 Autosaves::Autosaves(const QString& folder) : folder_(folder) {
     if (folder.isEmpty() || !QDir().mkpath(folder)) return;
-    // Several windows of one process are told apart by a number.
+    // A number separates several windows of one process.
     for (int n = 0; n < 100 && own_.isEmpty(); ++n) {
         const QString path =
             folder + "/" + kRunningStart + QString::number(QCoreApplication::applicationPid()) + "-" + QString::number(n) + kSessionEnding;
         auto lock = std::make_unique<QLockFile>(lockOf(path));
         lock->setStaleLockTime(0);
-        if (QFile::exists(path) || !lock->tryLock(0)) continue; // of a process before that had the same number
+        if (QFile::exists(path) || !lock->tryLock(0)) continue; // of a former process with the same number
         lock_ = std::move(lock);
         own_ = path;
     }
@@ -40,7 +40,7 @@ bool Autosaves::isRunning(const QString& path) const {
     if (path == own_) return true;
     QLockFile lock(lockOf(path));
     lock.setStaleLockTime(0);
-    if (!lock.tryLock(0)) return true; // a lock whose process is gone is taken
+    if (!lock.tryLock(0)) return true; // a lock of a dead process can be taken
     lock.unlock();
     return false;
 }

@@ -1,4 +1,4 @@
-// The sessions that are saved by themselves: one file per running viewer, and which of them a crash left behind.
+// Automatically saved sessions: one file per running viewer, and the files that a crash left.
 #pragma once
 
 #include <QLockFile>
@@ -12,19 +12,19 @@ namespace edgescan::ui {
 /// GUI thread only.
 class Autosaves {
 public:
-    /// `folder`: empty = nothing is kept.
+    /// `folder`: empty = no autosaves.
     explicit Autosaves(const QString& folder);
     ~Autosaves();
 
-    /// Where this viewer saves; empty: nowhere.
+    /// The path of this viewer's autosave; empty: none.
     [[nodiscard]] const QString& own() const { return own_; }
-    /// Of viewers that ended without saying so, the newest first.
+    /// Autosaves of viewers that did not end normally, the newest first.
     [[nodiscard]] QStringList leftBehind() const;
-    /// Of the viewer that was closed last; empty: there is none.
+    /// The autosave of the viewer that was closed last; empty: none.
     [[nodiscard]] QString last() const;
-    /// It was taken up again: what it holds is held by the own one from now on.
+    /// The session at `path` was continued: from now on the own autosave contains it.
     void takenUp(const QString& path);
-    /// The viewer is being closed: its session is the last one from now on.
+    /// The viewer closes: its session becomes the last one.
     void end();
 
 private:

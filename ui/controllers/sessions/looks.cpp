@@ -21,7 +21,7 @@ namespace {
 
 QString numberText(double number) { return QString::number(number, 'g', 9); }
 
-/// All words as numbers; empty where one is none.
+/// All words as numbers; empty if one is not a number.
 std::optional<std::vector<double>> numbersIn(const QStringList& words) {
     std::vector<double> numbers;
     for (const QString& word : words) {

@@ -10,8 +10,8 @@ namespace edgescan::ui {
 namespace {
 
 const QString kSessionKey = QStringLiteral("EdgeScanSession");
-// Base64: Qt changes blanks of such texts when it reads them.
-constexpr std::size_t kMostCarried = std::size_t{4} << 20U; // readers of PNG refuse texts of more than 8 MB
+// Base64: Qt changes spaces of such texts when it reads them.
+constexpr std::size_t kMostCarried = std::size_t{4} << 20U; // PNG readers refuse texts of more than 8 MB
 constexpr qint64 kLargestPicture = qint64{256} << 20U;
 
 } // namespace

@@ -1,4 +1,4 @@
-// Sessions in files and in pictures of the window.
+// Sessions in files and in screenshots of the window.
 #pragma once
 
 #include "core/inspect/session_file/session_file.h"
@@ -10,13 +10,13 @@
 
 namespace edgescan::ui {
 
-/// Whether the name says so.
+/// True if the name has the extension of sessions.
 [[nodiscard]] bool isSessionName(const QString& path);
-/// The picture with the session of these words in it.
+/// The picture with the session text embedded.
 [[nodiscard]] QImage withSession(QImage picture, const std::string& text);
-/// What a picture carries; empty: nothing. For any thread.
+/// The session text in a picture; empty: none. For any thread.
 [[nodiscard]] std::string sessionIn(const QString& picture);
-/// From a session file or a picture that carries one; empty: the file is neither. For any thread.
+/// Reads a session file or a picture with a session; empty: the file is neither. For any thread.
 [[nodiscard]] std::optional<Result<ReadSession>> sessionOf(const QString& path);
 
 } // namespace edgescan::ui

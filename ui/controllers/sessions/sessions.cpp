@@ -1,4 +1,4 @@
-// Saving and opening sessions.
+// Saves and opens sessions.
 #include "ui/controllers/sessions/sessions.h"
 
 #include "core/base/sha256.h"
@@ -24,7 +24,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kSaveSoonMs = 400; // that much is lost at most when the program is killed
+constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
 QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(kSessionEnding); }
 
@@ -115,7 +115,7 @@ bool Sessions::isShown(const SessionScan& scan) const {
 }
 
 std::optional<Sessions::Job> Sessions::job() {
-    if (wanted_ || reading_) return std::nullopt; // what is on the screen is not it yet
+    if (wanted_ || reading_) return std::nullopt; // the session's scan is not on the screen yet
     auto state = taken();
     if (!state) return std::nullopt;
     state->keptIn = file_.toStdString();
@@ -210,7 +210,7 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
         this,
         [this, paths, options, first, number = ++readings_]() -> std::function<void()> {
             auto read = sessionOf(first);
-            if (read && *read) { // those that are there
+            if (read && *read) { // those that exist
                 std::error_code none;
                 std::erase_if((*read)->places, [&](const std::filesystem::path& place) { return !std::filesystem::exists(place, none); });
             }
@@ -233,7 +233,7 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
 
 void Sessions::restore(ReadSession read, const QString& file) {
     wanted_ = std::move(read);
-    // One that was saved by itself goes on in the file that the person gave it.
+    // An autosaved session continues in the file that the operator had given it.
     const bool byItself = QFileInfo(file).absolutePath() == QFileInfo(autosaves_.own()).absolutePath() && !file.isEmpty();
     wantedFile_ = byItself ? exactText(wanted_->state.keptIn.string()) : file;
     autosaves_.takenUp(file);
@@ -269,7 +269,7 @@ void Sessions::locate(const QString& path) {
     openNextPlace();
 }
 
-/// Another scan is on the screen: the one that a session waits for, or one that has nothing to do with it.
+/// Another scan is on the screen: the one that the session waits for, or an unrelated one.
 void Sessions::followStream() {
     if (!wanted_) {
         if (!file_.isEmpty() && !isSame(filed_, notebookScan(*engine_.picture()->detection->scan))) {
@@ -283,7 +283,7 @@ void Sessions::followStream() {
     }
     const bool isFile = hasPath(wanted_->state.scan.kind);
     if (isFile && (place_ >= wanted_->places.size() || files_.path().toStdString() != wanted_->places[place_].string())) {
-        wanted_.reset(); // somebody opened another scan meanwhile
+        wanted_.reset(); // the operator opened another scan meanwhile
         return;
     }
     if (!isShown(wanted_->state.scan)) {

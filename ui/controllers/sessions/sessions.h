@@ -1,4 +1,4 @@
-// Sessions: saved as they change, opened, and gone on with after a crash.
+// Sessions: saved as they change, opened, and continued after a crash.
 #pragma once
 
 #include "core/inspect/session_file/session_file.h"
@@ -23,34 +23,34 @@ class Live;
 class Memory;
 class NoticeBar;
 
-/// GUI thread only. What it is given must outlive it; files are read and written on threads of their own.
+/// GUI thread only. What it is given must outlive it; files are read and written on separate threads.
 class Sessions : public QObject {
     Q_OBJECT
 public:
     Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo, std::vector<StatePart> parts);
-    /// What was not written yet is written now.
+    /// Writes pending changes.
     ~Sessions() override;
 
-    /// Files that were dropped or named: a session or a picture that carries one is gone on with, anything else is opened as scans.
+    /// Opens dropped or named files: a session or a picture with a session is continued, other files are opened as scans.
     void open(const QStringList& paths, const ReadingOptions& options = {});
     void openSession(const QString& path);
     void ask();
     void askSaveAs();
     void saveAs(const QString& path);
-    /// The session that a crash left behind, else the one that was closed last.
+    /// Continues the session that a crash left, else the last closed one.
     void goOn();
     [[nodiscard]] QString toGoOn() const;
-    /// In the bar above the views, where a crash left one behind.
+    /// Offers this in the bar above the views if a crash left a session.
     void offerToGoOn();
-    /// Another place of the scan that the session waits for.
+    /// Another path of the scan that the session waits for.
     void locate(const QString& path);
 
-    /// What is on the screen as text of a session, for a picture in `folder`; empty: there is nothing to come back to.
+    /// The current state as session text, for a picture in `folder`; empty: no state to restore.
     [[nodiscard]] std::string textFor(const QString& folder) const;
-    /// The file that it was saved as; empty: none.
+    /// The operator's session file; empty: none.
     [[nodiscard]] const QString& path() const { return file_; }
     [[nodiscard]] const Autosaves& autosaves() const { return autosaves_; }
-    /// Nothing is being read, waited for or still to be written.
+    /// No reading, waiting or writing is pending.
     [[nodiscard]] bool settled() const { return !reading_ && !wanted_ && !soon_.isActive() && posted_ == answered_; }
 
 signals:
@@ -59,8 +59,8 @@ signals:
 private:
     struct Job {
         ViewerState state;
-        QString own, file;   ///< where to; either may be empty
-        bool closed = false; ///< the recording of the sweep: it has its hash by now
+        QString own, file;   ///< target paths; either may be empty
+        bool closed = false; ///< the recording of the sweep is closed: its hash is known
         std::uint64_t number = 0;
     };
     struct Written {
@@ -92,19 +92,19 @@ private:
     QUndoStack& undo_;
     std::vector<StatePart> parts_; // in the order in which they are given back
     Autosaves autosaves_;
-    QString file_; // the person's; of the scan below
+    QString file_; // chosen by the operator; of the scan below
     NotebookScan filed_;
     std::optional<ReadSession> wanted_; // waits for its scan
     QString wantedFile_;
     std::size_t place_ = 0;
     bool reading_ = false;
-    std::uint64_t readings_ = 0; // number of the newest
+    std::uint64_t readings_ = 0; // number of the newest reading
     QTimer soon_;
     std::uint64_t posted_ = 0, answered_ = 0;
-    std::optional<std::uint64_t> toTell_; // the job that writes a file somebody named: that it is saved is told then
+    std::optional<std::uint64_t> toTell_; // the job that writes a file named by the operator: its completion is reported
     bool failing_ = false;
-    std::map<QString, std::string> lastTexts_;            // worker's thread: by path
-    std::map<std::filesystem::path, std::string> hashes_; // the same: of recordings
+    std::map<QString, std::string> lastTexts_;            // used by the worker's thread: by path
+    std::map<std::filesystem::path, std::string> hashes_; // the same: hashes of recordings
     Newest<Job, Written> worker_;                         // last
 };
 

@@ -104,7 +104,7 @@ void MarkedEdges::propose() {
     worker_.post({questions_, engine_.picture()->detection->scan, before, marks_});
 }
 
-// One question per method: what it asks says how far the work is.
+// One question per method: the number of answers gives the progress.
 MarkedEdges::Answer MarkedEdges::run(const Question& question) {
     int method = 0;
     const auto goOn = [&] {
@@ -132,7 +132,7 @@ void MarkedEdges::makeCard() {
     });
     connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
         const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
-        putBack(); // so that undo leads back to what was set before the preview
+        putBack(); // undo then leads to the settings before the preview
         undo_.push(new UndoStep<Settings>(stepName("Settings for These Marks"), engine_.settings(), adopted, [this](const Settings& value) {
             engine_.setSettings(value);
             return true;
@@ -140,7 +140,7 @@ void MarkedEdges::makeCard() {
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {
-        if (card_->working()) wanted_ = 0; // given up
+        if (card_->working()) wanted_ = 0; // cancelled
         putBack();
     });
 }
@@ -161,7 +161,7 @@ void MarkedEdges::tell(const Answer& answer) {
 
 void MarkedEdges::putBack() {
     const auto before = std::exchange(before_, std::nullopt);
-    if (before && engine_.settings() == previewed_) engine_.setSettings(*before); // what was turned since is the user's
+    if (before && engine_.settings() == previewed_) engine_.setSettings(*before); // later changes by the operator stay
 }
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// "This is an edge, this is not": marks on cells, and the settings that agree with them.
+// "This is an edge, this is not": marks on cells, and settings that agree with the marks.
 #pragma once
 
 #include "core/edges/tuning/marked_edges.h"
@@ -20,7 +20,7 @@ class ProposalsCard;
 class Engine;
 class Targets;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class MarkedEdges : public QObject {
     Q_OBJECT
 public:
@@ -28,12 +28,12 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// The cell that is pinned or pointed at; the same mark again takes it away.
+    /// Marks the pinned cell or the cell under the mouse; the same mark again removes it.
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
-    /// All of them, as one step of undo.
+    /// Restores all marks as one undo step.
     void setPart(const EdgeMarks& marks);
-    /// Works out on a thread of its own which settings agree, and shows them.
+    /// Finds settings that agree, on a separate thread, and shows them.
     ~MarkedEdges() override { wanted_ = 0; }
     void propose();
     [[nodiscard]] const EdgeMarks& part() const { return marks_; }
@@ -70,12 +70,12 @@ private:
     QUndoStack& undo_;
     NoticeBar& notice_;
     EdgeMarks marks_;
-    std::uint64_t stream_ = 0; // that the marks belong to
+    std::uint64_t stream_ = 0; // the stream of the marks
     std::vector<EdgeProposal> proposals_;
-    std::optional<Settings> before_; // while a proposal is previewed
+    std::optional<Settings> before_; // set while a proposal is previewed
     Settings previewed_;
     std::uint64_t questions_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is waited for; 0: none
+    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is awaited; 0: none
     ProposalsCard* card_ = nullptr;
     bool working_ = false;
     Newest<Question, Answer> worker_; // last

@@ -37,7 +37,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice) : vi
         if (views_.tool() != Tool::Measure) stop();
     });
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
-        picked_.clear(); // cells of the old scan are none of the new one
+        picked_.clear(); // cells of the old scan have no meaning in the new one
         if (kind_) show();
     });
 }

@@ -1,4 +1,4 @@
-// Picking the cells of a measurement, one click after the other.
+// Picks the cells of a measurement, click by click.
 #pragma once
 
 #include "core/inspect/measure/notebook.h"
@@ -14,27 +14,27 @@ class LinkedViews;
 class NoticeBar;
 class Targets;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Measures : public QObject {
     Q_OBJECT
 public:
     Measures(LinkedViews& views, Targets& targets, NoticeBar& notice);
 
-    /// Clicks pick cells for this from now on, until stop().
+    /// From now on clicks pick cells for this measurement, until stop().
     void start(MeasureKind kind);
-    /// With the first cell picked already.
+    /// The same with the first cell already picked.
     void startAt(std::size_t cell);
     void stop();
-    /// Empty while nothing is measured.
+    /// Empty while no measurement is active.
     [[nodiscard]] std::optional<MeasureKind> kind() const { return kind_; }
     [[nodiscard]] const std::vector<std::uint32_t>& picked() const { return picked_; }
-    /// Takes the last click back; false: there was none.
+    /// Removes the last picked cell; false: there was none.
     bool takeBack();
 
 signals:
-    /// Another kind, or none.
+    /// Another kind of measurement, or none, is active.
     void kindChanged();
-    /// What is to be clicked next; empty: nothing.
+    /// A text that names the next cell to click; empty: none.
     void asked(const QString& words);
 
 private:

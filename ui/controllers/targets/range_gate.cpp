@@ -1,4 +1,4 @@
-// Range gate and clip box: cells that are hidden by where they lie.
+// Range gate and clip box: hide cells by their position.
 #include "ui/base/notice_bar.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/targets/selection.h"
@@ -62,7 +62,7 @@ void Selection::clipToSelected() {
     if (!needSelection()) return;
     const Scan& scan = *engine_.picture()->detection->scan;
     const CellSet outside = cellsOutsideBoxOf(scan, state_.selected);
-    // The selection was the corner stones of the box; what it holds is what is looked at now.
+    // The selection defined the corners of the box; now its content is of interest.
     if (outside.empty()) return hideToo(stepName("Clip to Box"), outside);
     change(stepName("Clip to Box"), {{}, united(state_.hidden, outside)});
     tellOfGrowth();

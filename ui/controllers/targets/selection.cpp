@@ -20,7 +20,7 @@
 namespace edgescan::ui {
 namespace {
 
-// Over the images: the selection hatched in the colour that it has in the cloud, what is hidden under a dark veil.
+// Over the images: the selection hatched in the same colour as in the cloud, hidden cells under a dark layer.
 std::shared_ptr<const QImage> selectionPicture(const CellSet& selected, const CellSet& hidden, int beams, int rows) {
     if (selected.empty() && hidden.empty()) return nullptr;
     auto image = std::make_shared<QImage>(beams, rows, QImage::Format_ARGB32_Premultiplied);
@@ -82,7 +82,7 @@ void Selection::followPicture() {
     if (std::exchange(shownOn_, picture.detection->scan) != picture.detection->scan) show();
 }
 
-/// With Shift to what is selected, with Ctrl away from it.
+/// Shift adds to the selection, Ctrl removes from it.
 void Selection::combine(CellSet cells, Qt::KeyboardModifiers modifiers) {
     if (modifiers.testFlag(Qt::ShiftModifier)) cells = united(state_.selected, cells);
     if (modifiers.testFlag(Qt::ControlModifier)) cells = without(state_.selected, cells);
@@ -166,7 +166,7 @@ void Selection::use(const State& state) {
 void Selection::show() {
     if (!engine_.picture()) return;
     const Picture& picture = *engine_.picture();
-    // Where nothing else is left to be seen it needs no colour of its own.
+    // If only the selection is visible, it needs no colour.
     const bool isolated = state_.selected.size() + state_.hidden.size() >= picture.detection->scan->cells();
     const CellSet coloured = isolated ? CellSet() : state_.selected;
     const auto image = selectionPicture(coloured, state_.hidden, picture.gray->width(), picture.gray->height());

@@ -1,4 +1,4 @@
-// One selection of cells for both images, the cloud and exports; and what is hidden of the scan.
+// One selection of cells for both images, the cloud and exports; and the hidden cells of the scan.
 #pragma once
 
 #include "core/inspect/session_file/viewer_state.h"
@@ -21,7 +21,7 @@ class NoticeBar;
 class Rocks;
 class Engine;
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Selection : public QObject {
     Q_OBJECT
 public:
@@ -31,29 +31,29 @@ public:
     void followPicture();
     [[nodiscard]] const CellSet& cells() const { return state_.selected; }
     [[nodiscard]] const CellSet& hidden() const { return state_.hidden; }
-    /// Each of these is one step of undo.
+    /// Each of these functions is one undo step.
     void select(CellSet cells);
     void selectChainAt(std::size_t cell);
     void selectRockAt(std::size_t cell);
     void hideSelected();
-    /// Hides all but the selection.
+    /// Hides everything except the selection.
     void isolateSelected();
     void showAll();
     [[nodiscard]] SelectionPart part() const { return {runsOf(state_.selected), runsOf(state_.hidden)}; }
     void setPart(const SelectionPart& part);
-    /// Also hides what lies nearer or farther, metres.
+    /// Also hides nearer and farther cells, metres.
     void hideBeyond(double nearM, double farM);
-    /// The same with the range of a cell as one of the two.
+    /// The same with the range of a cell as one of the limits.
     void hideFartherThan(std::optional<std::size_t> cell);
     void hideNearerThan(std::optional<std::size_t> cell);
-    /// Asks for both.
+    /// Asks for both limits.
     void askRangeGate();
-    /// Also hides what lies outside the box that holds the selection, along the axes of the scan's frame.
+    /// Also hides cells outside the box around the selection, along the axes of the scan's frame.
     void clipToSelected();
-    /// All views come close to it.
+    /// Zooms all views to the selection.
     void zoomTo();
 
-    /// "1,234 cells selected, 1,200 points, 56 of them edges"; empty where nothing is.
+    /// "1,234 cells selected, 1,200 points, 56 of them edges"; empty without a selection.
     [[nodiscard]] QString words() const;
 
 signals:
@@ -92,7 +92,7 @@ private:
     NoticeBar& notice_;
     QUndoStack& undo_;
     std::uint64_t stream_ = 0;
-    std::shared_ptr<const Scan> shownOn_; // the views let go of it with every new scan
+    std::shared_ptr<const Scan> shownOn_; // the views drop the selection with every new scan
     State state_;
     Newest<Question, Answer> worker_; // last
 };

@@ -20,7 +20,7 @@ TargetStore::TargetStore(const QString& folder)
                            [this](const QString& what) { emit failed(tr("The targets could not be kept (%1).").arg(what)); }) {}
 
 TargetStore::~TargetStore() {
-    if (!waiting_.empty()) (void)write(waiting_); // again, where the worker had begun: the bytes are the same
+    if (!waiting_.empty()) (void)write(waiting_); // written again if the worker had begun: the bytes are the same
 }
 
 QString TargetStore::pathOf(const NotebookScan& scan) const {

@@ -1,4 +1,4 @@
-// Where the targets of scans are kept: a file per scan in a folder beside what the viewer remembers, written off the GUI thread, whole or
+// Stores the targets of scans: one file per scan in a folder next to the settings file. Files are written off the GUI thread, completely or
 // not at all.
 #pragma once
 
@@ -18,15 +18,14 @@ namespace edgescan::ui {
 class TargetStore : public QObject {
     Q_OBJECT
 public:
-    /// `folder`: empty = nothing is kept.
+    /// `folder`: empty = targets are not stored.
     explicit TargetStore(const QString& folder);
-    /// What was not written yet is written now.
+    /// Writes pending changes.
     ~TargetStore() override;
 
-    /// Where the targets of this scan are; empty where they are not kept.
+    /// Path of the targets of this scan; empty if they are not stored.
     [[nodiscard]] QString pathOf(const NotebookScan& scan) const;
-    /// An empty one where none is kept. Error: what is kept is damaged or of another scan; it is left as it is, and nothing is written over
-    /// it.
+    /// An empty notebook if no file exists. Error: the file is damaged or belongs to another scan; it is not changed or overwritten.
     Result<Notebook> load(const NotebookScan& scan);
     void save(const Notebook& notebook, const NotebookScan& scan);
 
@@ -45,7 +44,7 @@ private:
     QString folder_;
     std::set<std::string> refused_; // paths
     Texts waiting_;                 // not written yet
-    Newest<Texts, Written> worker_; // last: its thread is joined before the rest goes
+    Newest<Texts, Written> worker_; // last member: its thread is joined before the members above are destroyed
 };
 
 } // namespace edgescan::ui

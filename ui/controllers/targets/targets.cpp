@@ -1,4 +1,4 @@
-// Pinning, and what is shown of it.
+// Sets targets, and shows them.
 #include "ui/controllers/targets/targets.h"
 
 #include "core/base/utc_time.h"
@@ -73,7 +73,7 @@ PinnedTarget* Targets::numbered(Notebook& notebook, int number) const {
     return target == notebook.targets.end() ? nullptr : &*target;
 }
 
-// Of a file: that file and the sweep in it, however it was read. Of a scanner: the sweep.
+// For a file: the file and its sweep, for all reading options. For a scanner: the sweep.
 QString Targets::keyOf(const Picture& picture) const {
     const std::string name = notebookFileName(notebookScan(*picture.detection->scan));
     if (!name.empty()) return exactText(name);
@@ -131,7 +131,8 @@ void Targets::pin(std::size_t cell) {
     emit pinned();
 }
 
-/// Who looks through the rocks leaves no pin on each: the last one that a click set on a rock goes along, until it is locked or named.
+/// Clicking through the rocks does not leave a target on each: the last target that a click set on a rock moves with the clicks, until it
+/// is locked or named.
 bool Targets::moveRockPin(std::size_t cell) {
     Notebook after = notebook_;
     PinnedTarget* target = numbered(after, rockPin_);
@@ -257,7 +258,7 @@ KnownTargets Targets::workOut(const Question& question) {
 void Targets::take(KnownTargets known) {
     if (!engine_.picture() || known.picture->detection->scan->beams() != engine_.picture()->detection->scan->beams()) return;
     known_ = std::move(known);
-    // What the card says first is what was pinned.
+    // The first content of the card is stored with the target.
     bool more = false;
     for (PinnedTarget& target : notebook_.targets) {
         const CellTarget* now = knownOf(target.cell);
@@ -277,7 +278,7 @@ void Targets::setConfidence(const KnownConfidence& confidence) {
     showCard();
 }
 
-/// It comes later than the rest of a card: what was kept of the card gets it, if it is of the same picture.
+/// Confidence is known later than the rest of a card: it is added to the stored card if it belongs to the same picture.
 void Targets::keepConfidence() {
     bool more = false;
     for (PinnedTarget& target : notebook_.targets) {

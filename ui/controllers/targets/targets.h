@@ -1,4 +1,4 @@
-// Cells that are pinned on a scan and what is measured between them: the card, the marks in all views, the file that keeps them.
+// Targets on a scan and measurements between cells: the card, the marks in all views, the file.
 #pragma once
 
 #include "core/edges/tuning/confidence.h"
@@ -27,23 +27,23 @@ class Rocks;
 class Engine;
 class TargetsPanel;
 
-/// What is known of all that is in a notebook, on one picture.
+/// The values for everything in a notebook, on one picture.
 struct KnownTargets {
     std::shared_ptr<const Picture> picture;
     std::map<std::uint32_t, CellTarget> targets; ///< by cell
     std::vector<std::pair<KeptMeasure, std::optional<MeasuredCells>>> measures;
 };
 
-/// How sure the edges of a picture are.
+/// The confidence of a picture's edges.
 struct KnownConfidence {
     std::shared_ptr<const Picture> of;
-    std::shared_ptr<const EdgeConfidence> made; ///< null: not known
+    std::shared_ptr<const EdgeConfidence> made; ///< null: unknown
     ToldConfidence::State otherwise = ToldConfidence::State::NotAsked;
 
     bool operator==(const KnownConfidence&) const = default;
 };
 
-/// GUI thread only. What it is given must outlive it.
+/// GUI thread only. The objects passed to it must outlive it.
 class Targets : public QObject {
     Q_OBJECT
 public:
@@ -52,22 +52,22 @@ public:
     /// A new picture is on the screen.
     void followPicture();
     [[nodiscard]] const Notebook& notebook() const { return notebook_; }
-    /// The file that the notebook is kept in; empty: none.
+    /// The file of the notebook; empty: none.
     [[nodiscard]] QString keptIn() const;
     /// The target whose card is shown; null: none.
     [[nodiscard]] const PinnedTarget* active() const;
-    /// What the cards say is of the picture on the screen and of all in the notebook.
+    /// True if the cards belong to the picture on the screen and to all entries of the notebook.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] const KnownTargets& known() const { return known_; }
-    /// What its card says besides what was measured.
+    /// The data of a card that was not measured at the cell.
     [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
-    /// So many places on in the notebook, round and round; the card is that one's.
+    /// Goes this many entries forward in the notebook, cyclically, and shows the card.
     void goTo(int by);
 
     void pin(std::size_t cell);
-    /// But of one that is locked.
+    /// Not possible for a locked target.
     void letGo(int number);
-    /// But of those that are locked.
+    /// Locked targets stay.
     void letGoOfAll();
     void rename(int number, const QString& name);
     void lock(int number, bool on);
@@ -76,24 +76,24 @@ public:
     [[nodiscard]] TargetsPart part() const;
     /// As one step of undo.
     void setPart(const TargetsPart& part);
-    /// What is being picked for a measurement; no cells: nothing is.
+    /// Shows the cells picked so far for a measurement; an empty mark removes them.
     void showDraft(const MeasureMark& draft);
-    /// Where the picture comes from, in words, for the cards.
+    /// The source of the picture in words, for the cards.
     void setSource(const QString& source);
-    /// For the cards, and as it first is for what is kept of them.
+    /// For the cards; the first value is stored with each card.
     void setConfidence(const KnownConfidence& confidence);
-    /// The card as text, to the clipboard.
+    /// Copies the card as text to the clipboard.
     void copyCard();
 
     /// Lines between the cells of a measurement.
     [[nodiscard]] static std::vector<std::pair<std::size_t, std::size_t>> linksOf(MeasureKind kind);
-    /// Marks of others, drawn like targets until others are given.
+    /// Shows marks of another controller like targets; replaces earlier ones.
     void showBeside(std::vector<TargetMark> marks);
 
 signals:
-    /// There is something to look at in the panel.
+    /// The panel has new content to look at.
     void pinned();
-    /// The card is of another target, or says something else.
+    /// The card shows another target or other values.
     void cardChanged();
     void whyWanted(std::size_t cell);
     void measureWanted(std::size_t cell);
@@ -129,19 +129,20 @@ private:
     NoticeBar& notice_;
     QUndoStack& undo_;
     TargetStore store_;
-    QString key_; // of the scan that the notebook belongs to
+    QString key_; // of the scan of the notebook
     Notebook notebook_;
-    int rockPin_ = 0;                    // number of the target that clicks on rocks move; 0: none
-    std::map<QString, Notebook> others_; // of scans that were on the screen before
+    int rockPin_ = 0;                    // number of the target that follows clicks on rocks; 0: none
+    std::map<QString, Notebook> others_; // of scans that were on the screen earlier
     std::vector<TargetMark> beside_;
     MeasureMark draft_;
     QString source_;
     KnownTargets known_;
     KnownConfidence confidence_;
-    std::map<std::pair<int, std::uint32_t>, std::weak_ptr<const Picture>> pinnedOn_; // number and cell: what is kept of its card is of it
-    bool using_ = false; // a step is being taken: what the views tell of it is known
+    // number and cell: the stored card belongs to this picture
+    std::map<std::pair<int, std::uint32_t>, std::weak_ptr<const Picture>> pinnedOn_;
+    bool using_ = false; // an undo step is running: signals of the views are ignored
 
-    // Worker's thread only.
+    // Used only by the worker's thread.
     std::shared_ptr<const Scan> noiseScan_;
     RangeNoise noise_;
     Newest<Question, KnownTargets> worker_; // last

@@ -1,4 +1,4 @@
-// What panel and views show of the targets.
+// Shows the targets in panel and views.
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"

@@ -1,4 +1,4 @@
-// Keys that point and click.
+// A cursor that keys move and click.
 #include "ui/engine/linked_views/cell_cursor.h"
 
 #include "ui/engine/linked_views/linked_views.h"
@@ -35,7 +35,7 @@ CellCursor::CellCursor(LinkedViews& views, QObject* parent) : QObject(parent), v
     setObjectName("cell-cursor");
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         view->installEventFilter(this);
-        // The mouse takes over where it points.
+        // The mouse sets the cursor's position.
         connect(view, &ImageView::hovered, this, [this](int line, int beam) { at_ = QPoint(beam, line); });
     }
     connect(&views_, &LinkedViews::newScanShown, this, [this] { at_.reset(); });
@@ -62,7 +62,7 @@ void CellCursor::moveBy(ImageView& view, QPoint step) {
     const QPointF middle = QPointF(to) + QPointF(0.5, 0.5);
     if (!QRectF(view.rect()).contains(view.viewPort()->toPixel(middle, view.size()))) view.viewPort()->centreOn(middle);
     emit view.hovered(to.y(), to.x());
-    view.setMarkedCell(to); // in the other views the ring is that of what is pinned, where something is
+    view.setMarkedCell(to); // in the other views the ring marks the pinned cell, if there is one
 }
 
 } // namespace edgescan::ui

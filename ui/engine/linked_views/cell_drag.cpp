@@ -1,4 +1,4 @@
-// Drags, wheel and Esc of a tool, taken before the views see them.
+// Handles drags, the wheel and Esc for a tool before the views get them.
 #include "ui/engine/linked_views/cell_drag.h"
 
 #include "ui/base/gestures.h"
@@ -67,7 +67,7 @@ bool CellDrag::takeMouse(ImageView& view, QEvent& event) {
 bool CellDrag::takeWheel(QEvent& event) {
     if (event.type() != QEvent::Wheel) return false;
     turned_ += notches(static_cast<QWheelEvent&>(event));
-    const double whole = std::trunc(turned_); // wheels without notches turn by little at a time
+    const double whole = std::trunc(turned_); // wheels without notches send small fractions
     turned_ -= whole;
     if (whole != 0) emit stepped(static_cast<int>(whole));
     event.accept();

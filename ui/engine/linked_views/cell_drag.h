@@ -1,4 +1,4 @@
-// While a tool wants them: a left drag over an image as a row of cells, the wheel over any view as steps, and Esc.
+// The mouse for tools that request it: a left drag over an image as a row of cells, the wheel over any view as steps, and Esc.
 #pragma once
 
 #include <QObject>
@@ -23,10 +23,10 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// So far; the button is still down.
+    /// The cells so far; the button is still down.
     void drawn(const std::vector<QPoint>& cells);
     void finished(const std::vector<QPoint>& cells);
-    /// Away from the hand positive.
+    /// Positive away from the operator.
     void stepped(int by);
     void givenUp();
 
@@ -38,7 +38,7 @@ private:
     Wanted wanted_ = Wanted::Nothing;
     bool down_ = false;
     std::vector<QPoint> cells_;
-    double turned_ = 0.0; // of a notch
+    double turned_ = 0.0; // fraction of a notch
 };
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// What images and cloud show of a picture, and what pointing at a cell in one of them does in the others.
+// Shows a picture in images and cloud, and links pointing at a cell in one view with the other views.
 #include "ui/engine/linked_views/linked_views.h"
 
 #include "ui/base/cell_marks.h"
@@ -51,7 +51,7 @@ void LinkedViews::linkCloud() {
     });
 }
 
-// The same in every view: what can be done with a cell does not depend on where it is seen.
+// The same menu in every view: the actions for a cell do not depend on the view.
 void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t> cell) {
     QMenu menu;
     menu.setObjectName("cell-menu");
@@ -70,7 +70,7 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     menu.exec(position);
 }
 
-/// Several rocks are selected with Ctrl: no cell is pinned by that.
+/// Ctrl selects several rocks and pins no cell.
 void LinkedViews::click(std::size_t cell) {
     const Qt::KeyboardModifiers modifiers = QGuiApplication::keyboardModifiers();
     if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pinByClick(cell);
@@ -94,7 +94,7 @@ void LinkedViews::setMarks(const CellMarks& marks) {
     cloud_.setMarks(marks);
 }
 
-/// All three views come close to what the box holds; it stays drawn until Esc.
+/// All three views zoom to the content of the box; the box stays drawn until Esc.
 void LinkedViews::lookAtBox(const QRect& cells) {
     if (!shown_) return;
     const Scan& scan = *shown_->detection->scan;
@@ -168,7 +168,7 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
     if (!flipped_) own_ = shown_;
     flipped_ = std::move(other);
     shown_ = flipped_ ? flipped_ : std::exchange(own_, nullptr);
-    // The cloud lets go of all that lay over the one before; what stands for cells holds for both.
+    // The cloud drops all overlays of the previous cloud; overlays of cells are valid for both clouds.
     const auto selection = cloud_.selection();
     const auto hidden = cloud_.hidden();
     if (cloud_.scan() != shown_->detection->scan) {
@@ -192,7 +192,7 @@ void LinkedViews::showEdgeMap() {
 }
 
 void LinkedViews::showNewScan() {
-    // Cells of the old scan are none of the new one.
+    // Cells of the old scan have no meaning in the new one.
     hovered_.reset();
     pin(std::nullopt);
     if (!windowKept_) setRangeWindow(std::nullopt);
@@ -211,7 +211,8 @@ void LinkedViews::showNewScan() {
     emit newScanShown();
 }
 
-/// More lines of the same: everything stays where it is. A camera that nobody moved follows a cloud that has doubled.
+/// More lines of the same scan: the views stay where they are. A camera that the operator did not move is fitted again when the cloud has
+/// doubled.
 void LinkedViews::showMoreLines(const Picture& last) {
     const Scan& scan = *shown_->detection->scan;
     const auto gone = [&](const std::optional<std::size_t>& cell) {
@@ -250,7 +251,7 @@ void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
 }
 
 void LinkedViews::pin(std::optional<std::size_t> cell) {
-    if (cell && (!shown_ || *cell >= shown_->detection->scan->cells())) return; // of a scan that is gone
+    if (cell && (!shown_ || *cell >= shown_->detection->scan->cells())) return; // a cell of a closed scan
     const bool another = std::exchange(pinned_, cell) != cell;
     for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
     hover(hovered_, nullptr);
@@ -332,7 +333,8 @@ void LinkedViews::zoomBy(double factor) {
     port.zoomAt(cell ? QPointF(placeOf(*cell)) + QPointF(0.5, 0.5) : port.centre(), factor);
 }
 
-/// As in medical viewers: to the right the window opens, downwards the picture gets darker. A pixel is a gray level of the method's scale.
+/// As in medical viewers: a drag to the right widens the window, a drag downwards darkens the picture. One pixel is one gray level of the
+/// method's scale.
 void LinkedViews::changeRangeWindow(int window, int level) {
     if (!shown_) return;
     const GrayScale& scale = shown_->detection->gray->scale;

@@ -1,4 +1,4 @@
-// Keeps the two images and the cloud in step: the same picture, the same cell under the mouse, the same place while a scan grows.
+// Links the two images and the cloud: the same picture, the same cell under the mouse, the same place while a scan grows.
 #pragma once
 
 #include "core/edges/explain/probe.h"
@@ -21,20 +21,20 @@ class ImageView;
 struct EdgeTrail;
 struct CellMarks;
 
-/// What a click or a drag over a view means.
+/// The meaning of a click or a drag over a view.
 enum class Tool { Pin, Measure, Box, Lasso };
 
-/// Drawn in place of the edges of the picture, on its grid.
+/// Drawn instead of the picture's edges, on the picture's grid.
 struct EdgesInstead {
     EdgeCells cells; ///< by class, in these colours
     EdgeColours colours;
-    std::shared_ptr<const QImage> map, overlay;               ///< of the edge map; over the range image
-    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< colours of the points of the cloud; null: as they are
-    bool overlayAsAsked = false;                              ///< over the range image only where edges are shown there
-    QString words{};                                          ///< what their colours tell, beside the title of the edge map
+    std::shared_ptr<const QImage> map, overlay;               ///< of the edge map, and over the range image
+    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< colours of the points of the cloud; null: unchanged
+    bool overlayAsAsked = false;                              ///< over the range image only if edges are shown there
+    QString words{};                                          ///< the meaning of the colours, appended to the title of the edge map
 };
 
-/// GUI thread only. Session and views must outlive it.
+/// GUI thread only. Engine and views must outlive it.
 class LinkedViews : public QObject {
     Q_OBJECT
 public:
@@ -42,26 +42,26 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// What all views show; null before the first picture.
+    /// The picture in all views; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return shown_; }
     [[nodiscard]] ImageView& gray() { return *images_[0]; }
     [[nodiscard]] ImageView& edges() { return *images_[1]; }
     [[nodiscard]] CloudView& cloud() { return cloud_; }
 
-    /// The cell that was clicked, until it is let go; else the one that the mouse points at.
+    /// The clicked cell until it is cleared; else the cell under the mouse.
     [[nodiscard]] std::optional<std::size_t> marked() const { return pinned_ ? pinned_ : hovered_; }
     [[nodiscard]] std::optional<std::size_t> pinned() const { return pinned_; }
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
-    /// The cell of the crosshair.
+    /// Sets the cell of the crosshair.
     void pin(std::optional<std::size_t> cell);
-    /// As a click does: where one pin follows the clicks, that one goes there.
+    /// Pins like a click. If one target follows the clicks, it moves there.
     void pinByClick(std::size_t cell);
     [[nodiscard]] bool pinnedByClick() const { return byClick_; }
-    /// Of the cell and of the box.
+    /// Clears the pinned cell and the box.
     void letGo();
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
-    /// Targets and measurements, in all views.
+    /// Sets targets and measurements in all views.
     void setMarks(const CellMarks& marks);
     void flyToHovered();
     void setTrail(const EdgeTrail& trail);
@@ -73,50 +73,50 @@ public:
     void setOverlay(bool on);
     void setEdgesByClass(bool on);
     [[nodiscard]] bool edgesByClass() const { return byClass_; }
-    /// Until null is set, or the picture has another size.
+    /// Valid until null is set, or the picture has another size.
     void setEdgesInstead(std::shared_ptr<const EdgesInstead> instead);
     [[nodiscard]] const std::shared_ptr<const EdgesInstead>& edgesInstead() const { return instead_; }
-    /// Shows another picture of the same number of lines and beams in all views, which stay where they are; null, or a new picture of the
-    /// session, ends it.
+    /// Shows another picture with the same number of lines and beams in all views, which keep their place. Null, or a new picture of the
+    /// engine, ends it.
     void flipTo(std::shared_ptr<const Picture> other);
     [[nodiscard]] bool flipped() const { return flipped_ != nullptr; }
     void setEdgeColours(const EdgeColours& colours);
     [[nodiscard]] const EdgeColours& edgeColours() const { return colours_; }
-    /// Pixels as wide and high as the angles between beams and lines are; else square.
+    /// Width and height of a pixel follow the angles between beams and lines; off: square pixels.
     void setTrueAngles(bool on);
     void resetView();
-    /// The cloud where it has the focus, about what it looks at; else the images, about the cell that is marked.
+    /// Zooms the cloud about its focus point if it has the keyboard focus; else the images about the marked cell.
     void zoomBy(double factor);
-    /// Which ranges the range image shows from black to white; empty: as the method scales them. Until another scan is opened, unless it is
-    /// kept.
+    /// The ranges drawn from black to white in the range image; empty: scaled by the method. Valid until another scan is opened, unless it
+    /// is locked.
     void setRangeWindow(const std::optional<RangeSpan>& window);
     [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const { return window_; }
     void keepRangeWindow(bool on) { windowKept_ = on; }
-    /// Those that are shown now, also where nobody chose them.
+    /// The ranges shown at present, whether chosen by the operator or automatic.
     [[nodiscard]] RangeSpan rangesShown() const;
 
 signals:
     void probed(const std::optional<edgescan::Probe>& probe);
     void toolChanged();
     void edgeColoursChanged();
-    /// Another cell is pinned, or none.
+    /// Another cell is pinned, or the pin was cleared.
     void pinChanged(std::optional<std::size_t> cell);
-    /// Somebody let go of the cell that was pinned; pinChanged() came before.
+    /// The operator cleared the pinned cell; pinChanged() was emitted before.
     void letGoOf(std::size_t cell);
-    /// A click on a cell with another tool than Pin.
+    /// A click on a cell with a tool other than Pin.
     void picked(std::size_t cell, Qt::KeyboardModifiers modifiers);
-    /// A drag that selects, over an image: corners in cells (x = beam, y = line) ...
+    /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...
     void imageOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// ... and over the cloud: corners in pixels of its view.
     void cloudOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
-    /// Another file, scanner or recording is shown: no cell of before means anything.
+    /// Another file, scanner or recording is shown: cells of the previous scan are invalid.
     void newScanShown();
     void rangeWindowChanged();
-    /// An image shows something else: other ranges or edges, or these in other colours.
+    /// An image has new content: other ranges or edges, or other colours.
     void picturesChanged();
-    /// The menu of a cell is about to be shown, in whichever view: room for what belongs to others.
+    /// The menu of a cell is about to open in one of the views: receivers may add actions.
     void cellMenuOpens(QMenu& menu, std::size_t cell);
-    /// What lies inside the box that was dragged over an image, in words.
+    /// Text about the content of the box that was dragged over an image.
     void boxed(const QString& words);
 
 private:
@@ -144,7 +144,7 @@ private:
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
-    CameraPose fittedCamera_; // as long as the camera is there nobody moved it, and a growing cloud may be fitted again
+    CameraPose fittedCamera_; // while the camera equals it, the operator has not moved the camera, and a growing cloud may be fitted again
     int fittedLines_ = 0;
     std::optional<RangeSpan> window_;
     bool windowKept_ = false;
@@ -152,9 +152,9 @@ private:
     bool byClass_ = false;
     EdgeColours colours_ = kUsualColours;
     std::shared_ptr<const EdgesInstead> instead_;
-    std::shared_ptr<const Picture> flipped_, own_; // what is shown for a while, and what comes back after it
+    std::shared_ptr<const Picture> flipped_, own_; // the picture shown during a flip, and the picture that returns after it
     bool trueAngles_ = false;
-    bool byClick_ = false; // the pin that is being told of
+    bool byClick_ = false; // the current pin comes from a click
 };
 
 } // namespace edgescan::ui

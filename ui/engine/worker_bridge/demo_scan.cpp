@@ -15,7 +15,7 @@ namespace edgescan::ui {
 namespace {
 
 QString cachedPath(bool afterBlast) {
-    // The version is in the name: a newer program draws its own bell.
+    // The name contains the version: a newer program simulates its own bell.
     return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/demo-hangup-" +
            (afterBlast ? "after-" : "") + version() + ".json";
 }
@@ -38,7 +38,7 @@ Result<Scan> demoScan(const std::function<bool(const char* stage, double fractio
     settings.afterBlast = afterBlast;
     Result<Simulation> simulation = simulate(settings, [&](double fraction) { return progress("casting beams", fraction); });
     if (!simulation) return simulation.error();
-    // Without a cache the demo works all the same, only not as fast the next time.
+    // Without a cache the demo works too; it only takes longer the next time.
     QDir().mkpath(QFileInfo(cachedPath(afterBlast)).path());
     if (const auto saved = saveScan(simulation->scan, path); saved) {
         if (Result<Scan> reread = openScan(path); reread) simulation->scan = std::move(*reread);

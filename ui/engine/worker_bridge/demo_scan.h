@@ -8,8 +8,8 @@
 
 namespace edgescan::ui {
 
-/// 1141 x 1000 sweep of the scene `hangup`, or of the same bell after a blast. Any thread. False from `progress` cancels: Error
-/// "cancelled".
+/// A sweep of 1141 x 1000 cells of the scene `hangup`, or of the same bell after a blast. Any thread. `progress` returning false cancels:
+/// Error "cancelled".
 [[nodiscard]] Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress, bool afterBlast = false);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// How many edges every threshold would give.
+// Counts the edges at every threshold.
 #include "ui/engine/worker_bridge/edge_counter.h"
 
 #include "core/edges/pipeline/methods.h"
@@ -8,7 +8,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kQuietMs = 250; // the worker has the cores to itself while a hand is on a slider
+constexpr int kQuietMs = 250; // while the operator drags a slider, the worker has the cores to itself
 
 } // namespace
 
@@ -20,7 +20,7 @@ EdgeCounter::EdgeCounter(QObject* parent)
                                return Counted{detection, edgeCountCurve(thresholdMapOf(*detection), thresholds)};
                            },
                            [this](const Counted& counted) {
-                               if (counted.detection != asked_) return; // the newest follows
+                               if (counted.detection != asked_) return; // the newest answer follows
                                emit this->counted(QString::fromUtf8(sweptParameter(asked_->settings.method).key), counted.curve);
                            },
                            [](const QString&) {}) {

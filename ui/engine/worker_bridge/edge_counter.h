@@ -1,4 +1,4 @@
-// Works out, while nobody turns anything, how many edges every threshold would give.
+// Counts the edges at every threshold while the operator changes nothing.
 #pragma once
 
 #include "core/edges/gray/threshold_map.h"
@@ -12,18 +12,18 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only; the counting runs on a thread of its own, newest detection wins.
+/// GUI thread only; the count runs on its own thread, and only the newest detection is counted.
 class EdgeCounter : public QObject {
     Q_OBJECT
 public:
     explicit EdgeCounter(QObject* parent = nullptr);
 
-    /// A new detection is on the screen. Nothing is counted while further detections follow quickly, and nothing again where only the
-    /// threshold that is swept changed.
+    /// A new detection is on the screen. It is counted when no other detection follows shortly. It is not counted again if only the swept
+    /// threshold changed.
     void want(const std::shared_ptr<const Detection>& detection);
 
 signals:
-    /// What was counted no longer belongs to the detection.
+    /// The last count does not belong to the current detection.
     void outdated();
     /// `parameter`: key of the threshold.
     void counted(const QString& parameter, const edgescan::EdgeCountCurve& curve);
@@ -34,7 +34,7 @@ private:
         EdgeCountCurve curve;
     };
 
-    std::shared_ptr<const Detection> asked_; // counted, being counted, or waiting for quiet
+    std::shared_ptr<const Detection> asked_; // counted, being counted, or waiting for a pause
     QTimer quiet_;
     Newest<std::shared_ptr<const Detection>, Counted> worker_;
 };

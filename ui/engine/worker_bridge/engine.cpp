@@ -36,7 +36,7 @@ Engine::Engine(QObject* parent)
       worker_(
           this, [this](const Asked& asked) { return run(asked); },
           [this](std::shared_ptr<const Picture> newest) { takePicture(std::move(newest)); },
-          // The picture before stays on the screen; OpenCV reports a lack of memory in its own words.
+          // The previous picture stays on the screen; OpenCV reports a lack of memory in its own words.
           [this](const QString& what) {
               emit failed(tr("the edges could not be computed (%1); close other programs or open a smaller scan.").arg(what));
           }),
@@ -170,7 +170,7 @@ Engine::Opened Engine::read(const Opening& opening) {
 }
 
 void Engine::takeOpened(const Opened& opened) {
-    if (opened.number != openings_) return; // the newest follows
+    if (opened.number != openings_) return; // the newest one follows
     opening_ = false;
     if (opened.number == wantedOpening_) {
         if (opened.scan) {
@@ -203,7 +203,7 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
     try {
         const auto detection = pipeline_.run(asked.scan, source.growth.growing ? window_.fix(*asked.scan, asked.settings) : asked.settings);
         return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_);
-    } catch (...) { // what is half done is begun anew
+    } catch (...) { // an interrupted computation starts again from the beginning
         pipeline_ = Pipeline();
         throw;
     }
@@ -213,7 +213,7 @@ void Engine::takePicture(std::shared_ptr<const Picture> newest) {
     std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(newest));
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
-    // Now that nothing shows it any more the worker's thread lets go of it: giving back so much memory, line after line, takes its time.
+    // The picture is no longer shown. The worker's thread frees it, because freeing so much memory after every line takes time.
     if (!last || !last->source.growth.growing) return;
     const std::lock_guard lock(retiredMutex_);
     retired_.push_back(std::move(last));

@@ -22,38 +22,38 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only. What is on the screen stays until the next scan has its first picture.
+/// GUI thread only. The screen does not change until the next scan has its first picture.
 class Engine : public QObject {
     Q_OBJECT
 public:
     explicit Engine(QObject* parent = nullptr);
     ~Engine() override;
 
-    /// Reads the file on a thread of its own; a file that is still being read is given up (newest wins).
+    /// Reads the file on its own thread; cancels an opening that is still running (only the newest is kept).
     void open(const QString& path, const ReadingOptions& options = {});
-    /// The demo draw-bell: simulated once, then kept in the cache folder.
+    /// Opens the demo draw-bell: simulated once, then stored in the cache folder.
     void openDemo(bool afterBlast = false);
-    /// Gives up the opening that is under way. A saving goes on: it is short, and its result must be told.
+    /// Cancels a running opening. A running save continues: it is short, and its result must be reported.
     void cancel();
     [[nodiscard]] bool opening() const { return opening_; }
     [[nodiscard]] bool saving() const { return savings_ > 0; }
     [[nodiscard]] bool working() const { return opening_ || savings_ > 0; }
 
-    /// Shows a scan that grows, from a scanner or a recording that is played: newest wins. A new stream sets the views up anew;
-    /// further scans of it keep them. Gives up an opening that is under way.
+    /// Shows a growing scan of a scanner or a played recording; only the newest state is processed. A new stream resets the views; further
+    /// scans of the same stream keep them. Cancels a running opening.
     void follow(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
-    /// For follow(): never the same twice.
+    /// A stream number for follow(); never the same twice.
     [[nodiscard]] static std::uint64_t newStream();
 
     void setSettings(const Settings& settings);
     [[nodiscard]] const Settings& settings() const { return asked_.settings; }
-    /// The picture shown was not computed with settings(), or not of the scan posted last.
+    /// True if the shown picture was not computed with settings(), or not from the scan that was posted last.
     [[nodiscard]] bool behind() const;
 
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
 
-    /// Of the picture shown, in the scan's usual frame unless `options` say otherwise.
+    /// Saves the shown picture's data, in the scan's usual frame unless `options` says otherwise.
     void save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
 
 signals:
@@ -81,14 +81,14 @@ private:
         std::uint64_t number = 0;
         QString path;
         Result<std::shared_ptr<const Scan>> scan;
-        std::shared_ptr<const InputClaims> inputs; // files that nothing may be saved over while the scan is shown
+        std::shared_ptr<const InputClaims> inputs; // files that must not be overwritten while the scan is shown
     };
     void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
     [[nodiscard]] Opened read(const Opening& opening); // opener's thread
     void takeOpened(const Opened& opened);
     void endWork();
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
-    /// What a picture is made of.
+    /// The inputs of a picture.
     struct Asked {
         std::shared_ptr<const Scan> scan;
         Settings settings;
@@ -99,23 +99,23 @@ private:
 
     Asked asked_; // no scan: nothing was posted yet
     std::shared_ptr<const Picture> picture_;
-    bool opening_ = false; // until the last one ended, given up or not
+    bool opening_ = false; // until the last opening ended, cancelled or not
     int savings_ = 0;
-    std::shared_ptr<const InputClaims> inputs_;   // of the scan that was opened last
-    std::uint64_t openings_ = 0;                  // number of the newest
-    std::atomic<std::uint64_t> wantedOpening_{0}; // whose result is waited for; 0: none
+    std::shared_ptr<const InputClaims> inputs_;   // of the last opened scan
+    std::uint64_t openings_ = 0;                  // number of the newest opening
+    std::atomic<std::uint64_t> wantedOpening_{0}; // number of the opening whose result is awaited; 0: none
     std::mutex retiredMutex_;
-    std::vector<std::shared_ptr<const Picture>> retired_; // to be let go of by the worker's thread
+    std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the worker's thread
 
     // Worker's thread only.
     Pipeline pipeline_;
     SteadyWindow window_;
     std::shared_ptr<const CloudGeometry> cloud_;
-    std::shared_ptr<const Scan> cloudScan_; // that cloud_ was made of
+    std::shared_ptr<const Scan> cloudScan_; // the scan of cloud_
     PictureSource lastSource_;              // of the last run
     std::shared_ptr<const Picture> lastMade_;
 
-    Newest<Asked, std::shared_ptr<const Picture>> worker_; // last, with the opener: their threads use all of the above
+    Newest<Asked, std::shared_ptr<const Picture>> worker_; // last members: their threads use all members above
     Newest<Opening, Opened> opener_;
 };
 

@@ -1,4 +1,4 @@
-// Work on a thread of its own.
+// Runs work on its own thread.
 #include "ui/engine/worker_bridge/in_background.h"
 
 #include <QMetaObject>
@@ -10,7 +10,7 @@
 namespace edgescan::ui {
 namespace {
 
-/// Child of who asked: what is under way ends before its parent goes.
+/// A child of the caller's parent: the parent's destructor waits for the work.
 class Job : public QObject {
 public:
     Job(QObject* parent, std::function<void(Job*)> run) : QObject(parent), thread_([this, run = std::move(run)] { run(this); }) {}

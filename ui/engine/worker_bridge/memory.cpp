@@ -1,4 +1,4 @@
-// What survives a restart and a kill.
+// Settings that survive a restart and a kill.
 #include "ui/engine/worker_bridge/memory.h"
 
 #include "core/base/bounded_json.h"
@@ -15,7 +15,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRecentFiles = 10;
-constexpr int kVersion = 1; // of the file; another one is not read
+constexpr int kVersion = 1; // of the file; a file of another version is ignored
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// What survives a restart and a kill: one readable file. Qt writes it as soon as the event loop is reached after a change.
+// Settings that survive a restart and a kill: one readable file. Qt writes it in the next run of the event loop after a change.
 #pragma once
 
 #include "core/edges/settings/presets.h"
@@ -12,14 +12,14 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only. With an empty path nothing is read or written (--no-settings).
+/// GUI thread only. With an empty path no file is read or written (--no-settings).
 class Memory {
 public:
     explicit Memory(const QString& iniPath);
     /// In the user's configuration folder.
     [[nodiscard]] static QString usualPath();
 
-    /// Its folder, where other things that survive belong; empty when nothing is remembered.
+    /// Its folder, where other persistent files belong; empty if settings are not stored.
     [[nodiscard]] QString place() const;
 
     [[nodiscard]] QByteArray bytes(const QString& key) const;
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] bool flag(const QString& key, bool otherwise) const;
     void keep(const QString& key, bool value);
 
-    /// Where it lies: what is kept beside it lies there too. Empty where nothing is remembered.
+    /// The folder of the settings file; related files are stored there too. Empty if settings are not stored.
     [[nodiscard]] QString ownFolder() const;
 
     /// Newest first, ten at most.
@@ -38,8 +38,8 @@ public:
     void forgetRecentFiles();
     void forgetRecentFile(const QString& path);
 
-    /// Last folder used for a kind of file: "scans", "exports", "presets", "images"; where there is none (any more), that of the scans,
-    /// else that of the person's documents. Of this run also where nothing is remembered.
+    /// The last folder used for a kind of file: "scans", "exports", "presets", "images". If that folder is missing: the folder of the
+    /// scans, else the user's documents. During this run it works even if settings are not stored.
     [[nodiscard]] QString folder(const QString& kind) const;
     void keepFolder(const QString& kind, const QString& path);
 
@@ -47,7 +47,7 @@ public:
     void keepSettings(const Settings& settings);
 
 private:
-    std::unique_ptr<QSettings> file_;    // null: nothing is remembered
+    std::unique_ptr<QSettings> file_;    // null: settings are not stored
     std::map<QString, QString> folders_; // of this run, by kind
 };
 

@@ -1,4 +1,4 @@
-// A worker whose answers arrive on the GUI thread: whatever is newest when the event loop comes to it.
+// A worker whose answers arrive on the GUI thread; only the newest answer is delivered.
 #pragma once
 
 #include "core/base/worker.h"
@@ -14,7 +14,8 @@
 
 namespace edgescan::ui {
 
-/// A member of `receiver`, and the last one of those that `run` uses: its thread is joined before they go. GUI thread only.
+/// A member of `receiver`. It must be declared after all members that `run` uses: its thread is joined before they are destroyed. GUI
+/// thread only.
 template <class Request, class Answer>
 class Newest {
 public:
@@ -22,10 +23,11 @@ public:
     using Deliver = std::function<void(Answer)>;
     using Failed = std::function<void(const QString& what)>;
 
-    /// `run` is called on the worker's thread, `deliver` and `failed` (what `run` threw) on the receiver's.
+    /// `run` is called on the worker's thread; `deliver` and `failed` (with the text of an exception of `run`) are called on the receiver's
+    /// thread.
     Newest(QObject* receiver, Run run, Deliver deliver, Failed failed)
         : deliver_(std::move(deliver)), failed_(std::move(failed)), worker_(std::move(run), [this, receiver] {
-              if (told_.exchange(true)) return; // one event at a time takes whatever is newest when it arrives
+              if (told_.exchange(true)) return; // one event is pending at a time; it takes the newest answer when it arrives
               QMetaObject::invokeMethod(
                   receiver, [this] { take(); }, Qt::QueuedConnection);
           }) {}
@@ -42,7 +44,7 @@ private:
     Deliver deliver_;
     Failed failed_;
     std::atomic<bool> told_{false};
-    Worker<Request, Answer> worker_; // last: its thread uses the rest
+    Worker<Request, Answer> worker_; // last member: its thread uses the members above
 };
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Images of a frame.
+// Makes the images of a detection.
 #include "ui/engine/worker_bridge/picture.h"
 
 #include <QColor>
@@ -9,7 +9,7 @@
 namespace edgescan::ui {
 namespace {
 
-// Dark violet cannot be mistaken for 0 m or 40 m; the hatch tells it apart without colour.
+// Dark violet cannot be mistaken for 0 m or 40 m; the hatch separates it without colour.
 constexpr QRgb kMissing = qRgb(40, 20, 60);
 constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
 constexpr QRgb kStatus = qRgb(70, 20, 50);
@@ -19,17 +19,17 @@ constexpr QRgb kLostHatch = qRgb(70, 160, 210);
 constexpr QRgb kFilled = qRgb(20, 66, 58);
 constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
 constexpr QRgb kToCome = qRgb(30, 30, 30);
-constexpr int kRoomAtFirst = 64; // lines, when nobody said how many there will be
+constexpr int kRoomAtFirst = 64; // lines, if the expected number of lines is unknown
 
 QRgb missingColour(CellState state, int line, int beam) {
-    // Lost lines are hatched the other way and wider: a single one is a dashed line.
+    // Lost lines are hatched in the other direction and wider: a single lost line is a dashed line.
     if (state == CellState::Lost) return (beam - line % 8 + 8) % 8 < 4 ? kLostHatch : kLost;
     const bool stripe = (line + beam) % 4 == 0;
     if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
     return stripe ? kMissingHatch : kMissing;
 }
 
-// Upright stripes: no other kind of cell without a range has them.
+// Vertical stripes: other cells without a range have other patterns.
 void paintFilled(QImage& image, const Detection& detection) {
     if (!detection.filled) return;
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
@@ -57,7 +57,7 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
     return image;
 }
 
-// The pixels of the edge cells, each in the colour of its cell; all others stay.
+// Paints the pixels of the edge cells, each in the colour of its cell; other pixels do not change.
 template <class EdgeColour>
 void paintEdges(QImage& image, const Detection& detection, EdgeColour edgeColour) {
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
@@ -113,7 +113,7 @@ QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& s
 QImage edgePicture(const Detection& detection, int rows) {
     QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
     paintFilled(image, detection);
-    // Edges last: without masking they also lie on cells without a range.
+    // Edges last: without masking they can also be on cells without a range.
     paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });
     return image;
 }

@@ -1,4 +1,4 @@
-// What the window shows of one detection: the detection itself and the images made of it off the GUI thread.
+// The window's picture of one detection: the detection itself, and its images, made off the GUI thread.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -13,34 +13,34 @@
 
 namespace edgescan::ui {
 
-/// Ranges shown from black to white; only the display, never what the method sees.
+/// The ranges drawn from black to white; only for display, the method does not use it.
 struct RangeSpan {
     double nearM = 0.0;
     double farM = 1.0; ///< above nearM
     bool operator==(const RangeSpan&) const = default;
 };
 
-/// How far the sweep is that a scan was taken from.
+/// The progress of the sweep from which a scan was taken.
 struct Growth {
     int sweep = -1;        ///< SweepProgress::number; -1: a whole file
-    bool growing = false;  ///< more lines are to come
-    int expectedLines = 0; ///< of the whole sweep; 0: not known
+    bool growing = false;  ///< more lines will follow
+    int expectedLines = 0; ///< of the whole sweep; 0: unknown
 
     bool operator==(const Growth&) const = default;
 };
 
-/// Where a picture comes from.
+/// The source of a picture.
 struct PictureSource {
-    std::uint64_t stream = 0; ///< alike in pictures of one file, one scanner or one recording: the views keep their place
+    std::uint64_t stream = 0; ///< the same for all pictures of one file, scanner or recording: the views keep their place
     Growth growth;
 
     bool operator==(const PictureSource&) const = default;
 };
 
-/// Never changed after it is made. All members change together in the window.
+/// Immutable after construction. In the window all members are replaced together.
 struct Picture {
     PictureSource source;
-    Settings asked; ///< what the detection was wanted with; the detection's own settings fix what must stay while a scan grows
+    Settings asked; ///< the requested settings; the detection's own settings fix values that must not change while a scan grows
     std::shared_ptr<const Detection> detection;
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage>
@@ -50,18 +50,18 @@ struct Picture {
     EdgeCells edgeCells;
 };
 
-/// Rows of the images: a growing scan has room for the lines to come, so that the picture does not shrink with every line.
+/// Rows of the images: a growing scan reserves rows for the lines to come, so that the picture does not shrink with every line.
 [[nodiscard]] int shownLines(const Scan& scan, const Growth& growth);
 
-// beams x `rows` pixels; rows that the scan does not have yet are plain dark. Without a span: the gray levels of the method.
+// beams x `rows` pixels; rows that the scan does not have yet are plain dark. Without `span`: the gray levels of the method.
 [[nodiscard]] QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& span, int rows);
 [[nodiscard]] QImage edgePicture(const Detection& detection, int rows);
-/// The picture's edge map with the colours of the classes, where the method tells classes apart; else the map as it is.
+/// The picture's edge map in the colours of the classes; for methods without classes the plain map.
 [[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);
-/// Edges on transparent ground; `byClass`: each in the colour of its class, where the method tells classes apart.
+/// Edges on a transparent background; `byClass`: each in the colour of its class, if the method has classes.
 [[nodiscard]] QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool byClass, int rows);
 
-/// Images of `detection`; what did not change since `last` (may be null) is taken from it.
+/// Images of `detection`; unchanged parts are reused from `last` (may be null).
 [[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,
                                                          const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
                                                          const std::shared_ptr<const Picture>& last);

@@ -1,4 +1,4 @@
-// Head, tools, the middle, numbers.
+// The head, the tools, the central area and the numbers of cab mode.
 #include "ui/panels/cab/cab_frame.h"
 
 #include "ui/panels/cab/hold_button.h"
@@ -19,7 +19,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kClockMs = 5000;
-constexpr int kNarrowHead = 1100;    // px: below it the head has no clock and no button to connect: both are in the menu
+constexpr int kNarrowHead = 1100;    // px: a narrower head has no clock and no connect button; both are in the menu
 constexpr double kSideShare = 0.225; // of the width
 constexpr int kNarrowestSide = 236, kWidestSide = 400;
 
@@ -36,7 +36,7 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
     warnings_->hide();
     for (QLabel* each : {name_, facts_}) {
         each->setTextFormat(Qt::PlainText);
-        each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name must not push the window wider
+        each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name must not widen the window
     }
     name_->setObjectName("cab-name");
     facts_->setObjectName("cab-facts");

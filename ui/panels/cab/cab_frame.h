@@ -1,4 +1,4 @@
-// The middle of the window, and round it what only cab mode has: head, tools, numbers.
+// The central area of the window with the parts that only cab mode has around it: head, tools, numbers.
 #pragma once
 
 #include <QWidget>
@@ -12,11 +12,11 @@ class HoldButton;
 class NumbersSide;
 class ToolColumn;
 
-/// What stands above everything in cab mode. GUI thread only.
+/// The top row in cab mode. GUI thread only.
 class CabHead : public QWidget {
     Q_OBJECT
 public:
-    /// `badge`: where the picture comes from; stands right, whatever the width.
+    /// `badge`: the source of the picture; always at the right end.
     explicit CabHead(QWidget* badge, QWidget* parent = nullptr);
 
     void showScan(const QString& name, const QString& facts);

@@ -1,4 +1,4 @@
-// The picture in the corner.
+// Draws the picture in the corner.
 #include "ui/panels/cab/corner_picture.h"
 
 #include "ui/base/marks.h"
@@ -40,7 +40,7 @@ void CornerPicture::setWords(const QString& words) {
     update();
 }
 
-/// A quarter of the room at most, in the image's own shape.
+/// At most a quarter of the available space, in the aspect ratio of the image.
 void CornerPicture::place() {
     const QSize room = parentWidget()->size();
     int width = std::min(kWidest, std::max(kNarrowest, room.width() / 4));
@@ -56,7 +56,7 @@ void CornerPicture::place() {
     if (reach() != before) emit reachChanged(reach());
 }
 
-/// As many lines as the words take.
+/// As many lines as the text needs.
 int CornerPicture::wordsHeight(int width) const {
     const QRect lines = fontMetrics().boundingRect(0, 0, width - 2 * kMargin, 1 << 14, Qt::AlignLeft | Qt::TextWordWrap, text());
     return std::max(kFewestForWords, lines.height() + kMargin);

@@ -1,4 +1,4 @@
-// An image in a corner of the cloud; a tap swaps the two.
+// An image in a corner of the cloud. A tap exchanges image and cloud.
 #pragma once
 
 #include <QAbstractButton>
@@ -11,17 +11,17 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only. Stands in the upper right corner of its parent.
+/// GUI thread only. In the upper right corner of its parent.
 class CornerPicture : public QAbstractButton {
     Q_OBJECT
 public:
     explicit CornerPicture(QWidget* parent);
 
-    /// One pixel per cell; `marked`: x = beam, y = line. Null image: only the words.
+    /// One pixel per cell; `marked`: x = beam, y = line. Null image: only the text.
     void show(std::shared_ptr<const QImage> image, std::optional<QPoint> marked);
     void setWords(const QString& words);
 
-    /// How far it reaches from the right side of its parent, px.
+    /// Distance of its left edge from the right edge of its parent, px.
     [[nodiscard]] int reach() const;
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,4 +1,4 @@
-// Letters fitted to a width.
+// Fits the font size to a width.
 #include "ui/panels/cab/fitted_label.h"
 
 #include <QFontMetrics>
@@ -13,7 +13,7 @@ FittedLabel::FittedLabel(int mostPx, int leastPx, QWidget* parent) : QLabel(pare
     letters.setPixelSize(mostPx);
     letters.setBold(true);
     setFont(letters);
-    setMinimumHeight(QFontMetrics(letters).height()); // what stands below stays where it is
+    setMinimumHeight(QFontMetrics(letters).height()); // the widgets below do not move
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 }
 

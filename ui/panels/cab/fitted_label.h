@@ -1,11 +1,12 @@
-// Large letters that become smaller where the words would not fit.
+// Large text in a font that shrinks if the text does not fit.
 #pragma once
 
 #include <QLabel>
 
 namespace edgescan::ui {
 
-/// One line. Never asks for more width than it is given; letters shrink down to `leastPx`, and what does not fit even so stands in the tip.
+/// One line. It never requests more width than it is given. The font shrinks down to `leastPx`; text that still does not fit is in the tool
+/// tip.
 class FittedLabel : public QLabel {
 public:
     FittedLabel(int mostPx, int leastPx, QWidget* parent = nullptr);

@@ -1,4 +1,4 @@
-// Held for a second.
+// A button that must be held for a second.
 #include "ui/panels/cab/hold_button.h"
 
 #include "ui/base/themes.h"

@@ -1,4 +1,4 @@
-// A button that does something only when it is held for a second: what no glove should do by chance.
+// A button that acts only after it was held for a second: for actions that a glove must not start by accident.
 #pragma once
 
 #include <QElapsedTimer>
@@ -16,7 +16,7 @@ public:
 
 signals:
     void held();
-    /// It was let go of too soon.
+    /// The operator released it too soon.
     void releasedEarly();
 
 protected:

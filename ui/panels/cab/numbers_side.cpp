@@ -39,7 +39,7 @@ FittedLabel* fitted(const char* name, int px) {
     return made;
 }
 
-// It moves under a finger.
+// A finger scrolls it.
 QScrollArea* scrolledByFinger(QWidget* content, Qt::ScrollBarPolicy bar, QScroller::ScrollerGestureType gesture) {
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
@@ -67,7 +67,7 @@ QToolButton* arrow(const char* name, const char* sign, const QString& words) {
 NumbersSide::NumbersSide(QWidget* parent)
     : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target"))),
       next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)),
-      hint_(label("cab-hint", kTextPx, false)), told_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
+      hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
       sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout),
       rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
@@ -101,7 +101,7 @@ NumbersSide::NumbersSide(QWidget* parent)
 }
 
 QWidget* NumbersSide::makeNumbers() {
-    auto* column = new QVBoxLayout(told_);
+    auto* column = new QVBoxLayout(facts_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addWidget(hint_);
@@ -122,7 +122,7 @@ QWidget* NumbersSide::makeNumbers() {
         letters.setColor(QPalette::WindowText, theme.warn);
         pose_->setPalette(letters);
     });
-    return told_;
+    return facts_;
 }
 
 QWidget* NumbersSide::makeSettings() {

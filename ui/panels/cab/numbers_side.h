@@ -1,4 +1,4 @@
-// What stands right of the cloud in cab mode: the two numbers of a target in large type, or the settings as steppers.
+// The area right of the cloud in cab mode: the two numbers of a target in large type, or the settings as steppers.
 #pragma once
 
 #include <QString>
@@ -18,42 +18,42 @@ namespace edgescan::ui {
 class FittedLabel;
 class Stepper;
 
-/// What is said of a target. Without a title there is none.
+/// The text about a target. Empty title: no target.
 struct LargeNumbers {
     QString title, place;                                 ///< "Target 1", "of 3"
     QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
     QString rock, size, sizeRemark;                       ///< "Rock 4, visible", "2.51 × 1.83 m", "± 0.10 m · candidate …"
     std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
-    QString pose;                                         ///< "▲ no pose"; empty with one
+    QString pose;                                         ///< "▲ no pose"; empty if the scan has a pose
     std::vector<std::pair<QString, QString>> rows;
 };
 
-/// One setting. `key`: of the table.
+/// One setting. `key`: its key in the parameter table.
 struct SteppedSetting {
     QString key, name, value;
 };
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class NumbersSide : public QWidget {
     Q_OBJECT
 public:
     explicit NumbersSide(QWidget* parent = nullptr);
 
     void showNumbers(const LargeNumbers& numbers);
-    /// The first one stands below the numbers as well.
+    /// The first setting is also shown below the numbers.
     void showSettings(const std::vector<SteppedSetting>& settings);
-    /// The settings instead of the numbers.
+    /// Shows the settings instead of the numbers.
     void setTuning(bool on);
     [[nodiscard]] bool tuning() const;
     [[nodiscard]] Stepper* mainStepper() const { return main_; }
     [[nodiscard]] Stepper* stepper(const QString& key) const;
     [[nodiscard]] QString distanceShown() const;
     [[nodiscard]] QString sizeShown() const;
-    /// Report, Export and the like, at the foot.
+    /// Adds a button such as Report or Export at the bottom.
     void addButton(QToolButton* button);
 
 signals:
-    /// To the target before or after this one.
+    /// The operator wants the next (1) or previous (-1) target.
     void nextWanted(int by);
     void stepped(const QString& key, int steps);
     void stepEnded();
@@ -70,7 +70,7 @@ private:
     QToolButton* next_;
     QLabel* title_;
     QLabel* hint_;
-    QWidget* told_;
+    QWidget* facts_;
     QLabel* distanceName_ = nullptr;
     FittedLabel* distance_;
     QLabel* tolerance_;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kButton = 64, kLetters = 24, kValue = 20; // px
 constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
 
-// A long way is not gone in small steps.
+// The steps grow, so that a large change takes few repeats.
 int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
 
 } // namespace
@@ -57,7 +57,7 @@ void Stepper::addButton(QToolButton& button, int direction) {
     button.setAutoRepeatInterval(kRepeatMs);
     connect(&button, &QToolButton::clicked, this, [this, &button, direction] {
         emit stepped(direction * stepsAfter(repeats_++));
-        if (button.isDown()) return; // it is still held
+        if (button.isDown()) return; // the button is still pressed
         repeats_ = 0;
         emit stepEnded();
     });

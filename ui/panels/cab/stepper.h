@@ -1,4 +1,4 @@
-// A number with - and + that repeat while they are held, in place of a slider.
+// A number with buttons - and + that repeat while they are pressed; it replaces a slider.
 #pragma once
 
 #include <QWidget>
@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class Stepper : public QWidget {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
     [[nodiscard]] QToolButton* more() const { return more_; }
 
 signals:
-    /// More of them at a time the longer it is held. stepEnded() follows when it is let go.
+    /// Steps since the last signal; the number grows while the button is pressed. stepEnded() follows on release.
     void stepped(int steps);
     void stepEnded();
 

@@ -1,4 +1,4 @@
-// Tools one below the other.
+// Tools in a column.
 #include "ui/panels/cab/tool_column.h"
 
 #include "ui/base/icons.h"
@@ -26,7 +26,7 @@ void makeGloveButton(QToolButton& button, const char* name, const char* sign, co
     button.setText(word);
     button.setAccessibleName(word);
     button.setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    button.setFocusPolicy(Qt::TabFocus); // a tap leaves the keys to the view
+    button.setFocusPolicy(Qt::TabFocus); // a tap leaves the keyboard focus in the view
     button.setMinimumSize(kWide, kHigh);
     button.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     QFont letters = button.font();
@@ -37,7 +37,7 @@ void makeGloveButton(QToolButton& button, const char* name, const char* sign, co
         button.setChecked(true);
         QObject::connect(&button, &QToolButton::toggled, &button, [&button] { button.setChecked(true); });
     }
-    // On: a ground and a border of its own, so that no colour says it alone.
+    // A button that is on has its own background and border, so that colour is not the only sign.
     followColours(button, [&button](const Theme& theme) {
         button.setStyleSheet(QString("QToolButton { background: %1; color: %2; border: 1px solid %3; border-radius: 6px; padding: 2px; }"
                                      "QToolButton:checked { background: %4; color: white; border: 2px solid %5; }"
@@ -73,7 +73,7 @@ void ToolColumn::setFoot(QToolButton* button) {
     layOut();
 }
 
-/// As high as three tools: the others go beside them.
+/// The height of three tools: the other tools go into a second column.
 QSize ToolColumn::minimumSizeHint() const { return {grid_->minimumSize().width(), kFewest * (kHigh + kBetween) + kBetween}; }
 
 void ToolColumn::resizeEvent(QResizeEvent* event) {

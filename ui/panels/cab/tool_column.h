@@ -1,4 +1,4 @@
-// The tools of cab mode: signs with words, one below the other, in a second column where the window is low; Undo always at the foot.
+// The tools of cab mode: icons with text in one column, or two columns in a low window; Undo is always at the bottom.
 #pragma once
 
 #include <QWidget>
@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// As large as a glove needs, with a sign and a word under it. `lit`: always looks as if it were on.
+/// Large enough for gloves, with an icon and text below it. `lit`: always drawn as switched on.
 void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word, bool lit = false);
 [[nodiscard]] QToolButton* gloveButton(const char* name, const char* sign, const QString& word);
 
@@ -21,7 +21,7 @@ public:
     explicit ToolColumn(QWidget* parent = nullptr);
 
     QToolButton* add(const char* name, const char* sign, const QString& word);
-    /// The last one, at the foot.
+    /// Sets the last button, at the bottom.
     void setFoot(QToolButton* button);
 
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -35,7 +35,7 @@ private:
     std::vector<QToolButton*> buttons_;
     QToolButton* foot_ = nullptr;
     QGridLayout* grid_;
-    int rows_ = 100; // one below the other, until it is known how much room there is
+    int rows_ = 100; // rows per column; large until the available height is known
 };
 
 } // namespace edgescan::ui

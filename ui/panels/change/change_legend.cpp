@@ -14,7 +14,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kLongestName = 30; // letters
+constexpr int kLongestName = 30; // characters
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -38,7 +38,7 @@ QString thousands(std::size_t n) { return QLocale(QLocale::English, QLocale::Uni
 QLabel* wordsOf(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
     label->setObjectName(name);
-    label->setTextFormat(Qt::PlainText); // lines are broken where they are made: a plate over the cloud must know its height
+    label->setTextFormat(Qt::PlainText); // line breaks are set in code: a plate over the cloud must know its height
     return label;
 }
 
@@ -62,7 +62,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         Row& made = rows_[static_cast<std::size_t>(n)];
         made = {new QCheckBox(nameOf(row)), new QLabel};
         made.box->setObjectName(QString("change-%1").arg(n));
-        made.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+        made.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
         made.box->setChecked(true);
         QPixmap swatch(16, row == ChangeRow::Nearer || row == ChangeRow::Farther ? 11 : 5);
         swatch.fill(changeColour(row));
@@ -70,7 +70,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         made.box->setIcon(QIcon(swatch));
         grid->addWidget(made.box, n + 1, 0);
         grid->addWidget(made.count, n + 1, 1, Qt::AlignRight);
-        connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::tellRows);
+        connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::emitRows);
     }
     grid->addWidget(how_, kChangeRows + 1, 0, 1, 2);
     covered_->setText(tr("Rocks cover them in the cloud"));
@@ -90,9 +90,9 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
         const Row& row = rows_[static_cast<std::size_t>(n)];
         const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
-        const bool told = some && (!ofSurfaces || comparison->isOfTwoScans());
-        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(told && rowsShown_);
-        row.count->setText(told ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
+        const bool shown = some && (!ofSurfaces || comparison->isOfTwoScans());
+        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown && rowsShown_);
+        row.count->setText(shown ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nturn a setting, or open another scan");
     if (comparison != nullptr && !working) {
@@ -140,7 +140,7 @@ void ChangeLegend::setRows(const ChangeRows& rows) {
     for (std::size_t n = 0; n < rows.size(); ++n) rows_[n].box->setChecked(rows[n]);
 }
 
-void ChangeLegend::tellRows() {
+void ChangeLegend::emitRows() {
     ChangeRows rows{};
     for (std::size_t n = 0; n < rows.size(); ++n) rows[n] = rows_[n].box->isChecked();
     emit rowsWanted(rows);

@@ -1,4 +1,4 @@
-// The legend of a comparison over the cloud: what is compared with what, how many of each, each row a switch.
+// The legend of a comparison over the cloud: names of the two scans, and the count of each kind of change. Each row is a switch.
 #pragma once
 
 #include "ui/base/view_plate.h"
@@ -10,22 +10,22 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ChangeLegend : public ViewPlate {
     Q_OBJECT
 public:
     explicit ChangeLegend(QWidget* parent = nullptr);
 
-    /// `before`: what A is. Null: nothing to compare with yet.
+    /// `before`: the name of A. Null: no comparison yet.
     void showKept(const QString& before, const Comparison* comparison, bool working);
-    /// Off: the differences are not shown, and no row tells of them.
+    /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
     void setRows(const ChangeRows& rows);
-    /// Which of the two is on the screen.
+    /// Shows which of the two scans is on the screen.
     void showFlipped(bool flipped);
-    /// The cloud does not show them: rocks cover them there.
+    /// On: the cloud does not show the changes, because rocks cover them.
     void showCovered(bool on);
-    /// Words about a region; empty = none.
+    /// Text about a region; empty = no text.
     void showRegion(const QString& words);
     [[nodiscard]] QCheckBox* row(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].box; }
     [[nodiscard]] QString counted(ChangeRow row) const;
@@ -43,7 +43,7 @@ private:
         QCheckBox* box = nullptr;
         QLabel* count = nullptr;
     };
-    void tellRows();
+    void emitRows();
 
     QLabel *title_, *how_, *covered_, *region_;
     std::array<Row, kChangeRows> rows_;

@@ -1,4 +1,4 @@
-// Lists, images and colours of what changed.
+// Lists, images and colours of the changes.
 #include "ui/panels/change/comparison.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -16,7 +16,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr std::uint32_t kDimmed = 0xff545454U; // 84: gained and lost have 3 : 1 to it
+constexpr std::uint32_t kDimmed = 0xff545454U; // 84: the contrast of gained and lost edges to it is 3 : 1
 const QColor kUnseenColour(200, 200, 200);
 
 std::optional<ChangeRow> rowOf(EdgeChange change) {
@@ -75,7 +75,7 @@ void paint(Comparison& made) {
             if (now.detection->scan->state[k] == CellState::Valid) onMap[beam] = qRgb(0, 0, 0);
             if (ranges.size() != 0) {
                 const auto row = rowOf(ranges[k]);
-                // The hatch tells nearer from farther without colour.
+                // The direction of the hatch separates nearer from farther without colour.
                 const bool stripe = (row == ChangeRow::Nearer ? line + beam : line - beam + edges.beams) % 4 == 0;
                 const QColor colour = row ? changeColour(*row) : QColor();
                 if (isOn(made.asked.rows, row))
@@ -104,7 +104,7 @@ std::shared_ptr<const std::vector<std::uint32_t>> pointsOf(const Comparison& mad
     return points;
 }
 
-/// The earlier picture where its cells are those of the later one, else one of its points on that grid.
+/// The earlier picture if its cells match those of the later one; else a picture of its points on that grid.
 std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& before, const EarlierOnGrid& earlier) {
     if (earlier.how.sameCells) return before;
     const auto found = detectEdges(earlier.scan, before->detection->settings);

@@ -1,4 +1,4 @@
-// What the views show of two pictures that are compared, made off the GUI thread.
+// The pictures of a comparison of two scans, made off the GUI thread.
 #pragma once
 
 #include "core/base/result.h"
@@ -15,7 +15,7 @@
 
 namespace edgescan::ui {
 
-/// Rows of the legend; each can be switched off.
+/// Rows of the legend; each row can be switched off.
 enum class ChangeRow : std::uint8_t { Gained, Lost, Kept, Unseen, Nearer, Farther };
 inline constexpr int kChangeRows = 6;
 using ChangeRows = std::array<bool, kChangeRows>;
@@ -25,30 +25,30 @@ struct ComparisonAsked {
     ChangeRows rows{true, true, true, true, true, true};
 };
 
-/// Never changed after it is made.
+/// Immutable after construction.
 struct Comparison {
     ComparisonAsked asked;
     SceneChange change;
-    std::shared_ptr<const Picture> earlier; ///< A; of another scan with the settings of the picture now: a slider is no blast
-    std::shared_ptr<const Picture> before;  ///< on the grid of the picture now: what is shown while the two are flipped
-    EdgeCells edges;                        ///< by class: gained, lost, kept, unseen
-    std::shared_ptr<const QImage> map;      ///< beams x lines: edges by their change on black
-    std::shared_ptr<const QImage> overlay;  ///< the same and the surfaces that changed, transparent elsewhere
-    std::shared_ptr<const std::vector<std::uint32_t>>
-        points; ///< by cell, bytes red, green, blue, 255; the cloud dimmed where nothing changed
+    ///< A; if it is another scan, with the settings of the current picture: a changed slider must not look like a change of the rock
+    std::shared_ptr<const Picture> earlier;
+    std::shared_ptr<const Picture> before;                    ///< on the grid of the current picture: shown while the two are flipped
+    EdgeCells edges;                                          ///< by class: gained, lost, unchanged, unseen
+    std::shared_ptr<const QImage> map;                        ///< beams x lines: edges by their change on black
+    std::shared_ptr<const QImage> overlay;                    ///< the same with the changed surfaces, transparent elsewhere
+    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, bytes red, green, blue, 255; unchanged points are dimmed
 
     [[nodiscard]] std::size_t count(ChangeRow row) const;
     [[nodiscard]] bool isOfTwoScans() const { return change.earlier.how.by != LinedUpBy::OneScan; }
 };
 
-/// Of EdgeCells::byClass above.
+/// For EdgeCells::byClass above.
 [[nodiscard]] const EdgeColours& changeColours();
 [[nodiscard]] QColor changeColour(ChangeRow row);
 
-/// `last`, which may be null, spares what the two have in common. Error: as sceneChange().
+/// `last` may be null; parts that it has in common with the new comparison are reused. Error: see sceneChange().
 [[nodiscard]] Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked, const Comparison* last);
 
-/// A scan with edges by these settings, to compare with. Error: what opening it says, or too little memory.
+/// Opens a scan and finds its edges with these settings, for a comparison. Error: opening failed, or too little memory.
 [[nodiscard]] Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading,
                                                                     const Settings& settings);
 [[nodiscard]] Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const Settings& settings);

@@ -42,7 +42,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     grid->setContentsMargins(8, 6, 8, 6);
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(2);
-    grid->setColumnStretch(1, 1); // names stand beside their colours
+    grid->setColumnStretch(1, 1); // names directly follow their colours
     auto* title = new QLabel(tr("Confidence of edges"), this);
     QFont bold = title->font();
     bold.setBold(true);
@@ -65,7 +65,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     slider_->setRange(0, 100);
     slider_->setSingleStep(1);
     slider_->setPageStep(10);
-    slider_->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    slider_->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
     slider_->setToolTip(tr("Edges that fewer of the nearby settings find are left out of the views; exports hold them all."));
     slider_->setAccessibleName(tr("Least confidence shown"));
     grid->addWidget(least_, static_cast<int>(kBands) + 2, 0, 1, 3);

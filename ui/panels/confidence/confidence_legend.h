@@ -1,4 +1,4 @@
-// The legend of edge confidence over the cloud: how many edges hold how well, and from where on they are shown.
+// The legend of edge confidence over the cloud: the number of edges per confidence band, and the limit from which edges are shown.
 #pragma once
 
 #include "ui/base/view_plate.h"
@@ -9,15 +9,15 @@ class QSlider;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ConfidenceLegend : public ViewPlate {
     Q_OBJECT
 public:
     explicit ConfidenceLegend(QWidget* parent = nullptr);
 
-    /// It is being worked out, `done` percent of it.
+    /// The computation is running, `done` percent of it.
     void showWorking(int done);
-    /// Why there is nothing to show.
+    /// Shows the reason why there is no confidence picture.
     void showNone(const QString& why);
     void showMade(const ConfidencePicture& made);
     void setColours(const EdgeColours& colours);

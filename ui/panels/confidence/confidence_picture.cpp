@@ -1,4 +1,4 @@
-// Lists and images by band.
+// Lists and images by confidence band.
 #include "ui/panels/confidence/confidence_picture.h"
 
 #include <vector>
@@ -6,10 +6,10 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr std::array<float, kBands> kSizes{1.3F, 1.1F, 0.85F, 0.65F, 0.5F}; // of an edge point
+constexpr std::array<float, kBands> kSizes{1.3F, 1.1F, 0.85F, 0.65F, 0.5F}; // relative to the size of an edge point
 constexpr std::size_t kFirstDashed = 3;                                     // band; below 70 %
 
-/// In the images, whose cells have one size, the less sure ones are dashed: every third cell dark, then every second.
+/// In the images all cells have one size; therefore less certain edges are dashed: every third cell is dark, then every second.
 QRgb inkAt(const QColor& colour, std::size_t band, int line, int beam) {
     if (band < kFirstDashed) return colour.rgba();
     const int period = band == kFirstDashed ? 3 : 2;

@@ -1,4 +1,4 @@
-// What the views show of edge confidence: the edges of a picture by how many nearby settings find them too.
+// The picture of edge confidence: each edge with the share of nearby settings that find it too.
 #pragma once
 
 #include "core/edges/tuning/confidence.h"
@@ -12,21 +12,21 @@
 namespace edgescan::ui {
 
 inline constexpr std::size_t kBands = kConfidenceBands.size();
-static_assert(kBands == kEdgeClasses); // bands are drawn as classes are
+static_assert(kBands == kEdgeClasses); // bands are drawn like classes
 
-/// Never changed after it is made.
+/// Immutable after construction.
 struct ConfidencePicture {
     std::shared_ptr<const Picture> of;
     std::shared_ptr<const EdgeConfidence> confidence;
-    int leastPercent = 0;                                ///< edges below it are left out
-    std::array<std::size_t, kBands> counts{};            ///< edge cells by band, whether they are left out or not
-    EdgeCells cells;                                     ///< by band, the less sure the smaller
-    std::array<std::shared_ptr<const QImage>, 2> images; ///< of the edge map; over the range image. Beams x lines
+    int leastPercent = 0;                                ///< edges below this confidence are hidden
+    std::array<std::size_t, kBands> counts{};            ///< edge cells by band, hidden ones included
+    EdgeCells cells;                                     ///< by band; less certain edges have smaller points
+    std::array<std::shared_ptr<const QImage>, 2> images; ///< edge map, and overlay of the range image. Beams x lines
 
     [[nodiscard]] std::size_t shown() const { return cells.all ? cells.all->size() : 0; }
 };
 
-/// By band, each at least 3 : 1 to the gray of the cloud; `colourBlind`: told apart without red and green.
+/// By band, each with a contrast of at least 3 : 1 to the gray of the cloud; `colourBlind`: distinct without red and green.
 [[nodiscard]] const EdgeColours& bandColours(bool colourBlind);
 
 [[nodiscard]] std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr<const Picture>& picture,

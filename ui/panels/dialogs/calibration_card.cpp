@@ -1,4 +1,4 @@
-// The card: question at the left, seam at the right, file and Apply below.
+// The calibration card: question on the left, seam on the right, file and Apply below.
 #include "ui/panels/dialogs/calibration_card.h"
 
 #include "ui/base/linked_pictures.h"
@@ -110,7 +110,7 @@ QWidget* CalibrationCard::question() {
     connect(add, &QPushButton::clicked, this, &CalibrationCard::addWanted);
     connect(choose, &QPushButton::clicked, this, &CalibrationCard::baseWanted);
     connect(remove_, &QPushButton::clicked, this, [this] { emit removeWanted(scans_->currentRow()); });
-    // The scan on the screen is the one whose seam is drawn: it stays.
+    // The scan on the screen stays in the list: its seam is drawn.
     connect(scans_, &QListWidget::currentRowChanged, remove_, [this](int row) { remove_->setEnabled(row > 0 && !working_); });
     auto* scroll = new QScrollArea;
     scroll->setWidget(side);
@@ -157,7 +157,7 @@ void CalibrationCard::forgetResult() {
     fit();
 }
 
-/// Large once there is a picture to see.
+/// Enlarges the card when it has a picture.
 void CalibrationCard::fit() {
     const bool some = !shown_.empty();
     answer_->setVisible(some);

@@ -1,4 +1,5 @@
-// Scan > Calibrate: which scans, what they tell of the scanner's assembly or why they do not, and the seam before and after. Not modal.
+// Scan > Calibrate: the scans, the estimated mounting errors or the reason why there is no estimate, and the seam before and after. Not
+// modal.
 #pragma once
 
 #include <QDialog>
@@ -21,35 +22,35 @@ namespace edgescan::ui {
 
 class LinkedPictures;
 
-/// The seam twice, to be looked at.
+/// The seam before and after.
 struct CalibrationPicture {
     QString title;         ///< "Edges of both views"
-    QString before, after; ///< over the pictures
+    QString before, after; ///< titles of the pictures
     QImage beforeImage, afterImage;
-    QPoint busiest; ///< where there is most to see
+    QPoint busiest; ///< the pixel with the most edges
 };
 
-/// What was found, in the window's words.
+/// The result, in the words of the window.
 struct CalibrationShown {
-    std::vector<std::array<QString, 3>> rows; ///< error, value, +- two standard deviations
+    std::vector<std::array<QString, 3>> rows; ///< error, value, ± two standard deviations
     QString verdict;
-    QString about; ///< under the table
+    QString about; ///< text under the table
     std::vector<CalibrationPicture> pictures;
 };
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class CalibrationCard : public QDialog {
     Q_OBJECT
 public:
     explicit CalibrationCard(QWidget* parent);
 
-    /// The scans that are used, the one on the screen first, and the robot's present file (empty: none). Nothing is found yet.
+    /// The scans in use, the one on the screen first, and the robot's present calibration file (empty: none). Clears the result.
     void setQuestion(const QStringList& scans, const QString& base);
     void begin();
     void showStage(const QString& stage, int percent);
     void tell(const CalibrationShown& found);
     void refuse(const QString& why);
-    /// Where the file was saved (empty: nowhere yet); `cannot`: why it cannot be applied, empty where it can.
+    /// The path of the saved file (empty: not saved yet); `cannot`: the reason why it cannot be applied, empty if it can.
     void setSaved(const QString& path, const QString& cannot);
 
     [[nodiscard]] bool working() const { return working_; }

@@ -1,4 +1,4 @@
-// The list of commands that narrows as words are typed.
+// The list of commands, filtered by the typed words.
 #include "ui/panels/dialogs/command_palette.h"
 
 #include <QAction>
@@ -15,7 +15,7 @@ namespace {
 
 QString plain(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
 
-// "Measure > Distance": the menu tells apart what has one name.
+// "Measure > Distance": the menu separates commands with the same name.
 QString nameOf(const QAction& action) {
     for (const QObject* holder : action.parent() != nullptr ? QList<QObject*>{action.parent()} : QList<QObject*>{}) {
         if (const auto* menu = qobject_cast<const QMenu*>(holder); menu != nullptr && !menu->title().isEmpty())
@@ -41,7 +41,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
     words_->setObjectName("palette-words");
     words_->setPlaceholderText(tr("A few letters of a command"));
     words_->installEventFilter(this);
-    list_->setFocusPolicy(Qt::NoFocus); // arrows move it from the line of words
+    list_->setFocusPolicy(Qt::NoFocus); // arrow keys in the text field move the selection
     auto* column = new QVBoxLayout(this);
     column->addWidget(words_);
     column->addWidget(list_);
@@ -52,7 +52,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
     find();
 }
 
-/// What cannot be used now is not there.
+/// Commands that are disabled now are not listed.
 void CommandPalette::find() {
     list_->clear();
     for (int n = 0; n < actions_.size(); ++n) {

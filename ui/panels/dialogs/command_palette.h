@@ -1,4 +1,4 @@
-// Every command by its name: a few letters and Return.
+// Runs a command by its name: the operator types a few letters and Return.
 #pragma once
 
 #include <QDialog>
@@ -10,7 +10,7 @@ class QListWidget;
 
 namespace edgescan::ui {
 
-/// The commands are read from the actions, so that the list cannot differ from the menus.
+/// The commands are read from the actions, so that the list always equals the menus.
 class CommandPalette : public QDialog {
     Q_OBJECT
 public:
@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] QLineEdit* words() const { return words_; }
     [[nodiscard]] QListWidget* list() const { return list_; }
-    /// That was chosen; null: none.
+    /// The chosen action; null: no choice.
     [[nodiscard]] QAction* chosen() const { return chosen_; }
 
 protected:
@@ -34,7 +34,7 @@ private:
     QAction* chosen_ = nullptr;
 };
 
-/// Asks, and runs what was chosen.
+/// Shows the palette and runs the chosen command.
 void runFromPalette(QWidget* parent, const QList<QAction*>& actions);
 
 } // namespace edgescan::ui

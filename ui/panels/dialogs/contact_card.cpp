@@ -1,4 +1,4 @@
-// The sheet of small pictures.
+// The contact sheet of small pictures.
 #include "ui/panels/dialogs/contact_card.h"
 
 #include <QDialogButtonBox>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kColumns = 4;
 constexpr QSize kUsual(960, 720);
-constexpr QSize kLess(20, 60); // than the window, on a small screen: its frame is on the screen too
+constexpr QSize kLess(20, 60); // smaller than the window on a small screen, so that the frame fits too
 
 } // namespace
 
@@ -72,7 +72,7 @@ void ContactCard::add(const QImage& picture, const QString& words) {
     state_->setText(tr("computing %1 of %2 …").arg(std::min(place + 2, progress_->maximum())).arg(progress_->maximum()));
 }
 
-// In words: no colour says it alone.
+// Marked with words, so that colour is not the only sign.
 void ContactCard::end(const std::vector<bool>& steady, int inUse) {
     for (std::size_t n = 0; n < buttons_.size() && n < steady.size(); ++n) {
         QString words = words_[n];

@@ -1,4 +1,4 @@
-// Small pictures of one scan at many values of one setting: a click takes the value. Not modal.
+// Small pictures of one scan at many values of one setting: a click adopts the value. Not modal.
 #pragma once
 
 #include <QDialog>
@@ -14,24 +14,25 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ContactCard : public QDialog {
     Q_OBJECT
 public:
     explicit ContactCard(QWidget* parent);
 
-    /// An empty sheet for so many pictures.
+    /// An empty sheet for this many pictures.
     void begin(const QString& name, int pictures);
-    /// The next one. `words`: value and count, under it.
+    /// Adds the next picture. `words`: value and count, shown under it.
     void add(const QImage& picture, const QString& words);
-    /// All are there: which are steady, and which is the one in use (-1: none).
+    /// All pictures are there. `steady`: pictures in a range where the edge count changes little; `inUse`: index of the current value (-1:
+    /// none).
     void end(const std::vector<bool>& steady, int inUse);
     [[nodiscard]] const std::vector<QToolButton*>& pictures() const { return buttons_; }
     [[nodiscard]] bool working() const;
 
 signals:
     void chosen(int place);
-    /// Closed before all were there.
+    /// Closed before all pictures were there.
     void givenUp();
 
 protected:

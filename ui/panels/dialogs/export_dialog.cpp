@@ -1,4 +1,4 @@
-// The question before an export.
+// The dialog before an export.
 #include "ui/panels/dialogs/export_dialog.h"
 
 #include "core/files/open_save/save_scan.h"
@@ -26,9 +26,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMargins = 64; // px, the title of the window included
+constexpr int kMargins = 64; // px, with the title bar of the window
 
-// Thousands apart, the same in every locale.
+// With thousands separators, the same in every locale.
 QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 } // namespace
@@ -38,7 +38,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
       selected_(std::move(selected)), onlySelected_(new QCheckBox), attached_(new QCheckBox), count_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
-    auto* questions = new QWidget; // on a low screen they scroll; what is squeezed cannot be read
+    auto* questions = new QWidget; // scrolls on a low screen: squeezed widgets would be unreadable
     auto* column = new QVBoxLayout(questions);
     column->addWidget(contentBox());
     coordinatesGroup_ = coordinatesBox();
@@ -130,7 +130,7 @@ QGroupBox* ExportDialog::writingBox() {
         words->setMinimumWidth(520);
         words->setBuddy(mark);
         mark->setAccessibleName(words->text());
-        if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // where nothing was filled
+        if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // disabled if no cell was filled
         const int row = grid->rowCount();
         connect(mark, &QCheckBox::toggled, this, &ExportDialog::follow);
         grid->addWidget(mark, row, 0, Qt::AlignTop);
@@ -168,7 +168,7 @@ bool ExportDialog::fillsToo() const {
     return false;
 }
 
-/// Filled cells that have a place; those of a cloud whose rays are not known have none.
+/// Filled cells with coordinates. Filled cells of a cloud with unknown rays have no coordinates.
 std::size_t ExportDialog::filledToo(bool edges, bool onlySelected) const {
     if (!filledCells_) {
         const ScanWithFilled whole = withFilled(*detection_->scan, *detection_->filled);

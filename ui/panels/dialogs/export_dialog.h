@@ -1,4 +1,4 @@
-// Asks what of a scan to export and in which coordinates, with the count before anything is saved.
+// Asks for the content of an export and its coordinates. Shows the number of points before saving.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -18,22 +18,22 @@ class QLabel;
 
 namespace edgescan::ui {
 
-/// Cells, ascending, that an export may be cut down to; null: there is no selection.
+/// Cells, ascending, for an export of the selection only; null: no selection.
 struct ExportSelection {
     std::shared_ptr<const std::vector<std::uint32_t>> cells{};
-    bool only = false; ///< chosen at first
+    bool only = false; ///< selected at first
 };
 
 class ExportDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `wanted` is chosen at first. Mine coordinates can only be chosen when the scan has a place; the reason stands beside them.
+    /// `wanted` is selected at first. Mine coordinates are available only if the scan has a pose; otherwise the dialog gives the reason.
     ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, ExportSelection selected = {},
                  QWidget* parent = nullptr);
 
     [[nodiscard]] ExportContent content() const;
     [[nodiscard]] ExportOptions options() const;
-    /// Points, or cells of a picture, that would be saved.
+    /// Number of points, or of cells of a picture, that would be saved.
     [[nodiscard]] std::size_t count() const;
 
 private:
@@ -50,8 +50,8 @@ private:
     QButtonGroup* coordinates_;
     QGroupBox* coordinatesGroup_ = nullptr;
     QGroupBox* writingGroup_ = nullptr;
-    mutable std::optional<std::vector<std::uint32_t>> filledCells_; // once they are asked for
-    std::vector<QCheckBox*> choices_;                               // by kWritingChoices
+    mutable std::optional<std::vector<std::uint32_t>> filledCells_; // computed at first use
+    std::vector<QCheckBox*> choices_;                               // in the order of kWritingChoices
     ExportSelection selected_;
     QCheckBox* onlySelected_;
     QCheckBox* attached_;

@@ -1,4 +1,4 @@
-// The list of what was taken for granted.
+// The list of assumptions made on opening.
 #include "ui/panels/dialogs/opening_card.h"
 
 #include "ui/base/shown_text.h"
@@ -18,9 +18,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kAroundWords = 8; // px above and below the words of a row together
+constexpr int kAroundWords = 8; // total px above and below the text of a row
 
-/// A sign and a word: no colour.
+/// An icon and a word, without colour.
 QString signOf(const OpeningPoint& point) {
     if (!point.against.empty()) return "▲ " + OpeningCard::tr("doubtful");
     if (point.source == OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("found out");
@@ -81,7 +81,7 @@ OpeningCard::OpeningCard(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
-/// Rows as high as their words need at the width that they have: a tree asks its rows without a width.
+/// Makes rows as high as their text at its width: a tree asks its rows for their size without a width.
 void OpeningCard::fitRows() {
     const int margin = 2 * (list_->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
     const QRect room(0, 0, std::max(60, list_->columnWidth(1) - margin), 10000);
@@ -92,12 +92,12 @@ void OpeningCard::fitRows() {
         (*row)->setSizeHint(1, QSize(0, high));
         others = true;
     }
-    if (others) list_->doItemsLayout(); // the tree keeps the heights that it knows
+    if (others) list_->doItemsLayout(); // the tree caches the heights of rows
 }
 
 void OpeningCard::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
-    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // once the columns have their widths
+    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
 }
 
 bool OpeningCard::chosen(int& point, int& other) const {
@@ -123,7 +123,7 @@ void OpeningCard::tell(const QString& scan, const std::vector<OpeningPoint>& poi
         }
         row->setExpanded(true);
     }
-    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // once the columns have their widths
+    QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
     adopt_->setEnabled(false);
     verdict_->setText(points.empty()       ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
                       : looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)

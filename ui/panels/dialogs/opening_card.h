@@ -1,4 +1,4 @@
-// "Does this look right?": how the scan was read, what speaks against it, and other ways to look at and to take. Not modal.
+// "Does this look right?": how the scan was read, evidence against it, and other readings to preview and to adopt. Not modal.
 #pragma once
 
 #include "core/files/plausibility/opening_check.h"
@@ -11,19 +11,19 @@ class QTreeWidget;
 
 namespace edgescan::ui {
 
-/// In the language of the window; numbers and what the file says of itself as they are.
+/// In the language of the window; numbers and texts from the file are unchanged.
 [[nodiscard]] QString shownSentence(const Sentence& sentence);
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class OpeningCard : public QDialog {
     Q_OBJECT
 public:
     explicit OpeningCard(QWidget* parent);
 
     void tell(const QString& scan, const std::vector<OpeningPoint>& points);
-    /// In words, below the list: what is on the screen.
+    /// A sentence below the list about the scan on the screen.
     void showState(const QString& words);
-    /// Rows of the first level are points, those below them other readings, in order.
+    /// Rows of the first level are questions; the rows below them are other readings, in order.
     [[nodiscard]] QTreeWidget* list() const { return list_; }
     [[nodiscard]] QPushButton* adopt() const { return adopt_; }
     [[nodiscard]] QString verdict() const;

@@ -60,7 +60,7 @@ void ProposalsCard::tell(const QString& verdict, const QStringList& rows) {
     verdict_->setText(verdict);
     list_->clear();
     list_->addItems(rows);
-    list_->setCurrentIndex(QModelIndex()); // after setCurrentRow(-1) the focus would choose the first
+    list_->setCurrentIndex(QModelIndex()); // after setCurrentRow(-1) the focus would select the first row
     adopt_->setEnabled(false);
     show();
     raise();

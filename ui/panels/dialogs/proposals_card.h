@@ -1,4 +1,4 @@
-// Settings that agree with marked cells: a list to look through and to adopt from. Not modal.
+// Settings that agree with the marked cells: a list for preview and adoption. Not modal.
 #pragma once
 
 #include <QDialog>
@@ -11,17 +11,17 @@ class QPushButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ProposalsCard : public QDialog {
     Q_OBJECT
 public:
     explicit ProposalsCard(QWidget* parent);
 
-    /// It is being worked out: nothing to choose yet. Closing gives up.
+    /// The computation is running and the list is empty. Closing cancels it.
     void begin();
     void showStage(const QString& words, int done, int of);
     [[nodiscard]] bool working() const { return working_; }
-    /// `verdict`: one line. The rows are kept in order; none is chosen.
+    /// `verdict`: one line. The rows stay in this order; no row is selected.
     void tell(const QString& verdict, const QStringList& rows);
     [[nodiscard]] QListWidget* list() const { return list_; }
     [[nodiscard]] QPushButton* adopt() const { return adopt_; }

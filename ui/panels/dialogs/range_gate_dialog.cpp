@@ -1,4 +1,4 @@
-// Two numbers, the second never below the first.
+// Two numbers; the second is never below the first.
 #include "ui/panels/dialogs/range_gate_dialog.h"
 
 #include <QDialog>

@@ -1,4 +1,4 @@
-// Asks between which ranges cells are drawn.
+// Asks for the range gate: cells outside it are not drawn.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ struct RangeGate {
     double farM = 0.0;
 };
 
-/// Starts with these, to the outside rounded centimetres. Empty when it was cancelled.
+/// Starts with these values, rounded outwards to centimetres. Empty if the operator cancelled.
 [[nodiscard]] std::optional<RangeGate> askForRangeGate(QWidget* parent, double nearM, double farM);
 
 } // namespace edgescan::ui

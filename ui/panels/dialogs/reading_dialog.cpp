@@ -23,7 +23,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kMostOfScreen = 0.65; // for the rows; above and below stand words and buttons
+constexpr double kMostOfScreen = 0.65; // for the rows; text and buttons are above and below them
 
 QLabel* labelOf(const ReadingOption& option) {
     auto* label = new QLabel(QObject::tr(option.help));
@@ -63,7 +63,7 @@ ReadingDialog::ReadingDialog(const ReadingOptions& options, QWidget* parent) : Q
 }
 
 void ReadingDialog::addField(const ReadingOption& option, QFormLayout& form) {
-    if (option.kind == ReadingOption::Kind::Switch) return; // in the menu
+    if (option.kind == ReadingOption::Kind::Switch) return; // switches are in the menu
     const QString now = exactText(option.get(options_));
     if (option.kind == ReadingOption::Kind::Word) {
         auto* choice = new QComboBox;

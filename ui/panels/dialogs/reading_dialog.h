@@ -1,4 +1,4 @@
-// Asks what a file may not know of itself, or has wrong: angles, mounting, unit, sensor, pose and calibration.
+// Asks for values that a file may lack or have wrong: angles, mounting, unit, sensor, pose and calibration.
 #pragma once
 
 #include "core/scan/grid/reading_options.h"
@@ -17,7 +17,7 @@ class ReadingDialog : public QDialog {
 public:
     explicit ReadingDialog(const ReadingOptions& options, QWidget* parent = nullptr);
 
-    /// As they stand in the fields; what is left empty is taken from the file.
+    /// The values of the fields; empty fields are taken from the file.
     [[nodiscard]] ReadingOptions options() const { return options_; }
 
     void accept() override;

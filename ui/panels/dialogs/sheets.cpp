@@ -1,4 +1,4 @@
-// Dialogs that only tell something.
+// Dialogs that only show information.
 #include "ui/panels/dialogs/sheets.h"
 
 #include "core/base/version.h"

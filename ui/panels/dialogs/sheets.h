@@ -1,4 +1,4 @@
-// Dialogs that only tell something: keys and mouse, the properties of a scan, the program.
+// Dialogs that only show information: keys and mouse, the properties of a scan, the program.
 #pragma once
 
 #include <QList>
@@ -12,8 +12,8 @@ struct Scan;
 
 namespace edgescan::ui {
 
-/// The keys are read from the actions, so that the sheet cannot differ from what the keys do.
-/// Property of an action whose text changes: what it is called in lists, in the words of the window.
+/// The keys are read from the actions, so that the sheet always equals the real keys. Property of an action with a changing text: its fixed
+/// name in lists, in the language of the window.
 inline constexpr const char* kPlainName = "plainName";
 
 void showShortcuts(QWidget* parent, const QList<QAction*>& actions);

@@ -1,4 +1,4 @@
-// The table of keys.
+// The table of shortcuts.
 #include "ui/panels/dialogs/shortcut_editor.h"
 
 #include <QDialogButtonBox>
@@ -17,7 +17,7 @@ namespace edgescan::ui {
 
 ShortcutEditor::ShortcutEditor(std::vector<ShortcutRow> rows, std::function<void()> resetAll, QWidget* parent)
     : QDialog(parent), rows_(std::move(rows)), words_(new QLineEdit), table_(new QTableWidget(static_cast<int>(rows_.size()), 2)),
-      key_(new QKeySequenceEdit), none_(new QPushButton(tr("&No Key"))), reset_(new QPushButton(tr("&Reset"))), said_(new QLabel) {
+      key_(new QKeySequenceEdit), none_(new QPushButton(tr("&No Key"))), reset_(new QPushButton(tr("&Reset"))), message_(new QLabel) {
     setObjectName("shortcut-editor");
     setWindowTitle(tr("Change Keys"));
     words_->setObjectName("shortcut-words");
@@ -25,9 +25,9 @@ ShortcutEditor::ShortcutEditor(std::vector<ShortcutRow> rows, std::function<void
     key_->setObjectName("shortcut-key");
     none_->setObjectName("shortcut-none");
     reset_->setObjectName("shortcut-reset");
-    said_->setObjectName("shortcut-said");
-    said_->setWordWrap(true);
-    said_->setTextFormat(Qt::PlainText);
+    message_->setObjectName("shortcut-said");
+    message_->setWordWrap(true);
+    message_->setTextFormat(Qt::PlainText);
     table_->setObjectName("shortcut-table");
     table_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
     table_->verticalHeader()->hide();
@@ -43,7 +43,7 @@ ShortcutEditor::ShortcutEditor(std::vector<ShortcutRow> rows, std::function<void
     auto* all = new QPushButton(tr("Reset &All"));
     all->setObjectName("shortcut-reset-all");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    for (QPushButton* each : {none_, reset_, all}) each->setAutoDefault(false); // Return is a key like others here
+    for (QPushButton* each : {none_, reset_, all}) each->setAutoDefault(false); // here Return is a shortcut like other keys
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
     auto* line = new QHBoxLayout;
     line->addWidget(new QLabel(tr("Press the new key:")));
@@ -55,7 +55,7 @@ ShortcutEditor::ShortcutEditor(std::vector<ShortcutRow> rows, std::function<void
     column->addWidget(words_);
     column->addWidget(table_, 1);
     column->addLayout(line);
-    column->addWidget(said_);
+    column->addWidget(message_);
     column->addWidget(buttons);
     resize(620, 560);
     connect(words_, &QLineEdit::textChanged, this, &ShortcutEditor::find);
@@ -81,7 +81,7 @@ ShortcutRow* ShortcutEditor::current() {
     return row < 0 || table_->isRowHidden(row) ? nullptr : &rows_[static_cast<std::size_t>(row)];
 }
 
-/// One key, not several after each other.
+/// One key, not a sequence of keys.
 void ShortcutEditor::takeKey() {
     const QKeySequence typed = key_->keySequence();
     ShortcutRow* row = current();
@@ -92,17 +92,17 @@ void ShortcutEditor::takeKey() {
 }
 
 void ShortcutEditor::say(const QString& refusal, const QString& done) {
-    said_->setText(refusal.isEmpty() ? "✓ " + done : "▲ " + refusal);
+    message_->setText(refusal.isEmpty() ? "✓ " + done : "▲ " + refusal);
     showAll();
 }
 
-QString ShortcutEditor::said() const { return said_->text(); }
+QString ShortcutEditor::said() const { return message_->text(); }
 
 void ShortcutEditor::showAll() {
     for (int n = 0; n < table_->rowCount(); ++n) show(n);
 }
 
-// What was changed stands out by a mark, not by a colour.
+// A changed shortcut has a mark, so that colour is not the only sign.
 void ShortcutEditor::show(int n) {
     const ShortcutRow& row = rows_[static_cast<std::size_t>(n)];
     const bool usual = row.isUsual();

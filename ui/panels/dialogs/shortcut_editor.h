@@ -1,4 +1,4 @@
-// Every command with its key, in one table: find it, press another key.
+// Every command with its shortcut in one table: the operator finds a command and presses another key.
 #pragma once
 
 #include <QDialog>
@@ -17,7 +17,7 @@ class QTableWidget;
 
 namespace edgescan::ui {
 
-/// One row. `change` gives the sentence that says why not; empty: it was done.
+/// One row. `change` returns the reason of a refusal; empty: it was changed.
 struct ShortcutRow {
     QString name;
     std::function<QString()> keys;
@@ -26,7 +26,7 @@ struct ShortcutRow {
     std::function<QString()> reset;
 };
 
-/// GUI thread only. A key counts as soon as it was pressed.
+/// GUI thread only. A shortcut is valid as soon as it is pressed.
 class ShortcutEditor : public QDialog {
     Q_OBJECT
 public:
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] QLineEdit* words() const { return words_; }
     [[nodiscard]] QTableWidget* table() const { return table_; }
     [[nodiscard]] QKeySequenceEdit* keyField() const { return key_; }
-    /// What was done last, or why it was not.
+    /// The result of the last change, or the reason of its refusal.
     [[nodiscard]] QString said() const;
 
 private:
@@ -52,7 +52,7 @@ private:
     QKeySequenceEdit* key_;
     QPushButton* none_;
     QPushButton* reset_;
-    QLabel* said_;
+    QLabel* message_;
 };
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Why a cell is an edge.
+// Explains why a cell is an edge.
 #include "ui/panels/dialogs/why_card.h"
 
 #include "ui/base/shown_text.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
 constexpr int kRim = 12;                      // px
-constexpr double kMostStretched = 20.0;       // times that depth may be drawn larger than width
+constexpr double kMostStretched = 20.0;       // limit of the exaggeration of depth against width
 
 QLabel* words() {
     auto* label = new QLabel;
@@ -48,10 +48,10 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const QString way = profile_.along == Along::Beams ? tr("along the line") : tr("across the lines");
     const QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
     const QRect wrapped =
-        fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // in some languages two lines
+        fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // two lines in some languages
     const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - wrapped.height());
     const double perAcross = room.width() / wide, perAway = std::min(room.height() / deep, kMostStretched * perAcross);
-    // Near is below, as where the scanner stands.
+    // Near is at the bottom, on the side of the scanner.
     const double top = room.center().y() - perAway * deep / 2;
     const auto at = [&, leftM = left.acrossM, farM = far.awayM](double across, double away) {
         return QPointF(room.left() + (across - leftM) * perAcross, top + (farM - away) * perAway);
@@ -104,7 +104,7 @@ void WhyCard::tell(const QString& verdict, const EdgeProfile& profile, const QSt
     numbers_->setText(numbers);
     numbers_->setVisible(!numbers.isEmpty());
     adjustSize();
-    if (!isVisible() && parentWidget() != nullptr) { // over the panel, not over the cell that it speaks of
+    if (!isVisible() && parentWidget() != nullptr) { // over the panel, not over the explained cell
         const QRect window = parentWidget()->frameGeometry();
         move(window.right() - width() - kFromRight, window.top() + kFromTop);
     }

@@ -1,4 +1,4 @@
-// A card beside the window that says why a cell is an edge, or why it is none.
+// A card next to the window that explains why a cell is an edge or is not an edge.
 #pragma once
 
 #include "core/edges/explain/edge_profile.h"
@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace edgescan::ui {
 
-/// The surface across the cell: its points, and a line through either side.
+/// The surface across the cell: its points, and a fitted line on each side.
 class ProfileView : public QWidget {
     Q_OBJECT
 public:
@@ -26,18 +26,18 @@ private:
     EdgeProfile profile_;
 };
 
-/// GUI thread only. Not modal; the next cell takes its place.
+/// GUI thread only. Not modal; another cell replaces its content.
 class WhyCard : public QDialog {
     Q_OBJECT
 public:
     explicit WhyCard(QWidget* parent);
 
     void tell(const QString& text) { tell(text, {}, {}); }
-    /// The verdict first, then the picture, then the numbers; each may be empty.
+    /// Shows the verdict, the picture and the numbers; each may be empty.
     void tell(const QString& verdict, const EdgeProfile& profile, const QString& numbers);
-    /// A button that asks the same of the edge next to this cell, so many cells away; 0: there is none, or this is one.
+    /// A button that explains the nearest edge instead, so many cells away; 0: no edge is near, or this cell is one.
     void offerBeside(int cells);
-    /// Numbers and verdict.
+    /// The verdict and the numbers.
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] const ProfileView& picture() const { return *picture_; }

@@ -1,4 +1,4 @@
-// Menus and keys from a table of commands.
+// Makes menus and shortcuts from a table of commands.
 #include "ui/panels/keys/commands.h"
 
 #include "ui/engine/worker_bridge/memory.h"
@@ -24,7 +24,7 @@ void makeSwitch(QAction& action, const Command& command, Memory& memory) {
     }
     if (command.inSessions) action.setProperty(kInSessions, command.remembered);
     action.setChecked(memory.flag(command.remembered, command.on));
-    command.set(action.isChecked()); // also when it is what an action starts with
+    command.set(action.isChecked()); // also for the initial state of the action
     QObject::connect(&action, &QAction::toggled, &action, [&memory, set = command.set, key = command.remembered](bool on) {
         set(on);
         memory.keep(key, on);

@@ -1,4 +1,4 @@
-// The commands of menus and keys as data, and the actions that are made of them.
+// The commands of menus and shortcuts as data, and the actions made from them.
 #pragma once
 
 #include <QObject>
@@ -15,41 +15,41 @@ namespace edgescan::ui {
 
 class Memory;
 
-/// Property of an action that is a switch which sessions keep: by which key.
+/// Property of an action: the key under which a session file stores this switch.
 inline constexpr const char* kInSessions = "kept-in-sessions";
 
-/// One entry of a menu. Made by the functions below.
+/// One entry of a menu. The functions below make it.
 struct Command {
     QString text{};
-    const char* keys = "";                       ///< "Ctrl+Y; Ctrl+Shift+Z"
+    const char* keys = "";                       ///< shortcuts: "Ctrl+Y; Ctrl+Shift+Z"
     std::function<void()> run{};                 ///< of a plain command
     std::function<void(bool on)> set{};          ///< of a switch
-    const char* remembered = nullptr;            ///< of a switch: its key in the memory; null where its state lives elsewhere
-    bool on = false;                             ///< of a remembered switch: what it is at the first start
+    const char* remembered = nullptr;            ///< of a switch: its key in the settings memory; null if its state is stored elsewhere
+    bool on = false;                             ///< of a remembered switch: its value at the first start
     bool inSessions = true;                      ///< of a remembered switch
-    std::vector<Command> submenu{};              ///< of a menu
-    std::function<void(QMenu& menu)> fill{};     ///< of a menu that is made anew each time it is opened
-    const char* source = "";                     ///< the text before translation: keys are remembered by it
-    QAction* made = nullptr;                     ///< an action that is there already
-    std::function<void(QAction& action)> link{}; ///< what enables, checks or names the action from elsewhere
+    std::vector<Command> submenu{};              ///< entries of a submenu
+    std::function<void(QMenu& menu)> fill{};     ///< of a menu that is filled each time it is opened
+    const char* source = "";                     ///< the text before translation: shortcuts are stored under it
+    QAction* made = nullptr;                     ///< an existing action
+    std::function<void(QAction& action)> link{}; ///< connects the action to the state that enables, checks or renames it
 };
 
 [[nodiscard]] Command command(const char* text, const char* keys, std::function<void()> run);
 [[nodiscard]] Command toggle(const char* text, const char* keys, const char* remembered, bool on, std::function<void(bool)> set);
-/// A switch that is remembered, but in no session: a habit of the person, not a look of the scan.
+/// A switch that is remembered, but not in a session: a habit of the operator, not a property of the scan's view.
 [[nodiscard]] Command habit(Command command);
 [[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
 /// `command` with a link.
 [[nodiscard]] Command linked(Command command, std::function<void(QAction&)> link);
-/// A line between commands.
+/// A separator between commands.
 inline const Command kLine{};
 
-/// Adds the commands to the menu, and their keys to `window`, where they also work while the menu bar is hidden. A remembered switch is
-/// set to what the memory says, which must outlive the menu. `path`: of the menu, in the words of the source.
+/// Adds the commands to the menu, and their shortcuts to `window`, so that they also work while the menu bar is hidden. A remembered switch
+/// gets its value from the memory, which must outlive the menu. `path`: of the menu, in the language of the source.
 void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory, const QString& path = {});
 
-/// Space presses the button that has the focus, Home and End move the slider, Page Up and Page Down the slider, number or list that has it;
-/// only elsewhere they are shortcuts.
+/// Keys of the focused widget: Space presses the focused button. Home and End move the focused slider. Page Up and Page Down move the
+/// focused slider, number or list. In other widgets these keys are shortcuts.
 class KeysOfFocus : public QObject {
     Q_OBJECT
 public:

@@ -1,4 +1,4 @@
-// Opens the table of keys over the commands of a window.
+// Opens the table of shortcuts for the commands of a window.
 #include "ui/panels/keys/key_editing.h"
 
 #include "ui/panels/dialogs/shortcut_editor.h"

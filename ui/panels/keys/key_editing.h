@@ -7,7 +7,7 @@ namespace edgescan::ui {
 
 class Memory;
 
-/// Shows the table of the window's commands; what is changed in it counts at once and is remembered.
+/// Shows the table of the window's commands. Changes are valid at once and are remembered.
 void editKeys(QWidget& window, Memory& memory);
 
 } // namespace edgescan::ui

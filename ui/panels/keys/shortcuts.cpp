@@ -1,4 +1,4 @@
-// Keys that were changed.
+// Shortcuts changed by the operator.
 #include "ui/panels/keys/shortcuts.h"
 
 #include "ui/engine/worker_bridge/memory.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kId = "commandId";
 constexpr const char* kUsual = "usualKeys";
-constexpr const char* kNone = "none"; // in the memory: the key was taken away
+constexpr const char* kNone = "none"; // stored for a command whose shortcut was removed
 
 QString plainName(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
 
@@ -30,7 +30,7 @@ void remember(const KeyedCommand& command, Memory& memory) {
     memory.keep(kept(command.id), usual ? QString() : keys.isEmpty() ? QString(kNone) : keys);
 }
 
-// What views and fields do with a key by themselves.
+// Keys that views and fields handle themselves.
 QString ofTheWindow(const QKeySequence& key) {
     static const std::array<std::pair<int, const char*>, 8> taken{{
         {Qt::Key_Escape, QT_TRANSLATE_NOOP("QObject", "cancel and let go")},
@@ -100,7 +100,7 @@ void resetAllKeys(const QList<KeyedCommand>& commands, Memory& memory) {
     for (const KeyedCommand& command : commands) remember(command, memory);
 }
 
-// Two that changed keys with each other must not stand in each other's way: all are taken off first.
+// Two commands may have exchanged their shortcuts. Therefore all shortcuts are removed first.
 void recallKeys(const QList<KeyedCommand>& commands, const Memory& memory) {
     QList<std::pair<const KeyedCommand*, QString>> changed;
     for (const KeyedCommand& command : commands) {

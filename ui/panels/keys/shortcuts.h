@@ -1,4 +1,4 @@
-// The keys of commands as the operator wants them: what was changed is remembered, and no two commands share one.
+// The shortcuts of commands with the operator's changes. Changes are remembered; two commands never share a shortcut.
 #pragma once
 
 #include <QKeySequence>
@@ -11,7 +11,7 @@ namespace edgescan::ui {
 
 class Memory;
 
-/// A command with a name that no language changes: "View/From Scanner".
+/// A command with an untranslated name: "View/From Scanner".
 struct KeyedCommand {
     QAction* action = nullptr;
     QString id;
@@ -21,18 +21,18 @@ struct KeyedCommand {
 
 /// Marks an action as a command. `menu` and `name`: as in the source, with their & and …
 void nameCommand(QAction& action, const QString& menu, const QString& name);
-/// All that were named, in the order given, each once.
+/// All marked commands, in the given order, without duplicates.
 [[nodiscard]] QList<KeyedCommand> keyedCommands(const QList<QAction*>& actions);
 
-/// Who has the key already: a command, or something of the window that is no command (Esc, Tab, the key that flips A and B ...). Empty:
-/// nobody.
+/// The present owner of a key: a command, or a fixed key of the window (Esc, Tab, the key that flips A and B ...). Empty: the key is free.
 [[nodiscard]] QString ownerOf(const QKeySequence& key, const QList<KeyedCommand>& commands, const QAction* but = nullptr);
-/// The command has this key alone, or none where it is empty. Remembered. False, with nothing changed, where somebody else has it.
+/// Gives the command this key as its only shortcut; an empty key removes the shortcut. The change is remembered. False, without a change,
+/// if the key has another owner.
 bool changeKey(const KeyedCommand& command, const QKeySequence& key, const QList<KeyedCommand>& commands, Memory& memory);
-/// Back to what the program came with. What has one of its keys by now keeps that key; false then.
+/// Restores the command's default shortcuts. If another command owns one of them, it keeps it, and the result is false.
 bool resetKey(const KeyedCommand& command, const QList<KeyedCommand>& commands, Memory& memory);
 void resetAllKeys(const QList<KeyedCommand>& commands, Memory& memory);
-/// At the start: what was changed before. A key that somebody else has by now is left out.
+/// At program start: restores the operator's changes, except for keys that have another owner now.
 void recallKeys(const QList<KeyedCommand>& commands, const Memory& memory);
 
 } // namespace edgescan::ui

@@ -26,7 +26,7 @@ HealthStrip::HealthStrip(QWidget* parent)
         row->addWidget(each);
     row->addWidget(sentence_, 1);
     row->addStretch(0);
-    // A long sentence must not push the window wider; it is whole in the tool tip.
+    // A long sentence must not widen the window; the tool tip shows all of it.
     sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_, sentence_}) label->setTextFormat(Qt::PlainText);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_}) label->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
@@ -35,7 +35,7 @@ HealthStrip::HealthStrip(QWidget* parent)
 
 void HealthStrip::showHealth(const LiveHealth& health, Picture picture) {
     shown_ = health;
-    const auto tell = [](QLabel* label, const std::string& text) {
+    const auto showText = [](QLabel* label, const std::string& text) {
         const QString words = shownText(text);
         if (label->text() != words) label->setText(words);
         label->setVisible(!text.empty());
@@ -44,27 +44,27 @@ void HealthStrip::showHealth(const LiveHealth& health, Picture picture) {
         each->showState(sign, shownText(text));
         each->setVisible(!text.empty());
     };
-    // Green is only what is seen growing now; what is wrong with the scanner goes before all else.
-    const bool aside = health.liveness == Liveness::Live && picture != Picture::Follows;
-    badge(badge_, aside ? StateBadge::Sign::Waiting : signOf(health.liveness),
-          !aside                     ? health.badge
+    // Green is only for data that arrives now. A fault of the scanner has priority.
+    const bool notFollowing = health.liveness == Liveness::Live && picture != Picture::Follows;
+    badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
+          !notFollowing              ? health.badge
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
-    tell(lines_, health.lines);
-    tell(lost_, health.lost);
+    showText(lines_, health.lines);
+    showText(lost_, health.lost);
     lost_->setToolTip(tr("Lines whose telegrams never came; hatched in the images"));
-    tell(noReturn_, health.noReturn);
+    showText(noReturn_, health.noReturn);
     badge(remark_, signOf(health.telegrams), health.remark);
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << shownText(sentence);
     remark_->setToolTip(remarks.join('\n'));
     badge(window_, signOf(health.window), health.contamination);
-    // A device that is well needs no badge of its own.
+    // A device without faults has no badge.
     badge(device_, signOf(health.device), health.device == Condition::Good ? std::string() : health.deviceState);
-    tell(pose_, health.lines.empty() ? std::string() : health.pose);
-    tell(end_, health.end);
+    showText(pose_, health.lines.empty() ? std::string() : health.pose);
+    showText(end_, health.end);
     badge(recording_, signOf(health.recorded), health.recording);
-    tell(sentence_, health.liveness == Liveness::Live ? std::string() : health.sentence);
+    showText(sentence_, health.liveness == Liveness::Live ? std::string() : health.sentence);
     sentence_->setToolTip(shownText(health.sentence));
 }
 

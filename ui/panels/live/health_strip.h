@@ -1,4 +1,4 @@
-// One row that answers "is what I see true now?": LIVE / STALE / LOST, lines, losses, no return, window, pose, end, recording.
+// One row that shows whether the picture is up to date: LIVE / STALE / LOST, lines, losses, no return, window, pose, end, recording.
 #pragma once
 
 #include "core/files/live_feed/live_health.h"
@@ -17,7 +17,7 @@ class HealthStrip : public QWidget {
 public:
     explicit HealthStrip(QWidget* parent = nullptr);
 
-    /// What the picture on the screen has to do with the scanner.
+    /// The relation of the picture on the screen to the scanner.
     enum class Picture { Follows, Held, Other };
     void showHealth(const LiveHealth& health, Picture picture = Picture::Follows);
     [[nodiscard]] const LiveHealth& shown() const { return shown_; }

@@ -18,7 +18,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kUsualPort = 2112; // SICK's second CoLa port, as sick_scan_xd uses it
+constexpr int kUsualPort = 2112; // SICK's second CoLa port, the default of sick_scan_xd
 
 QPushButton* button(const char* name, const QString& text, const QString& help) {
     auto* made = new QPushButton(text);
@@ -66,8 +66,8 @@ LivePanel::LivePanel(QWidget* parent)
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordWanted);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepWanted);
     connect(follow_, &QPushButton::clicked, this, &LivePanel::followWanted);
-    // A click leaves the focus where it was: Space is to play and pause, and must not press again a button that means something else by
-    // then.
+    // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
+    // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
     setConnected(false);
 }
@@ -82,7 +82,7 @@ void LivePanel::addSweepMenu() {
     form->setDefaultWidget(sweep_);
     menu->addAction(form);
     sweepButton_->setMenu(menu);
-    // One change for all that was typed.
+    // One change for all typed values.
     connect(menu, &QMenu::aboutToHide, this, [this] {
         if (connected_) emit sweepWanted();
     });

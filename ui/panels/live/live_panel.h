@@ -1,4 +1,4 @@
-// The panel under the views: which scanner, connect, record, keep, follow; and its health.
+// The panel under the views: scanner address, connect, record, keep, follow, and the scanner's health.
 #pragma once
 
 #include "core/scanner/sweep_assembly/sweep_settings.h"
@@ -16,7 +16,7 @@ namespace edgescan::ui {
 
 class SweepForm;
 
-/// GUI thread only. Says what the operator wants and shows what it is told; it connects to nothing by itself.
+/// GUI thread only. Signals the operator's choices and displays the values it is given; it opens no connection.
 class LivePanel : public QWidget {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] int port() const;
     void setSweep(const SweepSettings& settings);
     [[nodiscard]] SweepSettings sweep() const;
-    /// The cursor into the host.
+    /// Puts the text cursor into the host field.
     void askAddress();
 
     void setConnected(bool connected);
@@ -44,7 +44,7 @@ signals:
     void recordWanted(bool on);
     void keepWanted();
     void followWanted(bool on);
-    /// Mounting or steps were typed while the scanner is connected.
+    /// The operator typed mounting or steps while the scanner is connected.
     void sweepWanted();
 
 private:

@@ -1,4 +1,4 @@
-// Playing a recording off the GUI thread.
+// Plays a recording off the GUI thread.
 #include "ui/panels/live/replay_player.h"
 
 #include "core/scan/grid/given_angles.h"
@@ -13,7 +13,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr std::size_t kMostStarts = 500; // copies kept; a recording of more sweeps goes back further at a time
+constexpr std::size_t kMostStarts = 500; // copies of the state; a recording with more sweeps goes back several sweeps at a time
 
 } // namespace
 
@@ -77,7 +77,7 @@ void ReplayPlayer::work(const std::filesystem::path& path) {
     }
 }
 
-/// Plays all of it once: where the sweeps begin, and a copy of the state there.
+/// Plays the whole recording once: finds the start of each sweep and copies the state there.
 RecordingContents ReplayPlayer::survey(Replay& replay) {
     RecordingContents contents;
     for (int line = 0; line < replay.lines(); ++line) contents.lineNs.push_back(replay.timeNs(line));
@@ -90,7 +90,7 @@ RecordingContents ReplayPlayer::survey(Replay& replay) {
             contents.sweeps.push_back({replay.position() - std::max(now.lines, 1), 0});
             if (starts_.size() < kMostStarts) {
                 static_cast<void>(replay.feed().assembler().takeFinished());
-                static_cast<void>(replay.snapshot()); // lets go of the sweep before
+                static_cast<void>(replay.snapshot()); // frees the previous sweep
                 starts_.push_back(replay);
             }
         }

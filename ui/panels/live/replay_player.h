@@ -1,4 +1,4 @@
-// Plays a recording on a thread of its own: the newest line asked for wins, and going back costs one sweep at most.
+// Plays a recording on its own thread. Only the newest requested line is played; going back costs at most one sweep.
 #pragma once
 
 #include "core/files/recording/replay.h"
@@ -14,38 +14,38 @@
 
 namespace edgescan::ui {
 
-/// Where a sweep lies in a recording: its last line is that before the next one's first.
+/// The position of a sweep in a recording: it ends before the next sweep's first line.
 struct RecordedSweep {
     int firstLine = 0; ///< position in the recording before the sweep's first line
-    int received = 0;  ///< rows of which nothing is missing
+    int received = 0;  ///< complete rows
 };
 
-/// What there is to play.
+/// The lines and sweeps of a recording.
 struct RecordingContents {
-    std::vector<std::int64_t> lineNs; ///< when each line was received, ns since 1970 UTC
+    std::vector<std::int64_t> lineNs; ///< reception time of each line, ns since 1970 UTC
     std::vector<RecordedSweep> sweeps;
 };
 
-/// The recording at a place.
+/// The state of the recording at one position.
 struct ReplayedSweep {
     int position = 0; ///< lines played
     SweepSoFar sweep;
 };
 
-/// GUI thread only; signals arrive there.
+/// GUI thread only; signals are emitted there.
 class ReplayPlayer : public QObject {
     Q_OBJECT
 public:
-    /// Starts to read at once. `options`: as the file was opened with.
+    /// Starts to read at once. `options`: the options with which the file was opened.
     ReplayPlayer(const std::filesystem::path& path, const ReadingOptions& options, QObject* parent = nullptr);
     ~ReplayPlayer() override;
 
-    /// To just behind `line` lines. What was asked for before and is not done yet is dropped.
+    /// Goes to the position after `line` lines. Drops requests that are not done yet.
     void seek(int line);
 
 signals:
     void loaded(const edgescan::ui::RecordingContents& contents);
-    /// Not a recording that can be played; the sentence says why.
+    /// The recording cannot be played; the sentence gives the reason.
     void refused(const QString& sentence);
     void arrived(const edgescan::ui::ReplayedSweep& at);
 
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] bool stopping() const;
 
     const ReadingOptions options_;
-    std::vector<Replay> starts_; // a copy at the beginning of each sweep; the thread's own
+    std::vector<Replay> starts_; // a copy of the state at the start of each sweep; used only by the thread
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<int> wanted_;

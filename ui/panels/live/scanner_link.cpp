@@ -18,7 +18,7 @@ ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), eng
     timer_.setInterval(kLinkTickMs);
     connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
     connect(&engine_, &Engine::failed, this, [this] { awaiting_ = false; });
-    // Another file was opened: it is not to be pushed aside by the next line.
+    // The operator opened another file: the next scan line must not replace it.
     connect(&engine_, &Engine::opened, this, [this] { follow(false); });
 }
 
@@ -28,11 +28,11 @@ void ScannerLink::followPicture() {
     if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
     awaiting_ = false;
     if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
-    // As long as it took to make it, the worker is left to the sliders.
+    // After each picture the worker is free for the sliders for the time that the picture took.
     restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
 }
 
-void ScannerLink::runAside(std::function<std::function<void()>()> work) {
+void ScannerLink::runInThread(std::function<std::function<void()>()> work) {
     inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });
 }
 
@@ -44,7 +44,7 @@ void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings&
     heldNumber_ = -1;
     finished_.reset();
     posted_ = {};
-    awaiting_ = recordingTroubleTold_ = false;
+    awaiting_ = recordingErrorReported_ = false;
     restMs_ = 0;
     sincePost_.start();
     const auto news = news_;
@@ -58,7 +58,7 @@ void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings&
 std::optional<int> ScannerLink::useSweep(const SweepSettings& sweep) {
     const std::optional<int> gone = feed_ ? feed_->useSweep(sweep) : std::nullopt;
     if (!gone) return gone;
-    heldNumber_ = -1; // sweeps are counted anew
+    heldNumber_ = -1; // the number of sweeps starts again
     finished_.reset();
     posted_ = {};
     *news_ = true;
@@ -78,12 +78,12 @@ void ScannerLink::hangUp() {
     health_.badge = "STOPPED";
     health_.end.clear();
     health_.recording.clear();
-    runAside([this, feed, shows, stream, recorded]() -> std::function<void()> {
+    runInThread([this, feed, shows, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<RecordingState> closed = feed->stopRecording();
         const SweepSoFar sweep = feed->sweep();
         return [this, closed, sweep, shows, stream, recorded] {
-            if (!recorded.isEmpty() || !closed) tellRecorded(closed, recorded);
+            if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             if (shows && stream == stream_ && sweep.scan) post(sweep, false);
         };
     });
@@ -126,11 +126,11 @@ void ScannerLink::tick() {
 }
 
 void ScannerLink::noticeTroubles(const LiveStatus& status) {
-    if (!status.recording || !status.recording->problem || std::exchange(recordingTroubleTold_, true)) return;
+    if (!status.recording || !status.recording->problem || std::exchange(recordingErrorReported_, true)) return;
     emit failed(shownText(status.recording->problem->sentence()));
 }
 
-/// The newest of the sweep, when the last picture is out and its time of rest is over.
+/// Shows the newest state of the sweep when the last picture is finished and the pause is over.
 void ScannerLink::showSweep() {
     if (!following_ || engine_.opening() || (awaiting_ && engine_.behind()) || sincePost_.elapsed() < restMs_) return;
     if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
@@ -142,7 +142,7 @@ void ScannerLink::showSweep() {
     else if (sweep.progress.number > heldNumber_)
         showFinal(sweep);
     else
-        post(sweep, false); // once more, because the operator asked to follow
+        post(sweep, false); // once more, because the operator chose to follow
 }
 
 void ScannerLink::showFinal(const SweepSoFar& sweep) {
@@ -163,8 +163,8 @@ void ScannerLink::startRecording(const QString& path) {
     recording_ = true;
     recordingPath_ = path;
     recordingClosed_ = false;
-    recordingTroubleTold_ = false;
-    runAside([this, feed = feed_, path]() -> std::function<void()> {
+    recordingErrorReported_ = false;
+    runInThread([this, feed = feed_, path]() -> std::function<void()> {
         const Result<Done> started = feed->startRecording(path.toStdString());
         return [this, started, feed] {
             if (started) return;
@@ -180,14 +180,14 @@ void ScannerLink::startRecording(const QString& path) {
 void ScannerLink::stopRecording() {
     if (!feed_ || !recording_) return;
     recording_ = false;
-    runAside([this, feed = feed_, path = recordingPath_]() -> std::function<void()> {
+    runInThread([this, feed = feed_, path = recordingPath_]() -> std::function<void()> {
         const Result<RecordingState> closed = feed->stopRecording();
-        return [this, closed, path] { tellRecorded(closed, path); };
+        return [this, closed, path] { reportRecorded(closed, path); };
     });
     emit recordingChanged(false);
 }
 
-void ScannerLink::tellRecorded(const Result<RecordingState>& closed, const QString& path) {
+void ScannerLink::reportRecorded(const Result<RecordingState>& closed, const QString& path) {
     if (!closed) return emit failed(shownText(closed.error().sentence()));
     recordingClosed_ = recordingClosed_ || path == recordingPath_;
     if (closed->unsynced() == 0) return emit written(path);
@@ -198,7 +198,7 @@ void ScannerLink::tellRecorded(const Result<RecordingState>& closed, const QStri
 
 void ScannerLink::keepRecent(const QString& path) {
     if (!feed_) return;
-    runAside([this, feed = feed_, path]() -> std::function<void()> {
+    runInThread([this, feed = feed_, path]() -> std::function<void()> {
         const Result<Done> kept = feed->keepRecent(path.toStdString());
         return [this, kept, path] {
             if (kept)

@@ -1,4 +1,5 @@
-// A live scanner on the GUI thread: hands the growing sweep to the session as fast as it can be shown, and knows its health.
+// A live scanner on the GUI thread: passes the growing sweep to the session as fast as it can be displayed, and monitors the scanner's
+// health.
 #pragma once
 
 #include "core/files/live_feed/live_feed.h"
@@ -15,7 +16,7 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only; nothing here waits for network or disk.
+/// GUI thread only; no function here waits for network or disk.
 class ScannerLink : public QObject {
     Q_OBJECT
 public:
@@ -25,34 +26,34 @@ public:
     /// A new picture is on the screen.
     void followPicture();
 
-    /// Hangs up first where there is a connection. Reads and a subscription are all that is sent.
+    /// Closes an open connection first. EdgeScan sends only read requests and a subscription.
     void connectTo(const SessionSettings& scanner, const SweepSettings& sweep);
-    /// Ends recording and connection; the sweep stays on the screen as it is.
+    /// Ends recording and connection; the sweep stays on the screen.
     void hangUp();
-    /// Other mounting or steps from now on, the sweep under way included, but for so many of its lines. Nothing: not connected, or they are
-    /// those in use.
+    /// Applies another mounting or other steps from now on, including the current sweep. Returns the number of its lines to which they
+    /// cannot be applied. Empty: not connected, or the values are already in use.
     std::optional<int> useSweep(const SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
     [[nodiscard]] bool recording() const { return recording_; }
-    /// Of the newest recording of this connection; empty: none.
+    /// Path of the newest recording of this connection; empty: no recording.
     [[nodiscard]] const QString& recordingPath() const { return recordingPath_; }
-    /// It is written whole and closed.
+    /// The recording is completely written and closed.
     [[nodiscard]] bool recordingClosed() const { return recordingClosed_; }
 
-    /// Every telegram from now on into a new file.
+    /// Writes every telegram from now on to a new file.
     void startRecording(const QString& path);
     void stopRecording();
-    /// The last minute as a file of its own.
+    /// Writes the last minute to its own file.
     void keepRecent(const QString& path);
 
-    /// Off: the picture stays as it is while the scanner goes on.
+    /// Off: the picture does not change while the scanner continues.
     void follow(bool on);
     [[nodiscard]] bool following() const { return following_; }
-    /// On: following ends by itself with the sweep, so that the next one does not take its place.
+    /// On: following ends with the sweep, so that the next sweep does not replace the picture.
     void setHoldAtEnd(bool on) { holdAtEnd_ = on; }
 
     [[nodiscard]] const LiveHealth& health() const { return health_; }
-    /// What is on the screen comes from this scanner and is older than it seems.
+    /// True if the picture comes from this scanner and is outdated.
     [[nodiscard]] bool showsStale() const;
     /// PictureSource::stream of its pictures; 0: never connected.
     [[nodiscard]] std::uint64_t stream() const { return stream_; }
@@ -70,9 +71,9 @@ private:
     void showSweep();
     void showFinal(const SweepSoFar& sweep);
     void post(const SweepSoFar& sweep, bool growing);
-    void tellRecorded(const Result<RecordingState>& closed, const QString& path);
+    void reportRecorded(const Result<RecordingState>& closed, const QString& path);
     void noticeTroubles(const LiveStatus& status);
-    void runAside(std::function<std::function<void()>()> work); // on a thread of its own; what it returns is called here
+    void runInThread(std::function<std::function<void()>()> work); // on its own thread; the returned function is called on the GUI thread
 
     Engine& engine_;
     std::shared_ptr<LiveFeed> feed_;
@@ -86,13 +87,13 @@ private:
     bool recording_ = false;
     bool recordingClosed_ = false;
     QString recordingPath_;
-    bool recordingTroubleTold_ = false;
-    int heldNumber_ = -1; // newest sweep that was shown whole
+    bool recordingErrorReported_ = false;
+    int heldNumber_ = -1; // number of the newest sweep that was shown complete
     std::optional<SweepSoFar> finished_;
-    SweepSoFar posted_;   // the newest that was given to the session
-    SweepProgress shown_; // that the picture on the screen was computed from
+    SweepSoFar posted_;   // the newest state that was passed to the session
+    SweepProgress shown_; // the progress that the picture on the screen shows
     QElapsedTimer sincePost_;
-    qint64 restMs_ = 0; // from the last post to the next one
+    qint64 restMs_ = 0; // pause between two posts
     bool awaiting_ = false;
 };
 

@@ -1,4 +1,4 @@
-// One word about a state, told by text, shape and colour alike (NE 107: colour is never the only sign).
+// One word about a state, shown by text, shape and colour (NE 107: colour is never the only sign).
 #pragma once
 
 #include "core/files/live_feed/live_health.h"
@@ -10,7 +10,7 @@ namespace edgescan::ui {
 class StateBadge : public QWidget {
     Q_OBJECT
 public:
-    /// Disc, two bars, triangle, cross, bar; triangle to the right, sheet.
+    /// Shapes: disc, two bars, triangle, cross, bar; triangle to the right, sheet.
     enum class Sign { Good, Waiting, Doubtful, Failed, Off, Recorded, File };
 
     explicit StateBadge(QWidget* parent = nullptr);

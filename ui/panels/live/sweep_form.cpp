@@ -10,7 +10,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kStepNotSaid = -10.00001; // the least that the box takes, shown as words
+constexpr double kStepNotGiven = -10.00001; // minimum of the box, displayed as text: the step is not given
 
 QDoubleSpinBox* degrees(double least, double most, int decimals) {
     auto* box = new QDoubleSpinBox;
@@ -23,8 +23,8 @@ QDoubleSpinBox* degrees(double least, double most, int decimals) {
 } // namespace
 
 SweepForm::SweepForm(QWidget* parent)
-    : QWidget(parent), lines_(new QSpinBox), step_(degrees(kStepNotSaid, 10, 5)), first_(degrees(-360, 360, 3)), ticks_(new QDoubleSpinBox),
-      axis_(new QComboBox), standing_(new QCheckBox(tr("Stands while a line is measured"))) {
+    : QWidget(parent), lines_(new QSpinBox), step_(degrees(kStepNotGiven, 10, 5)), first_(degrees(-360, 360, 3)),
+      ticks_(new QDoubleSpinBox), axis_(new QComboBox), standing_(new QCheckBox(tr("Stands while a line is measured"))) {
     lines_->setRange(0, 20000);
     lines_->setSpecialValueText(tr("not known"));
     step_->setSingleStep(0.01);
@@ -49,7 +49,7 @@ SweepForm::SweepForm(QWidget* parent)
 void SweepForm::showSettings(const SweepSettings& settings) {
     shown_ = settings;
     lines_->setValue(settings.expectedLines);
-    step_->setValue(settings.stepAssumed ? kStepNotSaid : settings.degPerLine.value_or(0.18));
+    step_->setValue(settings.stepAssumed ? kStepNotGiven : settings.degPerLine.value_or(0.18));
     first_->setValue(settings.firstLineDeg);
     ticks_->setValue(settings.ticksPerDeg.value_or(0.0));
     axis_->setCurrentIndex(settings.axisAssumed ? 0 : axis_->findData(static_cast<int>(settings.axis)));

@@ -1,4 +1,4 @@
-// What the operator says of the stepper: without it nobody knows how long a sweep is and where its lines lie.
+// The operator's description of the stepper. Without it the length of a sweep and the angles of its lines are unknown.
 #pragma once
 
 #include "core/scanner/sweep_assembly/sweep_settings.h"
@@ -18,7 +18,7 @@ public:
     explicit SweepForm(QWidget* parent = nullptr);
 
     void showSettings(const SweepSettings& settings);
-    /// The settings shown last with what was typed since.
+    /// The last shown settings with the operator's changes.
     [[nodiscard]] SweepSettings settings() const;
 
 private:

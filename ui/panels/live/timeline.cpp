@@ -17,9 +17,9 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kTickMs = 40;
-constexpr int kFirst = 1; // position: before it there is nothing to show
+constexpr int kFirst = 1; // position: before it there is no line to show
 constexpr double kNsPerMs = 1e6;
-constexpr double kLongestPauseNs = 2e9; // of a recording that is played: nobody wants to wait out a night
+constexpr double kLongestPauseNs = 2e9; // longest pause while playing, in recorded time: longer gaps are skipped
 constexpr std::array<double, 9> kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 100.0};
 
 QString utcText(std::int64_t ns) {
@@ -62,7 +62,7 @@ void Timeline::load(const std::filesystem::path& path, const ReadingOptions& opt
     connect(player_.get(), &ReplayPlayer::loaded, this, &Timeline::take);
     connect(player_.get(), &ReplayPlayer::refused, this, &Timeline::refused);
     connect(player_.get(), &ReplayPlayer::arrived, this, [this](const ReplayedSweep& at) {
-        onTheWay_ = false;
+        seeking_ = false;
         emit arrived(at);
         if (at.position != position_) seek();
     });
@@ -71,7 +71,7 @@ void Timeline::load(const std::filesystem::path& path, const ReadingOptions& opt
 void Timeline::clear() {
     play(false);
     player_.reset();
-    onTheWay_ = false;
+    seeking_ = false;
     const bool was = active();
     contents_ = {};
     position_ = home_ = 0;
@@ -79,7 +79,7 @@ void Timeline::clear() {
     if (was) emit activeChanged(false);
 }
 
-/// The file itself was opened meanwhile: its longest sweep is on the screen, whole.
+/// The file was opened meanwhile: its longest sweep is on the screen, complete.
 void Timeline::take(const RecordingContents& contents) {
     if (contents.lineNs.size() < 2 || contents.sweeps.empty()) return;
     contents_ = contents;
@@ -117,7 +117,7 @@ void Timeline::showPlace() {
     label_->setText(text);
 }
 
-/// Played on from here.
+/// Sets the time from which playing continues.
 void Timeline::setClock() {
     if (active()) atNs_ = static_cast<double>(contents_.lineNs[static_cast<std::size_t>(std::min(position_, lines() - 1))]);
 }
@@ -138,7 +138,7 @@ void Timeline::play(bool on) {
 
 void Timeline::tick() {
     const double passedMs = static_cast<double>(sinceTick_.restart());
-    if (onTheWay_) return; // a machine that cannot keep up plays slower and leaves nothing out
+    if (seeking_) return; // a slow machine plays slower and skips no line
     const auto& times = contents_.lineNs;
     if (position_ >= lines()) return play(false);
     const auto next = static_cast<double>(times[static_cast<std::size_t>(position_)]);
@@ -171,8 +171,8 @@ void Timeline::setSpeed(double factor) {
 }
 
 void Timeline::seek() {
-    if (!player_ || onTheWay_) return;
-    onTheWay_ = true;
+    if (!player_ || seeking_) return;
+    seeking_ = true;
     player_->seek(position_);
 }
 

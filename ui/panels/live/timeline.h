@@ -1,4 +1,4 @@
-// The timeline under the views: a recording played, stepped and scrubbed by line.
+// The timeline under the views: plays a recording, by steps or by dragging, line by line.
 #pragma once
 
 #include "ui/panels/live/replay_player.h"
@@ -23,16 +23,16 @@ class Timeline : public QWidget {
 public:
     explicit Timeline(QWidget* parent = nullptr);
 
-    /// Shows itself once the recording is read and has more than one line.
+    /// Becomes visible when the recording is read and has more than one line.
     void load(const std::filesystem::path& path, const ReadingOptions& options);
     void clear();
-    /// There is something to play.
+    /// True if there is a recording to play.
     [[nodiscard]] bool active() const { return lines() > 0; }
 
     [[nodiscard]] int lines() const { return static_cast<int>(contents_.lineNs.size()); }
-    /// Lines played; what was asked for, which the picture may still follow.
+    /// The requested number of played lines; the picture may still be behind.
     [[nodiscard]] int position() const { return position_; }
-    /// The position that the file is opened at: the end of its longest sweep.
+    /// The position at which the file is opened: the end of its longest sweep.
     [[nodiscard]] int home() const { return home_; }
     [[nodiscard]] bool playing() const { return ticking_.isActive(); }
     [[nodiscard]] const RecordingContents& contents() const { return contents_; }
@@ -48,7 +48,7 @@ public slots:
 signals:
     void activeChanged(bool active);
     void playingChanged(bool playing);
-    /// The recording cannot be played; the sentence says why.
+    /// The recording cannot be played; the sentence gives the reason.
     void refused(const QString& sentence);
     void arrived(const edgescan::ui::ReplayedSweep& at);
 
@@ -63,9 +63,9 @@ private:
     std::unique_ptr<ReplayPlayer> player_;
     RecordingContents contents_;
     int position_ = 0, home_ = 0;
-    double atNs_ = 0.0; // of the recording, while it is played
+    double atNs_ = 0.0; // time in the recording while it plays
     double speed_ = 1.0;
-    bool onTheWay_ = false; // the player was asked and has not answered
+    bool seeking_ = false; // the player has not answered the last request yet
     QTimer ticking_;
     QElapsedTimer sinceTick_;
 

@@ -32,7 +32,7 @@ void TimelineSlider::paintEvent(QPaintEvent* event) {
     }
 }
 
-/// A click goes there, not a page further.
+/// A click moves the slider there, not by one page.
 void TimelineSlider::mousePressEvent(QMouseEvent* event) {
     QStyleOptionSlider option;
     initStyleOption(&option);

@@ -1,4 +1,4 @@
-// A slider over the lines of a recording, with a mark where each sweep begins.
+// A slider over the lines of a recording, with a mark at the start of each sweep.
 #pragma once
 
 #include <QSlider>

@@ -1,4 +1,4 @@
-// The card of what is selected.
+// The card of the selection.
 #include "ui/panels/rocks/rock_card.h"
 
 #include "ui/base/shown_text.h"
@@ -85,7 +85,7 @@ RockCard::RockCard(QWidget* parent)
         rows_[n] = {new QLabel, new QLabel};
         rows_[n].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         rows_[n].second->setWordWrap(true);
-        auto* line = new QHBoxLayout; // no columns: a long name takes no room from the numbers of others
+        auto* line = new QHBoxLayout; // no columns: a long name does not narrow the numbers of other rows
         line->addWidget(rows_[n].first, 0, Qt::AlignTop);
         line->addWidget(rows_[n].second, 1);
         lines->addLayout(line);

@@ -1,4 +1,4 @@
-// The card of what is selected: one rock, several, or a place that is no rock; with the buttons that change it.
+// The card of the selection: one rock, several rocks, or a place that is not a rock; with buttons that change it.
 #pragma once
 
 #include "ui/panels/rocks/rock_picture.h"
@@ -16,15 +16,16 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class RockCard : public QFrame {
     Q_OBJECT
 public:
     explicit RockCard(QWidget* parent = nullptr);
 
-    /// `cells`: what was selected, the last one tells. Hides itself where there is none. `stale`: the numbers belong to an older picture.
+    /// `cells`: the selected cells; the card describes the last one. Hidden without a selection. `stale`: the numbers belong to an older
+    /// picture.
     void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale);
-    /// All that it says, row by row.
+    /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 
     [[nodiscard]] QPushButton* split() const { return split_; }
@@ -34,10 +35,10 @@ public:
 
 signals:
     void closeWanted();
-    /// The next click on the rock splits it; false: no longer.
+    /// On: the next click on the rock splits it; off: cancelled.
     void splitWanted(bool on);
     void mergeWanted();
-    /// It is a rock, or it is none.
+    /// The operator marks it as a rock, or as not a rock.
     void callWanted(bool rock);
 
 private:

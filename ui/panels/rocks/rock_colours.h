@@ -1,4 +1,4 @@
-// Colours of rock faces as Qt's.
+// Colours of rock faces as QColor.
 #pragma once
 
 #include "core/rocks/attributes/faces.h"
@@ -7,7 +7,7 @@
 
 namespace edgescan::ui {
 
-/// `place`: of kRockFaceColours.
+/// `place`: index into kRockFaceColours.
 [[nodiscard]] inline QColor rockColour(std::size_t place) {
     const Rgb& colour = kRockFaceColours[place];
     return {colour.red, colour.green, colour.blue};

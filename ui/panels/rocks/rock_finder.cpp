@@ -1,4 +1,4 @@
-// Works out the rocks of a detection on a thread of its own.
+// Finds the rocks of a detection on its own thread.
 #include "ui/panels/rocks/rock_finder.h"
 
 namespace edgescan::ui {
@@ -29,7 +29,7 @@ RockFinder::Answer RockFinder::run(const Asked& asked) {
             detection_ = question.detection;
         }
         last_ = rockPicture(question.detection, studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr));
-    } catch (...) { // what is half done is begun anew
+    } catch (...) { // an interrupted computation starts again from the beginning
         detection_ = nullptr;
         last_ = nullptr;
         throw;

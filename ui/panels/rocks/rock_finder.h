@@ -1,4 +1,4 @@
-// Works out the rocks of a detection on a thread of its own.
+// Finds the rocks of a detection on its own thread.
 #pragma once
 
 #include "ui/engine/worker_bridge/newest.h"
@@ -10,21 +10,21 @@
 
 namespace edgescan::ui {
 
-/// What rocks are made of.
+/// The inputs of the computation.
 struct RockQuestion {
     std::shared_ptr<const Detection> detection;
     RockSettings settings;
     std::vector<RockEdit> edits;
 };
 
-/// GUI thread only. The newest question wins.
+/// GUI thread only. Only the newest question is answered.
 class RockFinder : public QObject {
     Q_OBJECT
 public:
     explicit RockFinder(QObject* parent = nullptr);
 
     void ask(const RockQuestion& question);
-    /// What was asked last is not answered yet.
+    /// True while the newest question has no answer.
     [[nodiscard]] bool behind() const { return behind_; }
 
 signals:
@@ -45,12 +45,12 @@ private:
     std::uint64_t asked_ = 0;
     bool behind_ = false;
 
-    // Worker's thread only.
-    std::shared_ptr<const Detection> detection_; // that inputs_ were made of
+    // Used only by the worker's thread.
+    std::shared_ptr<const Detection> detection_; // the detection of inputs_
     RockInputs inputs_;
     std::shared_ptr<const RockPicture> last_;
 
-    Newest<Asked, Answer> worker_; // last: its thread uses the rest
+    Newest<Asked, Answer> worker_; // last member: its thread uses the members above
 };
 
 } // namespace edgescan::ui

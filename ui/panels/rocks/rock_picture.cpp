@@ -14,11 +14,11 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kFaceAlpha = 165;    // what lies below is still seen
-constexpr int kBorderAlpha = 215;  // between two faces
-constexpr int kHatchesAcross = 70; // stripes of a doubtful rock, per width of the picture ...
-constexpr int kNarrowestHatch = 6; // ... in cells
-constexpr double kStripe = 0.4;    // share of a hatch that is dark
+constexpr int kFaceAlpha = 165;    // the picture below stays visible
+constexpr int kBorderAlpha = 215;  // border between two faces
+constexpr int kHatchesAcross = 70; // stripes of a rock with an uncertain outline, per width of the picture ...
+constexpr int kNarrowestHatch = 6; // ... minimum width in cells
+constexpr double kStripe = 0.4;    // share of a stripe period that is dark
 
 std::uint32_t bytesOf(QRgb c) {
     return static_cast<std::uint32_t>(qRed(c)) | static_cast<std::uint32_t>(qGreen(c)) << 8U | static_cast<std::uint32_t>(qBlue(c)) << 16U |
@@ -29,11 +29,11 @@ struct Paint {
     QRgb face, point;
 };
 
-// By label, whole and in the dark stripe of a hatch, and on the border.
+// Per label: the face, the dark stripe of a hatch, and the border.
 struct Paints {
     std::vector<Paint> plain, stripe;
     Paint border{qPremultiply(qRgba(8, 8, 8, kBorderAlpha)), qRgb(24, 24, 24)};
-    Paint outside{qPremultiply(qRgba(0, 0, 0, 190)), qRgb(52, 52, 52)}; // the region of interest; striped
+    Paint outside{qPremultiply(qRgba(0, 0, 0, 190)), qRgb(52, 52, 52)}; // outside the region of interest; striped
 };
 
 Paints paintsOf(const RockPicture& picture) {

@@ -1,4 +1,4 @@
-// What the views show of the rocks of one detection, made off the GUI thread.
+// The picture of the rocks of one detection, made off the GUI thread.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -15,41 +15,41 @@
 
 namespace edgescan::ui {
 
-/// Of points that belong to no rock: bytes red, green, blue, 255.
+/// Colour of points that belong to no rock: bytes red, green, blue, 255.
 inline constexpr std::uint32_t kBesideRocks = 0xff5c5c5cU;
 
-/// Never changed after it is made. All members change together in the window.
+/// Immutable after construction. In the window all members are replaced together.
 struct RockPicture {
     std::shared_ptr<const Detection> detection;
     RockStudy study;
-    Grid<std::uint32_t> labels;        ///< lines x beams: 0 none, else the place in study.rocks + 1
-    std::vector<std::uint8_t> colours; ///< by label: places in kRockFaceColours
+    Grid<std::uint32_t> labels;        ///< lines x beams: 0 = not a rock, else index into study.rocks + 1
+    std::vector<std::uint8_t> colours; ///< per label: index into kRockFaceColours
     std::shared_ptr<const QImage>
-        faces; ///< beams x lines: translucent, dark between rocks, doubtful rocks hatched, striped outside the region
-    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< by cell, four bytes: red, green, blue, 255; gray beside rocks
+        faces; ///< beams x lines: translucent, dark between rocks, hatched for uncertain outlines, striped outside the region
+    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, four bytes: red, green, blue, 255; gray outside rocks
 
     [[nodiscard]] std::uint32_t labelAt(std::size_t cell) const { return cell < labels.size() ? labels[cell] : 0; }
-    /// Null beside rocks.
+    /// The rock at the cell; null outside rocks.
     [[nodiscard]] const Rock* rockAt(std::size_t cell) const;
     [[nodiscard]] const Rock* rock(std::uint32_t label) const { return label == 0 ? nullptr : &study.rocks[label - 1]; }
-    /// What lies at the cell, rock or not; null where nothing was measured or no piece fits.
+    /// The region at the cell, rock or not; null for cells that were not measured or belong to no segment.
     [[nodiscard]] const RockRegion* regionAt(std::size_t cell) const;
 };
 
 [[nodiscard]] std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const Detection>& detection, RockStudy study);
 
-/// The outline of a rock: sides of cells, ends as corners of cells (x = beam, y = line); and the cells along it, ascending.
+/// The outline of a rock: sides of cells, with ends at corners of cells (x = beam, y = line); and the cells along it, ascending.
 struct RockOutline {
     std::vector<QLine> sides;
     std::vector<std::uint32_t> cells;
 };
 [[nodiscard]] RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label);
 
-/// "4 · visible 2.51 × 1.83 m ± 0.10 · at 4.98 m", and that its outline is doubtful where it is.
+/// "4 · visible 2.51 × 1.83 m ± 0.10 · at 4.98 m", with a warning if the outline is uncertain.
 [[nodiscard]] QString rockTip(const Rock& rock);
 [[nodiscard]] bool isDoubtful(const Rock& rock);
 
-/// The caveat that stands beside everything shown of rocks.
+/// The caveat that is displayed with every result about rocks.
 [[nodiscard]] QString rockCaveat();
 
 } // namespace edgescan::ui

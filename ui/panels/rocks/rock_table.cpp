@@ -20,7 +20,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRowHeight = 24;
-constexpr int kSpanColumn = 1; // a: sorted by it at first
+constexpr int kSpanColumn = 1; // column of the length a, the initial order
 
 } // namespace
 
@@ -41,7 +41,7 @@ RockTable::RockTable(QWidget* parent)
     table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
     QHeaderView* heads = table_->horizontalHeader();
     heads->setSectionResizeMode(QHeaderView::Stretch);
-    heads->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap)); // a unit may stand below its word
+    heads->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap)); // a unit may be below its word
     heads->setMinimumHeight(2 * heads->fontMetrics().height() + 6);
     heads->setMinimumSectionSize(40);
 
@@ -73,17 +73,17 @@ RockTable::RockTable(QWidget* parent)
 
     connect(smallest_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double metres) {
         shown_->setSmallest(metres);
-        tellCount();
+        showCount();
     });
     connect(sureOnly_, &QCheckBox::toggled, this, [this](bool on) {
         shown_->setSureOnly(on);
-        tellCount();
+        showCount();
     });
     connect(export_, &QPushButton::clicked, this, &RockTable::exportWanted);
-    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::tellChosen);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::emitChosen);
     connect(table_, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { emit jumpWanted(static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1); });
-    tellCount();
+    showCount();
 }
 
 void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QString& remark) {
@@ -95,10 +95,10 @@ void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QS
         markOnCurve({});
     }
     showing_ = false;
-    tellCount();
+    showCount();
 }
 
-void RockTable::tellCount() {
+void RockTable::showCount() {
     const int all = model_->rowCount();
     const int shown = shown_->rowCount();
     QString text = shown == all ? tr("%1 rocks").arg(all) : tr("%1 of %2 rocks").arg(shown).arg(all);
@@ -144,7 +144,7 @@ std::vector<std::uint32_t> RockTable::selected() const {
     return labels;
 }
 
-void RockTable::tellChosen() {
+void RockTable::emitChosen() {
     if (!showing_) emit chosen(selected());
 }
 

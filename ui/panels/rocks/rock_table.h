@@ -1,4 +1,4 @@
-// The table of rocks and their size curve: sort by a column, leave out what is small or doubtful, jump to a rock.
+// The table of rocks and their size curve: sort by a column, hide small or uncertain rocks, jump to a rock.
 #pragma once
 
 #include "ui/panels/rocks/rock_table_model.h"
@@ -18,15 +18,15 @@ namespace edgescan::ui {
 
 class SizeCurveView;
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class RockTable : public QWidget {
     Q_OBJECT
 public:
     explicit RockTable(QWidget* parent = nullptr);
 
-    /// Null: no rocks. `remark`: how much of the scan they are of, and whether they are of the picture shown.
+    /// Null: no rocks. `remark`: the part of the scan that they cover, and whether they belong to the shown picture.
     void show(const std::shared_ptr<const RockPicture>& picture, const QString& remark);
-    /// Labels. Tells nobody.
+    /// Selects rows by label. Emits no signal.
     void select(const std::vector<std::uint32_t>& labels);
     [[nodiscard]] std::vector<std::uint32_t> selected() const;
 
@@ -42,13 +42,13 @@ public:
 signals:
     /// The operator selected these rows; labels.
     void chosen(const std::vector<std::uint32_t>& labels);
-    /// A double-click.
+    /// The operator double-clicked a row.
     void jumpWanted(std::uint32_t label);
     void exportWanted();
 
 private:
-    void tellCount();
-    void tellChosen();
+    void showCount();
+    void emitChosen();
     void markOnCurve(const std::vector<std::uint32_t>& labels);
 
     RockTableModel* model_;

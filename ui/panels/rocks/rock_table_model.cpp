@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kSwatch = 14; // px
 
-// Rocks that are not known to have it come last, whatever the order of the others.
-double orNone(const std::optional<double>& value) { return value.value_or(-1.0); }
+// Rocks without a value come last in every order.
+double orLast(const std::optional<double>& value) { return value.value_or(-1.0); }
 
 QString fixed(double value, int decimals) { return QString::number(value, 'f', decimals); }
 QString atLeast(double value, int decimals) { return value > 0.0 ? QStringLiteral("≥ ") + fixed(value, decimals) : QStringLiteral("–"); }
@@ -52,7 +52,7 @@ const std::array<RockColumn, 11>& columns() {
          [](const Rock& r) { return r.freeBelowM; }, [](const Rock& r) { return atLeast(r.freeBelowM, 2); }},
         {QT_TRANSLATE_NOOP("QObject", "arch [°] ± 25"),
          QT_TRANSLATE_NOOP("QObject", "Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them"),
-         [](const Rock& r) { return orNone(r.archDeg); },
+         [](const Rock& r) { return orLast(r.archDeg); },
          [](const Rock& r) {
              return r.archDeg ? fixed(*r.archDeg, 0) + (r.hangsBelow ? QStringLiteral(" ↓") : QString()) : QStringLiteral("–");
          }},

@@ -1,4 +1,4 @@
-// One row per rock: the numbers behind the table, and which rows of it are shown.
+// The model of the table of rocks: one row per rock, and the filter of the shown rows.
 #pragma once
 
 #include "ui/panels/rocks/rock_picture.h"
@@ -13,7 +13,7 @@ namespace edgescan::ui {
 class RockTableModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    /// What sorting and filtering compare: a number.
+    /// The role of the number for sorting and filtering.
     static constexpr int kNumberRole = Qt::UserRole;
 
     using QAbstractTableModel::QAbstractTableModel;
@@ -31,12 +31,12 @@ private:
     std::shared_ptr<const RockPicture> picture_;
 };
 
-/// The rocks that are large and sure enough, in the order of a column.
+/// The rocks that are large and certain enough, in the order of a column.
 class ShownRocks : public QSortFilterProxyModel {
     Q_OBJECT
 public:
     explicit ShownRocks(QObject* parent = nullptr);
-    /// Metres of the visible b.
+    /// Smallest visible width b, metres.
     void setSmallest(double wideM);
     void setSureOnly(bool on);
 
@@ -48,7 +48,7 @@ private:
     bool sureOnly_ = false;
 };
 
-/// The face of a rock as a small square, hatched where its outline is doubtful.
+/// The face of a rock as a small square, hatched if its outline is uncertain.
 [[nodiscard]] QImage rockSwatch(const RockPicture& picture, const Rock& rock, int side);
 
 } // namespace edgescan::ui

@@ -36,19 +36,19 @@ RocksPanel::RocksPanel(QWidget* parent)
     grid->setColumnStretch(0, 1);
     for (const RockParameter& parameter : rockParameters()) {
         auto* name = new QLabel(QObject::tr(parameter.label));
-        name->setWordWrap(true); // in a narrow dock
+        name->setWordWrap(true); // for a narrow dock
         auto* number = new QDoubleSpinBox;
         number->setObjectName(QString("rocks-") + parameter.key);
         number->setDecimals(parameter.decimals);
         number->setRange(parameter.minimum, parameter.maximum);
         number->setSingleStep(parameter.step);
         number->setKeyboardTracking(false);
-        number->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
+        number->setMinimumWidth(kNarrowestNumber); // by default it is as wide as the longest possible number
         if (*parameter.unit != '\0') number->setSuffix(" " + QObject::tr(parameter.unit));
         for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(number)})
             widget->setToolTip(QObject::tr(parameter.help));
         const int row = grid->rowCount();
-        if (numbers_.empty()) { // the one that is turned most stands at its slider
+        if (numbers_.empty()) { // the most used number is next to its slider
             ends->addWidget(number);
             name->deleteLater();
         } else {
@@ -56,7 +56,7 @@ RocksPanel::RocksPanel(QWidget* parent)
             grid->addWidget(number, row, 1);
         }
         numbers_.push_back(number);
-        connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &RocksPanel::tell);
+        connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &RocksPanel::emitSettings);
     }
     const RockParameter& level = rockParameters().front();
     slider_->setObjectName("rocks-slider");
@@ -100,7 +100,7 @@ void RocksPanel::showSettings(const RockSettings& settings) {
     showing_ = false;
 }
 
-void RocksPanel::tell() {
+void RocksPanel::emitSettings() {
     if (showing_) return;
     RockSettings settings = settings_;
     const auto rows = rockParameters();

@@ -1,4 +1,4 @@
-// The panel of rocks: the slider from fine to coarse, what else can be turned, how many there are, the card of the selected one.
+// The panel of rocks: the slider from fine to coarse, other settings, the number of rocks, the card of the selection.
 #pragma once
 
 #include "ui/panels/rocks/rock_picture.h"
@@ -15,27 +15,27 @@ namespace edgescan::ui {
 
 class RockCard;
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class RocksPanel : public QWidget {
     Q_OBJECT
 public:
     explicit RocksPanel(QWidget* parent = nullptr);
 
     void showSettings(const RockSettings& settings);
-    /// `remark`: as in the table. Null: no rocks yet.
+    /// `remark`: see RockTable. Null: no rocks yet.
     void showResult(const RockPicture* picture, const QString& remark);
     [[nodiscard]] QSlider* slider() const { return slider_; }
-    /// Of a row of rockParameters(); null: there is none.
+    /// The number box of a row of rockParameters(); null: unknown key.
     [[nodiscard]] QDoubleSpinBox* number(const char* key) const;
     [[nodiscard]] RockCard& card() { return *card_; }
-    /// What it says of the result.
+    /// The text about the result.
     [[nodiscard]] QString text() const;
 
 signals:
     void edited(const edgescan::RockSettings& settings);
 
 private:
-    void tell();
+    void emitSettings();
 
     QSlider* slider_;
     std::vector<QDoubleSpinBox*> numbers_; // one per row of rockParameters()

@@ -1,4 +1,4 @@
-// Drawing of the size curve.
+// Draws the size curve.
 #include "ui/panels/rocks/size_curve_view.h"
 
 #include <QHelpEvent>
@@ -24,7 +24,7 @@ QString oversizeText(const SizeCurve& curve) {
     return SizeCurveView::tr("▲ %1 % over %2 m").arg(100.0 * curve.oversizeShare, 0, 'f', 0).arg(metresText(curve.oversizeM));
 }
 
-// 0.1, 0.2, 0.5, 1 ... metres between two numbers of the axis, so that there are five at most.
+// Step of the axis: 0.1, 0.2, 0.5, 1 ... metres, so that it has at most five numbers.
 double tickM(double rightM) {
     double tick = 0.05;
     for (int n = 0; rightM / tick > 5.0; ++n) tick *= n % 3 == 1 ? 2.5 : 2.0;
@@ -129,7 +129,7 @@ void SizeCurveView::drawAxes(QPainter& painter) const {
     }
 }
 
-// Not by colour alone: hatched, with a sign and words.
+// Hatched, with an icon and text, so that colour is not the only sign.
 void SizeCurveView::drawOversize(QPainter& painter) const {
     if (curve_.oversizeM <= 0) return;
     const QRectF area = plot();
@@ -175,7 +175,7 @@ void SizeCurveView::drawCurve(QPainter& painter) const {
         const double x = std::min(at.x() + 6, width() - wide - 4);
         const QRectF place(x, atTop ? at.y() + 3 : at.y() + 1, wide + 2, kText + 3);
         const auto crosses = [&](const QRectF& other) { return other.intersects(place); };
-        if (std::ranges::any_of(written, crosses)) continue; // the panel tells it as well
+        if (std::ranges::any_of(written, crosses)) continue; // the panel shows this number too
         written.push_back(place);
         painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, text);
     }

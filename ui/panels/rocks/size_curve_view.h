@@ -1,4 +1,4 @@
-// The size curve of the visible rocks as a drawing: how large a share of them is no wider than so many metres.
+// The size curve of the visible rocks: the share of rocks up to each width.
 #pragma once
 
 #include "core/rocks/attributes/size_curve.h"
@@ -19,13 +19,13 @@ public:
     explicit SizeCurveView(QWidget* parent = nullptr);
 
     void show(const SizeCurve& curve);
-    /// Visible b of the rocks that are selected, metres: dots on the curve.
+    /// Visible b of the selected rocks, metres: dots on the curve.
     void mark(std::vector<double> widthsM);
     [[nodiscard]] const SizeCurve& curve() const { return curve_; }
     [[nodiscard]] const std::vector<double>& marked() const { return marked_; }
-    /// Where a width and a share are drawn.
+    /// The position of a width and a share in the drawing.
     [[nodiscard]] QPointF placeOf(double wideM, double share) const;
-    /// What is told about a width: "63 % of the rocks are visibly no wider than 0.60 m".
+    /// The text about a width: "63 % of the rocks are visibly no wider than 0.60 m".
     [[nodiscard]] QString textAt(QPointF place) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {300, 200}; }

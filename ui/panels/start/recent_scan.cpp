@@ -25,15 +25,15 @@ namespace {
 
 const QString kWordsKey = QStringLiteral("EdgeScanWords");
 
-/// Of this very file: another content, or another program, has another name.
-QString keptName(const QFileInfo& file) {
+/// File name in the cache: another content, or another version of the program, gives another name.
+QString cacheName(const QFileInfo& file) {
     const std::string key = file.absoluteFilePath().toStdString() + "\n" + std::to_string(file.size()) + "\n" +
                             std::to_string(file.lastModified().toMSecsSinceEpoch()) + "\n" +
                             QCoreApplication::applicationVersion().toStdString();
     return exactText(sha256Hex(std::as_bytes(std::span(key)))) + ".png";
 }
 
-// In the words of files, which are not translated: they are kept.
+// In the language of the sources, because it is stored.
 QString wordsOf(const Scan& scan) {
     const auto number = [](int n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(n); };
     QStringList words;
@@ -67,7 +67,7 @@ void keep(QImage picture, const QString& words, const QString& path) {
     buffer.open(QIODevice::WriteOnly);
     picture.save(&buffer, "PNG");
     QDir().mkpath(QFileInfo(path).path());
-    // What cannot be kept is made again the next time.
+    // If storing fails, the picture is made again the next time.
     (void)writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
 }
 
@@ -78,7 +78,7 @@ RecentScan recentScan(const QString& path, const QString& cache, const std::func
     const QFileInfo file(path);
     found.there = file.isFile();
     if (!found.there) return found;
-    const QString kept = cache.isEmpty() ? QString() : cache + "/" + keptName(file);
+    const QString kept = cache.isEmpty() ? QString() : cache + "/" + cacheName(file);
     if (!kept.isEmpty() && found.picture.load(kept, "PNG")) {
         found.words = QString::fromUtf8(QByteArray::fromBase64(found.picture.text(kWordsKey).toLatin1()));
         if (!found.words.isEmpty()) return found;
@@ -94,7 +94,7 @@ RecentScan recentScan(const QString& path, const QString& cache, const std::func
         found.words = wordsOf(*scan);
         found.picture = pictureOf(*scan);
     } catch (const std::bad_alloc&) {
-        return found; // too large to be looked at by the way
+        return found; // too large for a preview
     }
     if (!kept.isEmpty()) keep(found.picture, found.words, kept);
     return found;

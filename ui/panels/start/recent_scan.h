@@ -1,4 +1,4 @@
-// What is shown of a scan that was open before: a small picture and a line of words, kept in a folder of their own.
+// The preview of a recently opened scan: a small picture and a line of text, stored in a cache folder.
 #pragma once
 
 #include <QImage>
@@ -10,19 +10,18 @@ namespace edgescan::ui {
 
 struct RecentScan {
     QString path;
-    bool there = false; ///< the file
-    QString words;      ///< "2026-11-19 08:12 UTC · 1,000 lines · RECORDED"; of one that cannot be read, why
-    QImage picture;     ///< null where there is none
+    bool there = false; ///< the file exists
+    QString words;      ///< "2026-11-19 08:12 UTC · 1,000 lines · RECORDED"; for an unreadable file the reason
+    QImage picture;     ///< null: no picture
 
     bool operator==(const RecentScan&) const = default;
 };
 
 inline constexpr int kThumbnailPx = 132; ///< longest side
 
-/// Reads the scan where its picture is not kept in `cache` yet, or the file is another one since; false from `goOn` ends it. For any
-/// thread.
+/// Reads the scan if `cache` has no picture of it, or the file changed since. `goOn` returning false cancels. For any thread.
 [[nodiscard]] RecentScan recentScan(const QString& path, const QString& cache, const std::function<bool()>& goOn);
-/// The oldest pictures go away until no more than `most` are kept.
+/// Deletes the oldest pictures until at most `most` are left.
 void trimThumbnails(const QString& cache, int most);
 
 } // namespace edgescan::ui

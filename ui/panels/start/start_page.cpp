@@ -24,7 +24,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMostThumbnails = 100;
-constexpr int kButtonHigh = 56;          // px; a row of the same height each
+constexpr int kButtonHigh = 56;          // px; the same height for all buttons of a row
 constexpr int kSign = 28, kAppSign = 72; // px
 constexpr int kThere = Qt::UserRole + 1;
 
@@ -171,16 +171,16 @@ void StartPage::lookAtNext() {
         [this, path = waiting_.takeFirst()]() -> std::function<void()> {
             RecentScan scan = recentScan(path, cache_, [this] { return !ending_; });
             trimThumbnails(cache_, kMostThumbnails);
-            return [this, scan = std::move(scan)] { tell(scan); };
+            return [this, scan = std::move(scan)] { showPreview(scan); };
         },
-        [](const QString&) {}, // without a picture then
+        [](const QString&) {}, // continues without a picture
         [this] {
             looking_ = false;
             lookAtNext();
         });
 }
 
-void StartPage::tell(const RecentScan& scan) {
+void StartPage::showPreview(const RecentScan& scan) {
     for (int row = 0; row < list_->count(); ++row) {
         QListWidgetItem* item = list_->item(row);
         if (item->data(Qt::UserRole).toString() != scan.path) continue;

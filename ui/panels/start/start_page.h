@@ -1,4 +1,4 @@
-// The page over the views while nothing is open: what to begin with, and the scans of before.
+// The page shown while no scan is open: first steps, and recent scans.
 #pragma once
 
 #include "ui/panels/start/recent_scan.h"
@@ -15,19 +15,19 @@ class QPushButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Pictures are made on a thread of its own, one after the other.
+/// GUI thread only. Pictures are made one after the other on a separate thread.
 class StartPage : public QFrame {
     Q_OBJECT
 public:
-    /// `cache`: where pictures are kept; empty: nowhere.
+    /// `cache`: folder of the stored pictures; empty: do not store them.
     explicit StartPage(const QString& cache, QWidget* parent = nullptr);
     ~StartPage() override { ending_ = true; }
 
     void showRecent(const QStringList& paths);
-    /// The session that can be gone on with; empty: none.
+    /// The session that can be continued; empty: none.
     void showSession(const QString& path);
     [[nodiscard]] QListWidget& list() { return *list_; }
-    /// All pictures are there.
+    /// All pictures are made.
     [[nodiscard]] bool settled() const { return waiting_.isEmpty() && !looking_; }
 
 signals:
@@ -36,7 +36,7 @@ signals:
     void goOnWanted();
     void demoWanted();
     void scanWanted(const QString& path);
-    /// A scan that is not where it was is asked for.
+    /// The operator wants to search for a scan that is no longer at its path.
     void locateWanted(const QString& path);
     void clearWanted();
     void cabWanted();
@@ -46,7 +46,7 @@ private:
     QWidget* makeTitle();
     QWidget* makeFoot();
     void lookAtNext();
-    void tell(const RecentScan& scan);
+    void showPreview(const RecentScan& scan);
 
     QString cache_;
     QCommandLinkButton* open_;
@@ -54,7 +54,7 @@ private:
     QListWidget* list_;
     QLabel* none_;
     QPushButton* clear_;
-    QStringList waiting_; // to be looked at
+    QStringList waiting_; // to be previewed
     bool looking_ = false;
     std::atomic<bool> ending_{false};
 };

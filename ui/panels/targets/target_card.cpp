@@ -18,21 +18,21 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kLarge = 2.0; // times the usual letters: the one number of the card
+constexpr double kLarge = 2.0; // relative to the normal font size, for the main number of the card
 constexpr const char* kDistanceRow = "Distance";
 
 QString distanceWords(const CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
 
-// What the row said when the cell was pinned, where it says something else now: both as they are kept.
+// The value of the row when the target was set, if it differs now; both as stored.
 QString wasOf(const PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
     const auto row = std::ranges::find(pinned.asPinned, now.first, &std::pair<std::string, std::string>::first);
     if (row == pinned.asPinned.end() || row->second == now.second) return {};
     return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
 }
 
-/// What a slider may change, as it is kept; `all`: also what is still to come.
+/// The rows that a slider may change, as stored; `all`: with rows whose value is not computed yet.
 std::vector<std::pair<std::string, std::string>> measuredRows(const CellTarget& target, const TargetSurroundings& around, bool all) {
-    const SourceTexts words; // a file is read by people of other languages
+    const SourceTexts words; // people with other languages may read the file
     std::vector<std::pair<std::string, std::string>> rows{{kDistanceRow, distanceWords(target).toStdString()}};
     for (const TargetRow& row : targetRows(target, around)) {
         if (row.measured && (all || row.known)) rows.emplace_back(row.name.toStdString(), row.value.toStdString());
@@ -55,7 +55,7 @@ TargetCard::TargetCard(QWidget* parent)
     });
     name_->setObjectName("target-name");
     name_->setPlaceholderText(tr("Target"));
-    name_->setMaxLength(static_cast<int>(kLongestTargetName) / 4); // letters may take four bytes
+    name_->setMaxLength(static_cast<int>(kLongestTargetName) / 4); // a character may take four bytes
     name_->setToolTip(tr("Its name: keystone, left shoulder …"));
     lock_->setObjectName("target-lock");
     lock_->setText(tr("Lock"));
@@ -135,7 +135,7 @@ void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& 
         rows_[row].second->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         rows_[row].second->setWordWrap(true);
         rows_[row].second->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        auto* line = new QHBoxLayout; // no columns: a long name takes no room from the numbers of others
+        auto* line = new QHBoxLayout; // no columns: a long name does not narrow the numbers of other rows
         line->addWidget(rows_[row].first, 0, Qt::AlignTop);
         line->addWidget(rows_[row].second, 1);
         lines_->addLayout(line);

@@ -1,4 +1,4 @@
-// The card of the target that is pinned: its distance in large type, and all that is known of it.
+// The card of a target: its distance in large type, and its other properties.
 #pragma once
 
 #include "core/inspect/measure/notebook.h"
@@ -14,15 +14,15 @@ class QVBoxLayout;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class TargetCard : public QFrame {
     Q_OBJECT
 public:
     explicit TargetCard(QWidget* parent = nullptr);
 
-    /// `known`: null while it is being worked out: the rows stay.
+    /// `known`: null during the computation; the rows stay.
     void show(const PinnedTarget& target, const CellTarget* known, const TargetSurroundings& around);
-    /// All that it says, row by row.
+    /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 
     [[nodiscard]] QLineEdit* name() const { return name_; }
@@ -54,7 +54,7 @@ private:
     QPushButton* copy_;
 };
 
-/// What is kept of a card when a cell is pinned: the rows that a slider may change, the distance first.
+/// The rows of a card that are stored when a target is set: those that a slider may change, the distance first.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> rowsToKeep(const CellTarget& target, const TargetSurroundings& around);
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// A target in words.
+// Describes a target in words.
 #include "ui/panels/targets/target_words.h"
 
 #include "core/base/number_text.h"
@@ -59,7 +59,7 @@ TargetRow dipRow(const CellTarget& target) {
     const QString tip = QObject::tr("Of the plane to the horizon, and clockwise from grid north the way it falls");
     if (!target.surface) return {name, QObject::tr("no plane fits"), tip};
     if (!target.dip) return {name, noPose(), tip};
-    // What lies level falls no way: within its error it may be any.
+    // A level surface has no dip direction: within its uncertainty it may dip in any direction.
     const bool falls = target.dip->dipDeg > kToldSigmas * target.surface->sigmaDeg;
     return {name, QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–"), tip};
 }
@@ -88,17 +88,17 @@ TargetRow edgeRow(const CellTarget& target) {
     return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
 
-/// Of an edge alone: the figure of the confidence picture.
-TargetRow confidenceRow(const ToldConfidence& told) {
+/// For edge cells only: the value of the confidence picture.
+TargetRow confidenceRow(const ToldConfidence& confidence) {
     using State = ToldConfidence::State;
     TargetRow row{
         QObject::tr(kConfidenceRow), QStringLiteral("…"),
         QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
                     "It tells how much the edge depends on the settings, not whether a rock is there")};
-    row.known = told.state == State::Known;
-    if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(told.percent).arg(told.settings);
-    if (told.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
-    if (told.state == State::Large) row.value = QObject::tr("large scan: show Edge Confidence");
+    row.known = confidence.state == State::Known;
+    if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(confidence.percent).arg(confidence.settings);
+    if (confidence.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
+    if (confidence.state == State::Large) row.value = QObject::tr("large scan: show Edge Confidence");
     return row;
 }
 

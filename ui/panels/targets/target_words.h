@@ -1,4 +1,4 @@
-// What is said of a target, row by row, in the order of its card.
+// The rows of a target's card, in order.
 #pragma once
 
 #include "core/inspect/measure/cell_target.h"
@@ -10,36 +10,36 @@
 
 namespace edgescan::ui {
 
-/// How sure an edge is, as far as that is known.
+/// The confidence of an edge, if it is known.
 struct ToldConfidence {
     enum class State { NotAsked, Coming, Growing, Large, Known };
     State state = State::NotAsked;
-    int percent = 0;  ///< of the settings, those that find this edge too
-    int settings = 0; ///< how many were tried
+    int percent = 0;  ///< share of the tried settings that find this edge too
+    int settings = 0; ///< number of tried settings
 };
 
-/// What a card says besides what was measured at the cell.
+/// Data of a card that was not measured at the cell itself.
 struct TargetSurroundings {
     bool rocksShown = false;
-    const Rock* rock = nullptr; ///< that the cell lies on; null: none, or rocks are not shown
-    QString source;             ///< of the picture, with its time
+    const Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden
+    QString source;             ///< source of the picture, with its time
     ToldConfidence confidence{};
 };
 
-inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row, where it is kept
+inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row in files
 
 struct TargetRow {
     QString name, value;
     QString tip{};
-    bool measured = true; ///< it can be otherwise after a slider moved: then the card says what it was
-    bool known = true;    ///< false: it is still to come, and nothing to keep
+    bool measured = true; ///< a slider can change it: then the card also shows the earlier value
+    bool known = true;    ///< false: not computed yet, not to be stored
 };
 
 /// "4.911 m", "no return".
 [[nodiscard]] QString distanceText(const CellTarget& target);
-/// "± 0.009"; empty where the cell is not valid.
+/// "± 0.009"; empty if the cell is not valid.
 [[nodiscard]] QString toleranceText(const CellTarget& target);
-/// All but the distance.
+/// All rows except the distance.
 [[nodiscard]] std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurroundings& around);
 
 } // namespace edgescan::ui

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostLines = 5; // of a list before it scrolls
 
-// As high as its lines, so that the panel has one scroll bar and not three.
+// As high as its lines, so that the panel has one scroll bar instead of three.
 void fitHeight(QListWidget& list) {
     const int line = list.count() > 0 ? list.sizeHintForRow(0) : list.fontMetrics().height();
     list.setFixedHeight(std::clamp(list.count(), 1, kMostLines) * line + 2 * list.frameWidth() + 2);
@@ -55,7 +55,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->addWidget(measures_);
     column->addWidget(note_);
     column->addStretch(1);
-    // Not the current row: a list that gets the focus has one by itself.
+    // Not currentRowChanged: a list that gets the focus sets a current row itself.
     for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::letGoOfAllWanted);

@@ -1,4 +1,4 @@
-// The panel "Targets": what is pinned, the card of one, what is measured.
+// The panel "Targets": the list of targets, the card of one target, and the measurements.
 #pragma once
 
 #include "core/inspect/measure/notebook.h"
@@ -24,7 +24,7 @@ struct TargetLine {
     bool operator==(const TargetLine&) const = default;
 };
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class TargetsPanel : public QWidget {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
     void showTargets(const std::vector<TargetLine>& lines);
     void showMeasures(const std::vector<TargetLine>& lines);
-    /// Where it is kept, or why it is not.
+    /// Where the targets are stored, or why they are not.
     void showNote(const QString& note);
 
     [[nodiscard]] TargetCard& card() const { return *card_; }
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] QString note() const;
 
 signals:
-    /// Places in the lists.
+    /// Indices into the lists.
     void targetChosen(int place);
     void letGoOfAllWanted();
     void measureRemoved(int place);

@@ -1,4 +1,4 @@
-// Edge count against threshold.
+// Draws the edge count over the threshold.
 #include "ui/panels/tuning/count_curve.h"
 
 #include "core/edges/settings/parameters.h"
@@ -46,7 +46,7 @@ void CountCurve::showFound(double threshold, std::size_t edges) {
 }
 
 double CountCurve::xOf(double threshold) const {
-    const int margin = style()->pixelMetric(QStyle::PM_SliderLength) / 2; // where the middle of the slider's handle can be
+    const int margin = style()->pixelMetric(QStyle::PM_SliderLength) / 2; // limits of the centre of the slider's handle
     const double share = static_cast<double>(sliderPosition(parameter_, threshold)) / kSliderSteps;
     return margin + share * (width() - 2 * margin - 1);
 }
@@ -84,7 +84,7 @@ void CountCurve::paintEvent(QPaintEvent*) {
     if (curve_->stableTo > curve_->stableFrom) {
         const QRectF plateau(QPointF(xOf(curve_->stableFrom), below.top()), QPointF(xOf(curve_->stableTo), below.bottom()));
         painter.fillRect(plateau, kPlateau);
-        painter.fillRect(plateau, QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern)); // not by colour alone
+        painter.fillRect(plateau, QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern)); // hatched, so that colour is not the only sign
     }
     QPainterPath path;
     for (std::size_t n = 0; n < curve_->edges.size(); ++n) {

@@ -1,4 +1,4 @@
-// How many edges there would be at every threshold, drawn under its slider, with the stretch where the number hardly changes.
+// The edge count at every threshold, drawn under the threshold's slider. Marks the range in which the count changes little.
 #pragma once
 
 #include "core/edges/gray/threshold_map.h"
@@ -20,11 +20,11 @@ class CountCurve : public QWidget {
 public:
     explicit CountCurve(const Parameter& parameter, QWidget* parent = nullptr);
 
-    /// Null: not known (yet).
+    /// Null: not known yet.
     void showCurve(std::optional<EdgeCountCurve> curve);
     /// The threshold in use.
     void showValue(double value);
-    /// How many edges there are at a threshold: the curve knows it only at places of the slider.
+    /// The edge count at a threshold: the curve itself knows only the positions of the slider.
     void showFound(double threshold, std::size_t edges);
     [[nodiscard]] const std::optional<EdgeCountCurve>& curve() const { return curve_; }
 

@@ -15,7 +15,7 @@ namespace {
 
 QString grouped(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
-int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits stand in the order of DepthEdge
+int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
 } // namespace
 
@@ -43,10 +43,10 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         const QString name = QObject::tr(findParameter("classes")->choices[n].label);
         rows_[n] = addRow(*grid, name, nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
-        connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::tellClasses);
+        connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
     const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
-    byClass.count->hide(); // takes no row where the switch is not shown
+    byClass.count->hide(); // uses no row while the switch is hidden
     byClass_ = byClass.box;
     byClass_->setToolTip(tr("Each class in its own colour, or all edges in one: C"));
     connect(byClass_, &QCheckBox::toggled, this, [this](bool on) {
@@ -64,13 +64,13 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     paintSwatches();
-    hide(); // there is nothing to tell of yet
+    hide(); // no content yet
 }
 
 EdgeLegend::Row EdgeLegend::addRow(QGridLayout& grid, const QString& name, const char* objectName) {
     Row row{new QCheckBox(name), new QLabel};
     row.box->setObjectName(objectName);
-    row.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    row.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
     const int at = grid.rowCount();
     grid.addWidget(row.box, at, 0);
     grid.addWidget(row.count, at, 1, Qt::AlignRight);
@@ -147,7 +147,7 @@ void EdgeLegend::paintSwatches() {
     }
 }
 
-void EdgeLegend::tellClasses() {
+void EdgeLegend::emitClasses() {
     if (showing_) return;
     int classes = 0;
     for (std::size_t n = 0; n < rows_.size(); ++n) classes |= rows_[n].box->isChecked() ? bitOf(n) : 0;

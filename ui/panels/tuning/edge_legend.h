@@ -1,4 +1,4 @@
-// The legend over the cloud: what is drawn in which colour, how many there are; each row is the switch of what it names.
+// The legend over the cloud: the colour and count of each class. Each row is a switch of its class.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -13,7 +13,7 @@ class QLabel;
 
 namespace edgescan::ui {
 
-/// GUI thread only. Shows what it is told and says what the operator wants.
+/// GUI thread only. Displays the values it is given and signals the operator's choices.
 class EdgeLegend : public ViewPlate {
     Q_OBJECT
 public:
@@ -23,19 +23,19 @@ public:
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
     void showEdges(bool on);
-    /// Rocks are drawn over the edges of the cloud: the counts are of what the images show.
+    /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images.
     void showCovered(bool on);
-    /// Only the edges and the classes that rocks are known by.
+    /// Shows only the switch of edges and the classes of rocks.
     void setBrief(bool on);
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
-    [[nodiscard]] QLabel* filled() const { return filled_; } ///< how many cells were filled; hidden where none was asked for
+    [[nodiscard]] QLabel* filled() const { return filled_; } ///< number of filled cells; hidden if filling is off
     [[nodiscard]] QCheckBox* classSwitch(int n) const { return rows_[static_cast<std::size_t>(n)].box; }
 
 signals:
     void edgesWanted(bool on);
     void byClassWanted(bool on);
-    /// EdgeClassBits.
+    /// Bits of EdgeClassBits.
     void classesWanted(int classes);
 
 private:
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
     void paintSwatches();
-    void tellClasses();
+    void emitClasses();
 
     QCheckBox* edges_ = nullptr;
     QLabel* total_ = nullptr;
@@ -54,8 +54,8 @@ private:
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;
     EdgeColours colours_ = kUsualColours;
-    std::array<bool, kEdgeClasses> offered_{}; // by the method
-    bool known_ = false;                       // the classes
+    std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
+    bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false;
     QLabel* covered_ = nullptr;
     bool showing_ = false;

@@ -1,4 +1,4 @@
-// The settings step by step: for hands that cannot hold a slider.
+// Changes the settings in steps, for operators who cannot drag a slider.
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/tuning/edges_panel.h"

@@ -30,7 +30,7 @@ namespace {
 constexpr int kNarrowestPanel = 220; // px: a label, a number and "auto" side by side
 constexpr int kNarrowestLabel = 84;
 constexpr double kThesisRatio = 3.0;
-// Sobel 3x3 on 8-bit gray: nothing has a larger |gx| + |gy| (4 x 255 along each axis).
+// maximum of |gx| + |gy| of Sobel 3x3 on 8-bit gray (4 x 255 along each axis)
 constexpr double kLargestGradient = 2040.0;
 
 } // namespace
@@ -233,8 +233,8 @@ void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
     emit edited(settings, dragging);
 }
 
-// Of settings with gray levels: those whose threshold somebody chose. One that was only carried over to another method is no choice: back
-// at the method where it was chosen, it is there again to the digit.
+// Stores the gray-level settings whose threshold the operator chose. A threshold that was only carried over to another method does not
+// count as chosen: when the operator returns to the method where it was chosen, it has its original value again.
 void EdgesPanel::noteThreshold(const Settings& settings) {
     if (!reads(settings.method, kReadsGray)) return;
     lastGray_ = settings;
@@ -301,7 +301,7 @@ void EdgesPanel::showUpper() {
     const bool used = reads(shown_.method, kReadsTwoThresholds);
     upper_->setVisible(used);
     lock_->setVisible(used);
-    const bool share = reads(shown_.method, kReadsRangeStep); // of the range: it has no levels
+    const bool share = reads(shown_.method, kReadsRangeStep); // a share of the range, not gray levels
     QString text =
         share ? tr("Strong from  %1 % of range").arg(100 * std::expm1(shown_.ratio * std::log1p(shown_.stepPercent / 100)), 0, 'f', 1)
               : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);

@@ -1,4 +1,4 @@
-// The panel "Edges": presets, one row per parameter of the table, the lock that keeps upper = 3 x lower.
+// The panel "Edges": presets, one row per parameter of the table, and the lock that keeps upper = 3 x lower.
 #pragma once
 
 #include "core/edges/gray/threshold_map.h"
@@ -23,24 +23,24 @@ namespace edgescan::ui {
 class CountCurve;
 class ParameterRow;
 
-/// GUI thread only. Shows settings and says what the user wants; it changes nothing by itself.
+/// GUI thread only. Displays settings and signals the operator's changes; it changes no settings itself.
 class EdgesPanel : public QWidget {
     Q_OBJECT
 public:
     explicit EdgesPanel(QWidget* parent = nullptr);
 
     void show(const Settings& settings);
-    /// What automatic values came out as, and how many edges there are of each class.
+    /// Shows the values of automatic parameters and the edge count of each class.
     void showResult(const Detection& detection);
-    /// How many edges each value of this parameter would give.
+    /// Shows the edge count for each value of this parameter.
     void showCounts(const QString& parameter, const edgescan::EdgeCountCurve& curve);
     void forgetCounts();
     /// The colours of the classes.
     void setEdgeColours(const EdgeColours& colours);
-    /// The picture does not belong to the numbers yet.
+    /// On: the picture does not match the numbers yet.
     void setBehind(bool behind);
 
-    /// The preset that resets go back to, and that "modified" is measured against.
+    /// The preset that reset buttons restore, and that "modified" refers to.
     void setPreset(const Preset& preset);
     [[nodiscard]] const Preset& preset() const { return preset_; }
     [[nodiscard]] bool modified() const { return !(shown_ == preset_.settings); }
@@ -48,7 +48,7 @@ public:
     /// The curve under the slider of "lower", "step" or "sensitivity".
     [[nodiscard]] CountCurve* curve(const char* key) const;
     [[nodiscard]] ParameterRow* row(const char* key) const;
-    /// As its row would be turned by so many steps; editEnded() is for the caller to tell. Choices go one further.
+    /// Changes the parameter like its row, by so many steps. The caller emits editEnded(). A choice goes to its next value.
     void step(const char* key, int steps);
     /// "1.00 x", "39 mm auto".
     [[nodiscard]] QString valueText(const char* key) const;
@@ -59,7 +59,7 @@ public slots:
 signals:
     void edited(const edgescan::Settings& settings, bool dragging);
     void editEnded();
-    /// What was typed stands for no value: a sentence that says why.
+    /// The typed text is not a value; the sentence gives the reason.
     void refused(const QString& sentence);
     void presetChosen(const edgescan::Preset& preset);
     void savePresetWanted();
@@ -83,16 +83,16 @@ private:
     void showMeaning();
 
     Settings shown_;
-    Settings lastGray_ = cannySettings(); // the last ones with gray levels: their threshold is carried over to another method
+    Settings lastGray_ = cannySettings(); // the last settings with gray levels: their threshold is carried over to another method
     struct Carried {
-        double lower = 0.0; // as the change of method gave it
+        double lower = 0.0; // as set by the change of method
         Method chosenFor = Method::Canny;
         double chosen = 0.0;
     };
-    std::map<Method, Carried> carried_; // the last time that each method was gone to; undo comes back there
+    std::map<Method, Carried> carried_; // per method: the last change to it; undo returns to it
     GrayScale scale_;
     Measured measured_;
-    std::array<std::size_t, kDepthEdges> classCounts_{}; // by DepthEdge
+    std::array<std::size_t, kDepthEdges> classCounts_{}; // per DepthEdge
     bool classesKnown_ = false;
     EdgeColours colours_ = kUsualColours;
     Preset preset_;

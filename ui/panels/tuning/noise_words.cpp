@@ -1,4 +1,4 @@
-// Kind and size of the noise, at the usual range of the scan, at half and at twice of it.
+// Kind and size of the noise at the median range of the scan, at half and at twice this range.
 #include "ui/panels/tuning/noise_words.h"
 
 #include <QObject>

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kNarrowestNumber = 72, kWidestNumber = 160; // px of a number box
 
-// A number box into which any text may be typed; one that stands for no value is told of when it is done, not swallowed letter by letter.
+// A number box that accepts any text while typing. Text that is not a value is reported when typing ends; single letters are not rejected.
 class ReadingBox : public QDoubleSpinBox {
 public:
     using Refusal = std::function<void(const Error& why)>;
@@ -70,7 +70,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
     const int row = grid.rowCount();
     label_ = new QLabel(QObject::tr(parameter.label), parent);
     label_->setToolTip(limitsText(parameter));
-    label_->setWordWrap(true); // in a narrow dock
+    label_->setWordWrap(true); // for a narrow dock
     label_->installEventFilter(this);
     grid.addWidget(label_, row, 0);
     if (parameter.choices.empty())
@@ -84,8 +84,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
         slider_->setToolTip(limitsText(parameter));
         slider_->setAccessibleName(label_->text());
         slider_->installEventFilter(this);
-        grid.addWidget(slider_, row + 1, 0, 1, 4); // a line of its own: a short slider has no fine end
-        connect(slider_, &QSlider::valueChanged, this, [this](int position) { tell(sliderValue(parameter_, position)); });
+        grid.addWidget(slider_, row + 1, 0, 1, 4); // on its own line: a short slider cannot be set finely
+        connect(slider_, &QSlider::valueChanged, this, [this](int position) { changeTo(sliderValue(parameter_, position)); });
         connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
     }
 }
@@ -99,7 +99,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
     auto* box = new ReadingBox(parent);
     number_ = box;
-    // Automatic values are shown as they are, also beyond the limits of what can be typed.
+    // Automatic values are shown even beyond the limits for typed values.
     box->read([this, box](const QString& text) -> Result<double> {
         const Result<double> value = parseValue(parameter_, text.toStdString());
         if (value && std::isnan(*value)) return Error{"auto is no number", "", "tick auto beside the box"};
@@ -109,7 +109,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     box->onRefusal([this](const Error& why) {
         const QString sentence =
             tr("%1: %2; %3. The value stays as it was.").arg(QObject::tr(parameter_.label), shownText(why.what), shownText(why.hint));
-        // The box is still at it.
+        // The box is still handling the event.
         QMetaObject::invokeMethod(
             this, [this, sentence] { emit refused(sentence); }, Qt::QueuedConnection);
     });
@@ -122,18 +122,19 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     number_->setAccessibleName(label_->text());
     number_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     number_->setMaximumWidth(kWidestNumber);
-    number_->setMinimumWidth(kNarrowestNumber); // by itself it is as wide as the longest number that can be typed
+    number_->setMinimumWidth(kNarrowestNumber); // by default it is as wide as the longest possible number
     if (*p.unit != '\0') number_->setSuffix(" " + QObject::tr(p.unit));
     label_->setBuddy(number_);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
-    connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) { tell(snapped(parameter_, value)); });
+    connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this](double value) { changeTo(snapped(parameter_, value)); });
     grid.addWidget(number_, row, 1, 1, p.automatic == nullptr ? 3 : 2);
     if (p.automatic == nullptr) return;
     auto* automatic = new QCheckBox(tr("auto"), parent);
     automatic->setObjectName(QString("auto-") + p.key);
     automatic_ = automatic;
     grid.addWidget(automatic, row, 3);
-    connect(automatic, &QCheckBox::toggled, this, [this](bool on) { tell(on ? kAutomatic : snapped(parameter_, number_->value())); });
+    connect(automatic, &QCheckBox::toggled, this, [this](bool on) { changeTo(on ? kAutomatic : snapped(parameter_, number_->value())); });
 }
 
 void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
@@ -145,7 +146,7 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     label_->setBuddy(choice_);
     for (const Choice& choice : parameter_.choices) choice_->addItem(QObject::tr(choice.label));
     connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
-        if (index >= 0) tell(parameter_.choices[static_cast<std::size_t>(index)].value);
+        if (index >= 0) changeTo(parameter_.choices[static_cast<std::size_t>(index)].value);
     });
     choice_->setMinimumContentsLength(8);
     if (!numericChoices()) {
@@ -175,7 +176,7 @@ void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
             for (std::size_t n = 0; n < switches_.size(); ++n) {
                 if (switches_[n]->isChecked()) set |= static_cast<int>(parameter_.choices[n].value);
             }
-            tell(set);
+            changeTo(set);
         });
     }
     grid.addWidget(strip, row + 1, 0, 1, 4);
@@ -193,7 +194,7 @@ void ParameterRow::show(double value, double inUse) {
     for (std::size_t n = 0; n < switches_.size(); ++n)
         switches_[n]->setChecked((static_cast<int>(value) & static_cast<int>(parameter_.choices[n].value)) != 0);
     if (choice_ != nullptr) choice_->setCurrentIndex(sliderPosition(parameter_, value));
-    // A slider under the hand stays where the hand is: its own rounding must not push it back.
+    // While the operator drags the slider it must not be moved: its own rounding would push it back.
     if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(sliderPosition(parameter_, shown));
     showing_ = false;
 }
@@ -220,7 +221,7 @@ void ParameterRow::setVisible(bool visible) {
 }
 
 void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString& remark) {
-    // On the dark of the views, against which the colours were chosen: also on a light panel.
+    // On the dark background of the views, for which the colours were chosen, also in a light panel.
     constexpr int kSwatch = 14;
     constexpr int kBorder = 3;
     QPixmap swatch(kSwatch, kSwatch);
@@ -230,12 +231,12 @@ void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString&
     switches_[choice]->setText(QObject::tr(parameter_.choices[choice].label) + remark);
 }
 
-void ParameterRow::tell(double value) {
+void ParameterRow::changeTo(double value) {
     if (showing_) return;
     emit changed(value, slider_ != nullptr && slider_->isSliderDown());
 }
 
-// Arrow keys on a slider of numbers: one step, with Shift ten, with Ctrl a tenth.
+// Arrow keys on a slider of numbers: one step, with Shift ten, with Ctrl a tenth of a step.
 bool ParameterRow::stepByKey(const QKeyEvent& event) {
     if (number_ == nullptr) return false;
     const bool up = event.key() == Qt::Key_Up || event.key() == Qt::Key_Right;

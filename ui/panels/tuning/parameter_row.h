@@ -1,4 +1,4 @@
-// One row of the panel: label, slider, number, unit; built from a row of the parameter table.
+// One row of the panel: label, slider, number, unit; made from a row of the parameter table.
 #pragma once
 
 #include "core/edges/settings/parameters.h"
@@ -28,14 +28,14 @@ public:
     /// Adds its widgets as the next row of `grid`.
     ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent);
 
-    /// Shows the value without telling anybody. `inUse`: what an automatic value came out as, NaN when unknown.
+    /// Shows the value without a signal. `inUse`: the value of an automatic parameter, NaN if unknown.
     void show(double value, double inUse);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
-    /// What a text typed into the number stands for, such as "0.5 m", or why it stands for nothing; else as the table reads it.
+    /// Parses a text typed into the number, such as "0.5 m"; error: the reason why it is not a value. By default the table parses it.
     using Reading = std::function<Result<double>(const QString&)>;
     void read(Reading reading);
-    /// Behind the switch of one of several choices: its colour, and what it stands for in numbers.
+    /// Marks the switch of one of several choices with its colour and a remark with numbers.
     void mark(std::size_t choice, const QColor& colour, const QString& remark);
     [[nodiscard]] const Parameter& parameter() const { return parameter_; }
     [[nodiscard]] QSlider* slider() const { return slider_; }
@@ -45,12 +45,12 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// The user turned it. `dragging`: more will follow before dragEnded().
+    /// The operator changed it. `dragging`: more changes will follow before dragEnded().
     void changed(double value, bool dragging);
     void dragEnded();
-    /// What was typed stands for no value, and the old one is back: a sentence that says why.
+    /// The typed text is not a value and the former value is restored; the sentence gives the reason.
     void refused(const QString& sentence);
-    /// A double-click: back to the value of the preset.
+    /// A double-click: restore the value of the preset.
     void resetWanted();
 
 private:
@@ -58,7 +58,7 @@ private:
     void addChoice(QGridLayout& grid, int row, QWidget* parent);
     void addSwitches(QGridLayout& grid, int row, QWidget* parent);
     [[nodiscard]] std::vector<QWidget*> widgets() const;
-    void tell(double value);
+    void changeTo(double value);
     bool stepByKey(const QKeyEvent& event);
     [[nodiscard]] bool numericChoices() const;
 
@@ -67,9 +67,9 @@ private:
     QSlider* slider_ = nullptr;            // null for a choice without order
     QDoubleSpinBox* number_ = nullptr;     // null for choices
     QComboBox* choice_ = nullptr;          // null for numbers
-    std::vector<QCheckBox*> switches_;     // one per choice where several can be taken
-    QWidget* strip_ = nullptr;             // that they lie in
-    QAbstractButton* automatic_ = nullptr; // null where there is no automatic value
+    std::vector<QCheckBox*> switches_;     // one per choice if several can be selected
+    QWidget* strip_ = nullptr;             // the row of the switches
+    QAbstractButton* automatic_ = nullptr; // null: the parameter has no automatic value
     bool showing_ = false;
 };
 

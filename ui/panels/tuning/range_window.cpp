@@ -1,4 +1,4 @@
-// Histogram and ends of the window of the range image.
+// The histogram, and the two ends of the displayed range window.
 #include "ui/panels/tuning/range_window.h"
 
 #include "ui/base/themes.h"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMargin = 10, kBars = 40, kTicks = 16; // px
 constexpr std::size_t kSteps = 120;
-constexpr double kReach = 8.0;  // px about an end where it is taken hold of
+constexpr double kReach = 8.0;  // px around an end where it can be grabbed
 constexpr double kLeast = 0.01; // m between the two ends
 
 double niceAbove(double metres) {
@@ -51,7 +51,7 @@ RangeHistogram rangeHistogram(const Scan& scan) {
             ++counts[static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(counts.size() - 1)))];
         }
     };
-    // A few stray returns far away would leave no room for all others.
+    // With stray returns far away the scale would have no space for all other ranges.
     std::vector<std::uint32_t> fine(kFine, 0);
     fill(fine, static_cast<double>(most));
     std::size_t last = kFine;
@@ -101,7 +101,7 @@ void RangeHandles::mousePressEvent(QMouseEvent* event) {
     const double x = event->pos().x();
     const double toNear = std::abs(toX(window_.first) - x), toFar = std::abs(toX(window_.second) - x);
     held_ = toFar <= toNear;
-    if (std::min(toNear, toFar) > kReach) moveEnd(*held_, toMetres(x)); // the nearer one comes
+    if (std::min(toNear, toFar) > kReach) moveEnd(*held_, toMetres(x)); // the nearer end moves
 }
 
 void RangeHandles::mouseMoveEvent(QMouseEvent* event) {
@@ -135,7 +135,7 @@ void RangeHandles::paintEvent(QPaintEvent* /*event*/) {
         const auto most = static_cast<double>(std::max<std::uint32_t>(1, *std::ranges::max_element(histogram_.counts)));
         const double wide = (right - left) / static_cast<double>(histogram_.counts.size());
         for (std::size_t n = 0; n < histogram_.counts.size(); ++n) {
-            // By the square root: what few cells have is seen too.
+            // Drawn as square root, so that small counts are visible too.
             const double high = kBars * std::sqrt(static_cast<double>(histogram_.counts[n]) / most),
                          x = left + static_cast<double>(n) * wide;
             const bool inside = x + wide / 2 >= nearX && x + wide / 2 <= farX;
@@ -214,11 +214,11 @@ void RangeWindow::showWindow(RangeHandles::Window window, bool automatic) {
     fit();
 }
 
-/// Before a number is cut its title goes.
+/// If the width is too small, the title is dropped before a number is cut.
 void RangeWindow::fit() {
-    constexpr int kBeside = 2 * 6 + 3 * 6; // px, of the line
+    constexpr int kSpacing = 2 * 6 + 3 * 6; // px, of the line
     const int others = automatic_->sizeHint().width() + lock_->sizeHint().width() + words_->fontMetrics().horizontalAdvance(words_->text());
-    title_->setVisible(title_->sizeHint().width() + others + kBeside <= width());
+    title_->setVisible(title_->sizeHint().width() + others + kSpacing <= width());
 }
 
 void RangeWindow::resizeEvent(QResizeEvent* event) {

@@ -1,4 +1,4 @@
-// The window of the range image: which ranges go from black to white, on a histogram of all ranges, in metres.
+// The window of the range image: the ranges that are drawn from black to white, on a histogram of all ranges, in metres.
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -15,14 +15,15 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// How many cells with a range lie in each of equal steps from 0 to `mostM`, which holds all but one in a thousand of them.
+/// Number of cells with a range in each of equal steps from 0 to `mostM`; 99.9 % of these cells are below `mostM`.
 struct RangeHistogram {
     double mostM = 1.0;
     std::vector<std::uint32_t> counts;
 };
 [[nodiscard]] RangeHistogram rangeHistogram(const Scan& scan);
 
-/// The histogram with two ends that are dragged, or moved by keys: left and right the far one, with Shift the near one. GUI thread only.
+/// The histogram with two ends. The operator drags them, or moves them with the keys left and right: the far end, with Shift the near end.
+/// GUI thread only.
 class RangeHandles : public QWidget {
     Q_OBJECT
 public:
@@ -32,7 +33,7 @@ public:
     void showHistogram(RangeHistogram histogram);
     void setWindow(Window window);
     [[nodiscard]] Window window() const { return window_; }
-    /// Where an end is drawn, and what lies at a place; pixels from the left, metres.
+    /// The position of a range, and the range at a position; pixels from the left, metres.
     [[nodiscard]] double toX(double metres) const;
     [[nodiscard]] double toMetres(double x) const;
 
@@ -49,13 +50,13 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// While it is counted there is no scale that an end could be put on.
+    /// Until the histogram is computed there is no scale for the ends.
     [[nodiscard]] bool isKnown() const { return !histogram_.counts.empty(); }
     void moveEnd(bool far, double metres);
 
     RangeHistogram histogram_;
     Window window_{0.0, 1.0};
-    std::optional<bool> held_; // the far one, or the near one
+    std::optional<bool> held_; // the end that is dragged: true = far, false = near
 };
 
 class RangeWindow : public QWidget {
@@ -64,7 +65,7 @@ public:
     explicit RangeWindow(QWidget* parent = nullptr);
 
     void showHistogram(const RangeHistogram& histogram);
-    /// What the range image shows now; `automatic`: as the method scales it.
+    /// The window of the range image; `automatic`: as scaled by the method.
     void showWindow(RangeHandles::Window window, bool automatic);
     void setLocked(bool on);
     [[nodiscard]] bool locked() const;

@@ -29,7 +29,7 @@ constexpr int kBetween = 14; // px between two facts
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
-// Thousands apart, the same in every locale.
+// With thousands separators, the same in every locale.
 QString count(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 QString rangeText(const Probe& probe) {
@@ -69,7 +69,7 @@ StatusLine::StatusLine(QWidget* parent)
     setSizeGripEnabled(false);
     probe_->setObjectName("probe");
     probe_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    // A long probe must not push the window wider.
+    // A long probe text must not widen the window.
     probe_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* line = new QHBoxLayout(work_);
     line->setContentsMargins(0, 0, 0, 0);
@@ -96,7 +96,7 @@ StatusLine::StatusLine(QWidget* parent)
     way_->setSpacing(0);
     way_->addLayout(left, 1);
     way_->addLayout(facts_);
-    strip_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what is said follows the width, not the other way round
+    strip_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the text adapts to the width, not the other way round
     addWidget(strip_, 1);
     for (const auto& [kind, name] : {std::pair{Fact::Incomplete, "incomplete"},
                                      {Fact::Place, "place"},
@@ -108,35 +108,35 @@ StatusLine::StatusLine(QWidget* parent)
                                      {Fact::Renderer, "renderer"}}) {
         auto* label = new QLabel;
         label->setObjectName(name);
-        // Its words are never squeezed: it is there whole, or not at all.
+        // The text is never squeezed: it is shown completely or not at all.
         label->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
         label->hide();
         facts_->addWidget(label);
-        told_[static_cast<std::size_t>(kind)].label = label;
+        factLabels_[static_cast<std::size_t>(kind)].label = label;
     }
-    QLabel* incomplete = told(Fact::Incomplete).label;
+    QLabel* incomplete = factLabel(Fact::Incomplete).label;
     followColours(*incomplete, [incomplete](const Theme& theme) {
         incomplete->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme.bad.name()));
     });
 }
 
 void StatusLine::addKept(QWidget* widget) {
-    kept_.push_back(widget);
+    pinnedWidgets_.push_back(widget);
     facts_->insertWidget(0, widget);
     widget->installEventFilter(this);
 }
 
-void StatusLine::tell(Fact fact, const QString& words, const QString& brief, bool kept) {
-    Told& told = this->told(fact);
-    if (told.words == words && told.brief == brief && told.kept == kept) return;
-    told.words = words;
-    told.brief = brief;
-    told.kept = kept;
+void StatusLine::showFact(Fact fact, const QString& words, const QString& brief, bool always) {
+    FactLabel& entry = this->factLabel(fact);
+    if (entry.words == words && entry.brief == brief && entry.always == always) return;
+    entry.words = words;
+    entry.brief = brief;
+    entry.always = always;
     fit();
 }
 
-/// Left to right in the order of their worth: what does not fit is said in fewer words, then not at all, from the right end on. Where the
-/// cell lies, what it is, what is incomplete or out of spec: these go into a second line before they go.
+/// From left to right in the order of importance. Facts that do not fit get a shorter text and are then dropped, starting at the right end.
+/// The place of the cell, its verdict, and warnings (incomplete, out of spec) move to a second line before they are dropped.
 void StatusLine::fit() {
     const int whole = strip_->width() - kBetween - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
     const QFontMetrics letters(probe_->font());
@@ -144,13 +144,15 @@ void StatusLine::fit() {
     const int withCell = std::max(letters.horizontalAdvance(probeShown()), longestCell_) + kBetween;
     enum Form { Full, Brief, None };
     std::array<Form, kFacts> forms{};
-    const auto textOf = [&](std::size_t n) { return forms[n] == None ? QString() : forms[n] == Brief ? told_[n].brief : told_[n].words; };
+    const auto textOf = [&](std::size_t n) {
+        return forms[n] == None ? QString() : forms[n] == Brief ? factLabels_[n].brief : factLabels_[n].words;
+    };
     const auto width = [&] {
         int sum = 0;
-        for (const QWidget* widget : kept_) sum += widget->isHidden() ? 0 : widget->sizeHint().width() + kBetween;
+        for (const QWidget* widget : pinnedWidgets_) sum += widget->isHidden() ? 0 : widget->sizeHint().width() + kBetween;
         for (std::size_t n = 0; n < kFacts; ++n) {
             const QString text = textOf(n);
-            QFont font = told_[n].label->font();
+            QFont font = factLabels_[n].label->font();
             if (!text.isEmpty()) sum += QFontMetrics(font).horizontalAdvance(text) + 2 + kBetween;
         }
         return sum;
@@ -159,13 +161,13 @@ void StatusLine::fit() {
         for (const Form form : {Brief, None}) {
             for (std::size_t n = kFacts; n-- > 0 && width() > room;) {
                 if (form == None && !counts && n == static_cast<std::size_t>(Fact::Counts)) continue;
-                if (form == None && told_[n].kept) continue;
-                if (form == Brief && told_[n].brief.isEmpty()) continue;
+                if (form == None && factLabels_[n].always) continue;
+                if (form == Brief && factLabels_[n].brief.isEmpty()) continue;
                 forms[n] = form;
             }
         }
     };
-    // For line and beam of the cell all others may go but the counts; these only for what must be read.
+    // For line and beam of the cell all other facts may be dropped except the counts. The counts are dropped only for warnings.
     shorten(whole - withCell, false);
     shorten(whole - left, true);
     const bool two = width() > whole - left;
@@ -176,8 +178,8 @@ void StatusLine::fit() {
     way_->setDirection(two ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     for (std::size_t n = 0; n < kFacts; ++n) {
         const QString text = textOf(n);
-        told_[n].label->setText(text);
-        told_[n].label->setVisible(!text.isEmpty());
+        factLabels_[n].label->setText(text);
+        factLabels_[n].label->setVisible(!text.isEmpty());
     }
     const int room = two ? whole : whole - width();
     probe_->setText(
@@ -205,7 +207,7 @@ void StatusLine::showProbe(const std::optional<Probe>& probe) {
     const ProbeWords words = probe ? probeWords(*probe) : ProbeWords{};
     probeMain_ = probe ? words.place + "  " + words.verdict : QString();
     probeMore_ = words.cell;
-    // What stands at the right must not come and go with the mouse.
+    // Widgets at the right must not appear and disappear with mouse movements.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
     longestCell_ = std::max(longestCell_, QFontMetrics(probe_->font()).horizontalAdvance(probeShown()));
     fit();
@@ -217,10 +219,10 @@ void StatusLine::showPlace(const Scan& scan) {
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
     const bool part = incomplete != scan.warnings.end();
     const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
-    tell(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
-    QLabel& label = *told(Fact::Place).label;
+    showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
+    QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
-        tell(Fact::Place, tr("scanner frame"), {}, false);
+        showFact(Fact::Place, tr("scanner frame"), {}, false);
         label.setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
         return;
     }
@@ -230,7 +232,7 @@ void StatusLine::showPlace(const Scan& scan) {
     const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
     const QString text = grid + tr(" · origin E %1 N %2 El %3")
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
-    tell(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
+    showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
     QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
     for (const std::string& warning : place.warnings) about << shownText(warning);
     label.setToolTip(about.join("\n"));
@@ -239,8 +241,8 @@ void StatusLine::showPlace(const Scan& scan) {
 void StatusLine::showTimeOf(const Scan& scan, bool live) {
     const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
     const QString text = live ? QString() : start.empty() ? tr("time not known") : tr("measured %1").arg(shownText(start));
-    tell(Fact::Recorded, text, live || start.empty() ? QString() : tr("measured %1").arg(shownText(start).left(10)), false);
-    told(Fact::Recorded)
+    showFact(Fact::Recorded, text, live || start.empty() ? QString() : tr("measured %1").arg(shownText(start).left(10)), false);
+    factLabel(Fact::Recorded)
         .label->setToolTip(start.empty() ? tr("The file does not say when it was measured.")
                                          : tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
 }
@@ -256,18 +258,18 @@ void StatusLine::showCounts(const Detection& detection) {
         if (of(state) > 0) text += QString(" · %1 %2").arg(count(of(state)), QString(cellStateName(state)).replace('_', ' '));
     }
     if (detection.filled) text += tr(" · %1 filled").arg(count(detection.filled->cells.size()));
-    tell(Fact::Counts, text, edges + " · " + none, false);
-    told(Fact::Counts).label->setToolTip(text);
+    showFact(Fact::Counts, text, edges + " · " + none, false);
+    factLabel(Fact::Counts).label->setToolTip(text);
 }
 
-void StatusLine::showBox(const QString& words) { tell(Fact::Box, words, {}, false); }
+void StatusLine::showBox(const QString& words) { showFact(Fact::Box, words, {}, false); }
 
 void StatusLine::showSettings(const Settings& settings) {
     const std::vector<std::string> keys = changedFromDefault(settings);
     const QString set = QString("%1 %2").arg(QString(kDefaultSet.name)).arg(kDefaultSet.version);
-    QLabel& label = *told(Fact::Settings).label;
-    tell(Fact::Settings, keys.empty() ? tr("settings: %1").arg(set) : tr("settings: %1, %2 changed").arg(set).arg(keys.size()),
-         keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
+    QLabel& label = *factLabel(Fact::Settings).label;
+    showFact(Fact::Settings, keys.empty() ? tr("settings: %1").arg(set) : tr("settings: %1, %2 changed").arg(set).arg(keys.size()),
+             keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
     QStringList about;
     for (const std::string& key : keys) {
         const Parameter& p = *findParameter(key);
@@ -278,11 +280,11 @@ void StatusLine::showSettings(const Settings& settings) {
                                   : about.join("\n") + tr("\nCtrl+D restores the default settings."));
 }
 
-void StatusLine::showTime(double milliseconds) { tell(Fact::Time, tr("%1 ms").arg(number(milliseconds, 1)), {}, false); }
+void StatusLine::showTime(double milliseconds) { showFact(Fact::Time, tr("%1 ms").arg(number(milliseconds, 1)), {}, false); }
 
 void StatusLine::showRenderer(const QString& name) {
-    tell(Fact::Renderer, name.section(' ', 0, 0), {}, false);
-    told(Fact::Renderer).label->setToolTip(name);
+    showFact(Fact::Renderer, name.section(' ', 0, 0), {}, false);
+    factLabel(Fact::Renderer).label->setToolTip(name);
 }
 
 void StatusLine::startWork(const QString& title) {
@@ -305,9 +307,9 @@ void StatusLine::endWork() {
 }
 
 QString StatusLine::probeShown() const { return probeMore_.isEmpty() ? QString() : probeMain_ + "  " + probeMore_; }
-QString StatusLine::placeShown() const { return told(Fact::Place).words; }
-QString StatusLine::recordedShown() const { return told(Fact::Recorded).words; }
-QString StatusLine::settingsShown() const { return told(Fact::Settings).words; }
-QString StatusLine::countsShown() const { return told(Fact::Counts).words; }
+QString StatusLine::placeShown() const { return factLabel(Fact::Place).words; }
+QString StatusLine::recordedShown() const { return factLabel(Fact::Recorded).words; }
+QString StatusLine::settingsShown() const { return factLabel(Fact::Settings).words; }
+QString StatusLine::countsShown() const { return factLabel(Fact::Counts).words; }
 
 } // namespace edgescan::ui

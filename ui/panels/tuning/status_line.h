@@ -1,4 +1,4 @@
-// The status bar: what is under the mouse, how much of what there is, how long the last update took, what draws it.
+// The status bar: the cell under the mouse, counts, the time of the last update, the renderer.
 #pragma once
 
 #include "core/edges/explain/probe.h"
@@ -18,7 +18,7 @@ class QPushButton;
 
 namespace edgescan::ui {
 
-/// What is told of a cell, in the order of its worth; dashes for the mine grid where it is not known.
+/// The texts about a cell, in the order of importance; dashes for unknown mine coordinates.
 struct ProbeWords {
     QString place;   ///< "N 5150118.058  E ...  El ...  x 1.234  y ...  z ... m"
     QString verdict; ///< "range 5.123 m  EDGE (jump)"
@@ -31,22 +31,22 @@ class StatusLine : public QStatusBar {
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    /// A widget among the facts that stays whatever the width.
+    /// Adds a widget that is shown at every width.
     void addKept(QWidget* widget);
     void showProbe(const std::optional<Probe>& probe);
-    /// What a box holds; empty: there is none.
+    /// The content of the selected box; empty: no box.
     void showBox(const QString& words);
     void showCounts(const Detection& detection);
-    /// Which frame the scan stands in, with the origin of local coordinates.
+    /// The frame of the scan, with the origin of local coordinates.
     void showPlace(const Scan& scan);
-    /// A picture of a file says that it is one and when it was measured; that of a scanner that is being followed is told of elsewhere.
+    /// Marks a picture from a file, with its time of measurement. A followed scanner is shown in the live panel instead.
     void showTimeOf(const Scan& scan, bool live);
-    /// How many settings differ from the default ones, and which.
+    /// The number and names of the settings that differ from the defaults.
     void showSettings(const Settings& settings);
-    /// Milliseconds from the change of a setting to its result.
+    /// Milliseconds from a change of settings to its result.
     void showTime(double milliseconds);
     void showRenderer(const QString& name);
-    /// Work that ends at once is not shown.
+    /// Work that ends quickly is not shown.
     void startWork(const QString& title);
     void showProgress(const QString& stage, double fraction);
     void endWork();
@@ -67,24 +67,24 @@ protected:
 private:
     enum class Fact { Incomplete, Place, Counts, Recorded, Box, Settings, Time, Renderer };
     static constexpr std::size_t kFacts = 8;
-    struct Told {
+    struct FactLabel {
         QLabel* label = nullptr;
-        QString words, brief; // brief: where there is less room; empty: there are no fewer words
-        bool kept = false;
+        QString words, brief; // brief: for less space; empty: there is no shorter text
+        bool always = false;
     };
-    [[nodiscard]] Told& told(Fact fact) { return told_[static_cast<std::size_t>(fact)]; }
-    [[nodiscard]] const Told& told(Fact fact) const { return told_[static_cast<std::size_t>(fact)]; }
-    void tell(Fact fact, const QString& words, const QString& brief, bool kept);
+    [[nodiscard]] FactLabel& factLabel(Fact fact) { return factLabels_[static_cast<std::size_t>(fact)]; }
+    [[nodiscard]] const FactLabel& factLabel(Fact fact) const { return factLabels_[static_cast<std::size_t>(fact)]; }
+    void showFact(Fact fact, const QString& words, const QString& brief, bool always);
     void fit();
 
     QWidget* strip_;
-    QBoxLayout* way_; // in one line or in two
+    QBoxLayout* way_; // vertical: one line or two lines
     QBoxLayout* facts_ = nullptr;
     QLabel* probe_;
-    std::array<Told, kFacts> told_;
-    std::vector<QWidget*> kept_;
+    std::array<FactLabel, kFacts> factLabels_;
+    std::vector<QWidget*> pinnedWidgets_;
     QString probeMain_, probeMore_;
-    int longestProbe_ = 0, longestCell_ = 0; // px; of this scan, without and with the cell
+    int longestProbe_ = 0, longestCell_ = 0; // px; longest texts of this scan, without and with the cell
     QWidget* work_;
     QLabel* stage_;
     QProgressBar* bar_;

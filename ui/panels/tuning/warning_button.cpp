@@ -28,7 +28,7 @@ void WarningButton::acknowledge() {
 
 void WarningButton::showState() {
     const QString count = warnings_.size() == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings_.size());
-    // Words besides the colour.
+    // The text repeats the meaning of the colour.
     setText("\u26A0 " + (acknowledged_ ? tr("%1, acknowledged").arg(count) : count));
     setStyleSheet(acknowledged_ ? QString() : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
     setToolTip(tr("Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots"));

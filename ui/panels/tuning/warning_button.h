@@ -1,4 +1,4 @@
-// How many warnings the scan on the screen has. They can be looked at and acknowledged, and stay.
+// The number of warnings of the scan on the screen. The operator can read and acknowledge them; they stay in the list.
 #pragma once
 
 #include <QStringList>
@@ -6,13 +6,13 @@
 
 namespace edgescan::ui {
 
-/// Hidden where there are none. docs/operator.md, "S13".
+/// Hidden without warnings. docs/operator.md, "S13".
 class WarningButton : public QToolButton {
     Q_OBJECT
 public:
     explicit WarningButton(QWidget* parent = nullptr);
 
-    /// Other warnings than before are not acknowledged yet.
+    /// A changed list of warnings is not acknowledged.
     void showWarnings(const QStringList& warnings);
     void acknowledge();
     [[nodiscard]] const QStringList& warnings() const { return warnings_; }

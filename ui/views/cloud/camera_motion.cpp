@@ -1,4 +1,4 @@
-// Where the camera goes when the mouse moves.
+// Camera poses for mouse movements.
 #include "ui/views/cloud/camera_motion.h"
 
 #include "core/base/order_statistic.h"
@@ -15,10 +15,10 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
 constexpr double kPoleRad = 89.0 * std::numbers::pi / 180.0;
-constexpr double kNearestM = 0.02; // closer than any laser scanner resolves
-constexpr double kMargin = 1.04;   // free rim around what is fitted
+constexpr double kNearestM = 0.02; // no laser scanner resolves less
+constexpr double kMargin = 1.04;   // free margin around the fitted points
 constexpr double kUsualViewAngleDeg = 45.0;
-constexpr double kWidestViewAngleDeg = 84.0; // wider ones stretch the rocks at the rim
+constexpr double kWidestViewAngleDeg = 84.0; // larger angles distort the rocks at the rim
 constexpr double kFarthestBack = 0.3;        // of the median depth
 
 double tanHalf(const CameraPose& pose) { return std::tan(0.5 * pose.viewAngleDeg * std::numbers::pi / 180.0); }
@@ -28,7 +28,7 @@ CameraPose orbited(const CameraPose& pose, const Vector3d& centre, const Eigen::
     out.position = centre + turn * (pose.position - centre);
     out.focus = centre + turn * (pose.focus - centre);
     out.up = turn * pose.up;
-    // Thousands of small turns would let `up` drift away from the right angle.
+    // Without this, thousands of small rotations would move `up` away from the right angle.
     const Vector3d forward = out.forward();
     out.up = (out.up - forward * forward.dot(out.up)).normalized();
     return out;
@@ -60,7 +60,7 @@ double CameraPose::halfHeight() const { return distance() * tanHalf(*this); }
 
 CameraPose turned(const CameraPose& pose, const Vector3d& centre, const Vector3d& upAxis, double rightRad, double upRad) {
     const double tilt = std::asin(std::clamp(pose.forward().dot(upAxis), -1.0, 1.0));
-    const double limit = std::max(kPoleRad, std::abs(tilt)); // a view from the top starts at the pole
+    const double limit = std::max(kPoleRad, std::abs(tilt)); // a view from above starts at the pole
     const double sense = pose.up.dot(upAxis) >= -1e-9 ? 1.0 : -1.0;
     const double wanted = std::clamp(tilt + sense * upRad, -limit, limit);
     const AngleAxisd pitch(sense * (wanted - tilt), pose.right());
@@ -132,7 +132,7 @@ CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, doubl
     const std::vector<Vector3d> points = samplePoints(cloud);
     if (points.empty()) return out;
 
-    // Tangents of the angles at which the points are seen from the sensor itself; behind it there is no such angle.
+    // Tangents of the angles at which the sensor sees the points; points behind it have no such angle.
     std::vector<double> tangents, ahead;
     for (const Vector3d& p : points) {
         const Vector3d d = p - sensor;
@@ -153,7 +153,7 @@ CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, doubl
         const double reach = std::max(std::abs(d.dot(frame.right)) / tanH, std::abs(d.dot(frame.up)) / tanV);
         back.push_back(reach - d.dot(frame.forward));
     }
-    // A sweep all round cannot be seen at once; going far back would only show the walls from outside.
+    // A sweep of 360 degrees does not fit in a view; a camera far back would only show the walls from outside.
     const double pulledBack = std::clamp(quantile(back, 0.99) * kMargin, 0.0, kFarthestBack * middle);
     out.position = sensor - frame.forward * pulledBack;
     out.focus = sensor + frame.forward * middle;
@@ -164,7 +164,7 @@ ClipRange clipRange(const CameraPose& pose, const CloudGeometry& cloud, double n
     if (cloud.bounds.isEmpty()) return {0.1, 100.0};
     const DepthSpan all = depthSpan(pose, cloud.bounds);
     const DepthSpan most = depthSpan(pose, cloud.mainBounds);
-    // A stray return kilometres away must not eat the depth resolution of the rocks.
+    // A stray return kilometres away must not use up the depth resolution of the rocks.
     const double size = std::max({static_cast<double>(cloud.mainBounds.diagonal().norm()), most.farthest, pose.distance(), 0.1});
     double farM = std::min(all.farthest, 30.0 * size) + 0.01 * size;
     double nearM = all.nearest - 0.01 * size;
@@ -215,7 +215,7 @@ Vector3d underCursor(const CameraPose& pose, double ndcX, double ndcY, double de
 double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx) {
     constexpr std::size_t kSample = 400;
     constexpr double kLeast = 1.0, kMost = 7.0; // pixels
-    constexpr double kClosed = 1.15;            // of the spacing: a surface that is seen a little from the side is closed as well
+    constexpr double kClosed = 1.15;            // of the spacing: closes surfaces that are seen at a small angle too
     if (cloud.stepRad <= 0.0 || viewHeightPx <= 0) return kLeast;
     std::vector<double> pixels;
     const Vector3d forward = pose.forward();
@@ -228,7 +228,7 @@ double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int v
         const double depth = forward.dot(point.cast<double>() - pose.position);
         if (depth <= 0.0) continue;
         const double wide = pose.parallel ? perMetre : perMetre * pose.distance() / depth;
-        // What lies beside the picture says nothing of it.
+        // Points outside the picture are ignored.
         const Vector3d off = point.cast<double>() - pose.position - depth * forward;
         if (off.norm() * wide > viewHeightPx) continue;
         pixels.push_back(spacing * wide);

@@ -1,4 +1,4 @@
-// Where the camera goes when the mouse moves: pure functions from pose to pose.
+// Camera poses for mouse movements: pure functions from pose to pose.
 #pragma once
 
 #include "ui/views/cloud/cloud_geometry.h"
@@ -11,47 +11,47 @@ namespace edgescan::ui {
 struct CameraPose {
     Eigen::Vector3d position{0.0, 0.0, 0.0};
     Eigen::Vector3d focus{0.0, 0.0, 1.0}; ///< the camera looks from position to focus
-    Eigen::Vector3d up{0.0, 1.0, 0.0};    ///< unit, at right angles to the view direction
+    Eigen::Vector3d up{0.0, 1.0, 0.0};    ///< unit vector, perpendicular to the view direction
     double viewAngleDeg = 45.0;           ///< vertical
     bool parallel = false;
 
     [[nodiscard]] double distance() const { return (focus - position).norm(); }
     [[nodiscard]] Eigen::Vector3d forward() const { return (focus - position).normalized(); }
     [[nodiscard]] Eigen::Vector3d right() const { return forward().cross(up).normalized(); }
-    /// Half the height of what is seen at the focus, metres; also the scale of the parallel view, so that switching
-    /// between parallel and perspective keeps the size.
+    /// Half the height of the visible area at the focus, metres. It is also the scale of the parallel view, so that switching between
+    /// parallel and perspective keeps the size.
     [[nodiscard]] double halfHeight() const;
 
     bool operator==(const CameraPose&) const = default;
 };
 
-/// Turntable: `rightRad` about the fixed `upAxis`, `upRad` about the camera's right axis; both about `centre`.
-/// The tilt stops short of the poles, so that the picture never flips.
+/// Turntable: rotates by `rightRad` about the fixed `upAxis` and by `upRad` about the camera's right axis; both about `centre`. The tilt
+/// stops before the poles, so that the picture never flips.
 [[nodiscard]] CameraPose turned(const CameraPose& pose, const Eigen::Vector3d& centre, const Eigen::Vector3d& upAxis, double rightRad,
                                 double upRad);
 /// Free (trackball) rotation about the camera's own axes.
 [[nodiscard]] CameraPose tumbled(const CameraPose& pose, const Eigen::Vector3d& centre, double rightRad, double upRad);
 /// Moves the picture by pixels (x right, y down) at the depth of `anchor`.
 [[nodiscard]] CameraPose panned(const CameraPose& pose, const Eigen::Vector3d& anchor, double dx, double dy, double viewHeightPx);
-/// factor > 1 comes closer; `anchor` stays at the same place on the screen.
+/// factor > 1 moves closer; `anchor` stays at the same place on the screen.
 [[nodiscard]] CameraPose zoomed(const CameraPose& pose, const Eigen::Vector3d& anchor, double factor);
-/// Turns the picture about the view direction, counter-clockwise.
+/// Rotates the picture about the view direction, counter-clockwise.
 [[nodiscard]] CameraPose rolled(const CameraPose& pose, double rad);
-/// Same direction and distance to `point`, which becomes the focus.
+/// Keeps direction and distance; `point` becomes the focus.
 [[nodiscard]] CameraPose centredOn(const CameraPose& pose, const Eigen::Vector3d& point);
 
-/// Looks along `forward` from so far away that the box fits a view of this width / height.
+/// Looks along `forward`, at the distance at which the box fits a view of this width / height.
 [[nodiscard]] CameraPose lookingAt(const Box3f& box, const Eigen::Vector3d& forward, const Eigen::Vector3d& up, const CameraPose& lens,
                                    double widthByHeight);
-/// As the scanner sees it: from the sensor along the mean direction, with a view angle and a step back just large enough for
-/// 99 % of the points, as far as a flat picture can hold them. Row 0 on top where the geometry allows it.
+/// The scanner's view: from the sensor along the mean direction. View angle and distance are just large enough for 99 % of the points,
+/// within the limits of a flat picture. Row 0 is at the top if the geometry allows it.
 [[nodiscard]] CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight);
 
-/// How far apart neighbouring points are on a screen of this height, pixels, from 1 to 7: the middle one of a sample, by the angle between
-/// beams and lines as the sensor sees them. 0 where that is not known.
+/// Median distance of neighbouring points on a screen of this height, pixels, from 1 to 7. It is computed on a sample from the angle
+/// between beams and lines at the sensor. 0 if unknown.
 [[nodiscard]] double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx);
 
-/// How much of the depth is cut away before and behind what is seen, 0 .. 1 each.
+/// Share of the depth that is clipped in front and behind, 0 .. 1 each.
 struct CloudClip {
     double nearShare = 0.0, farShare = 0.0;
     bool operator==(const CloudClip&) const = default;
@@ -61,7 +61,7 @@ struct ClipRange {
     double nearM = 0.1;
     double farM = 100.0;
 };
-/// Near and far planes that hold the box; nearShare / farShare in [0, 1] cut that much of the depth away at either end.
+/// Near and far planes around the box; nearShare / farShare in [0, 1] clip this share of the depth at each end.
 [[nodiscard]] ClipRange clipRange(const CameraPose& pose, const CloudGeometry& cloud, double nearShare, double farShare);
 
 /// From local coordinates to clip space for this view (OpenGL convention).

@@ -23,7 +23,7 @@ constexpr std::size_t kSampled = 20'000;
 constexpr std::array<std::pair<ColourBy, const char*>, 4> kKeys{
     {{ColourBy::Nothing, "gray"}, {ColourBy::Range, "range"}, {ColourBy::Height, "height"}, {ColourBy::Line, "line"}}};
 
-/// Where the middle 98 % lie, from a sample that is spread over all of them.
+/// The range of the middle 98 % of the values, from an evenly spread sample.
 std::pair<double, double> endsOf(const std::vector<float>& values) {
     const std::size_t step = std::max<std::size_t>(1, values.size() / kSampled);
     std::vector<float> sample;

@@ -1,4 +1,4 @@
-// Float coordinates, drawing order, tiles and the frame of the view, from a scan.
+// Makes float coordinates, drawing order, tiles and the frame of the view from a scan.
 #include "ui/views/cloud/cloud_geometry.h"
 
 #include "core/base/bands.h"
@@ -16,11 +16,11 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int kTile = 16;               // lines and beams
-constexpr double kKeepOriginM = 1000.0; // nearer to zero than this a float resolves 0.1 mm without a shift
+constexpr double kKeepOriginM = 1000.0; // below this coordinate a float resolves 0.1 mm without a shift of the origin
 constexpr std::size_t kEnoughSamples = 20000;
 
-// Place of a cell in the R2 low-discrepancy sequence (M. Roberts, "The unreasonable effectiveness of quasirandom
-// sequences", 2018): the cells below any threshold are spread evenly over lines and beams.
+// Value of a cell in the R2 low-discrepancy sequence (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018): the
+// cells below any threshold are spread evenly over lines and beams.
 std::uint32_t spread(int line, int beam) {
     return static_cast<std::uint32_t>(beam) * 3242174889U + static_cast<std::uint32_t>(line) * 2447445414U;
 }
@@ -128,7 +128,7 @@ Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sa
     return box;
 }
 
-/// The larger of the two angles to the neighbours in line and beam: points as large as it close the surface both ways.
+/// The larger of the two angles to the neighbours in line and beam: points of this size close the surface in both directions.
 double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
     constexpr std::size_t kEnough = 2000;
     std::vector<double> steps;
@@ -141,9 +141,9 @@ double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& 
     const std::size_t every = std::max<std::size_t>(1, sample.size() / kEnough);
     for (std::size_t n = 0; n < sample.size(); n += every) {
         const std::size_t k = sample[n];
-        const bool beside = (k + 1) % beams != 0 && cloud.drawable(k + 1);
+        const bool right = (k + 1) % beams != 0 && cloud.drawable(k + 1);
         const bool below = cloud.drawable(k + beams);
-        if (beside || below) steps.push_back(std::max(beside ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
+        if (right || below) steps.push_back(std::max(right ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
     }
     if (steps.empty()) return 0.0;
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
@@ -158,11 +158,11 @@ Vector3d meanDirection(const CloudGeometry& cloud, const std::vector<std::uint32
         if (d.squaredNorm() > 0.0) sum += d.normalized();
     }
     const double strength = sum.norm() / std::max(1.0, static_cast<double>(sample.size()));
-    // A full dome has no direction of its own.
+    // A full dome has no mean direction.
     return strength > 0.05 ? Vector3d(sum.normalized()) : Vector3d(Vector3d::UnitY());
 }
 
-// Where row 0 lies: mean step from a line to the one before, as seen from the sensor.
+// Direction towards row 0: mean step from a line to the line before, seen from the sensor.
 std::optional<Vector3d> towardsRowZero(const CartesianTables& tables, const CloudGeometry& cloud, const Vector3d& forward) {
     Vector3d sum = Vector3d::Zero();
     double length = 0.0;
@@ -178,7 +178,7 @@ std::optional<Vector3d> towardsRowZero(const CartesianTables& tables, const Clou
         }
     }
     sum -= forward * forward.dot(sum);
-    if (length <= 0.0 || sum.norm() < 0.2 * length) return std::nullopt; // lines turn about the view direction
+    if (length <= 0.0 || sum.norm() < 0.2 * length) return std::nullopt; // the lines rotate about the view direction
     return sum.normalized();
 }
 
@@ -201,7 +201,7 @@ ViewFrame frameOf(const Vector3d& forward, const Vector3d& up) {
 void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vector<std::uint32_t>& sample, CloudGeometry& out) {
     const Vector3d forward = meanDirection(out, sample);
     const bool levelled = std::holds_alternative<PointGeometry>(scan.geometry) && std::abs(forward.z()) < 0.9;
-    // In the scanner's own frame z is the viewing direction, so "up" can only come from the rows.
+    // In the scanner's own frame z is the viewing direction, so only the rows define "up".
     const Vector3d fallback = levelled ? Vector3d::UnitZ() : (std::abs(forward.y()) < 0.9 ? Vector3d::UnitY() : Vector3d::UnitZ());
     out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(fallback));
     const Vector3d up = levelled ? Vector3d(Vector3d::UnitZ()) : nearestAxis(out.scannerView.up, Vector3d::Zero());

@@ -1,4 +1,4 @@
-// Which way the surface faces at each cell.
+// Surface normals of the cells.
 #include "ui/views/cloud/cloud_normals.h"
 
 #include "core/base/bands.h"
@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kReach = 3;              // cells to each side: noise of single ranges must not show as grain
-constexpr float kSameSurface = 0.04F;  // share of the range that neighbours may differ per cell of distance ...
-constexpr float kSameSurfaceM = 0.05F; // ... and metres on top
+constexpr int kReach = 3;              // cells to each side: averages out the noise of single ranges, which would look like grain
+constexpr float kSameSurface = 0.04F;  // maximum difference of neighbours on one surface, as share of the range per cell of distance ...
+constexpr float kSameSurfaceM = 0.05F; // ... plus metres
 
 struct Neighbourhood {
     const CloudGeometry& cloud;
@@ -24,7 +24,7 @@ struct Neighbourhood {
         for (std::size_t k = 0; k < range.size(); ++k) range[k] = (cloud.point(k) - cloud.sensor).norm();
     }
 
-    // Slope of the points along one direction of the grid; zero when neither side has a neighbour on the same surface.
+    // Slope of the points along one direction of the grid; zero if neither side has a neighbour on the same surface.
     [[nodiscard]] Vector3f tangent(std::size_t k, std::ptrdiff_t step, int before, int after) const {
         Vector3f sum = Vector3f::Zero();
         const float here = range[k];
@@ -41,7 +41,7 @@ struct Neighbourhood {
         return sum;
     }
 
-    // Towards the sensor.
+    // Normal towards the sensor.
     [[nodiscard]] Vector3f normalAt(std::size_t k, int line, int beam) const {
         const Vector3f toSensor = (cloud.sensor - cloud.point(k)).normalized();
         const Vector3f alongBeams = tangent(k, 1, beam, cloud.beams - 1 - beam);

@@ -1,4 +1,4 @@
-// Which way the surface faces at each cell, for shading only: a flat gray cloud shows no rock.
+// Surface normals of the cells, only for shading: without shading a gray cloud shows no shape.
 #pragma once
 
 #include "ui/views/cloud/cloud_geometry.h"
@@ -7,8 +7,8 @@
 
 namespace edgescan::ui {
 
-/// 3 floats per cell k: unit normal towards the sensor, from a fit over the neighbours along the line and along the beam that lie on
-/// the same surface; where there are too few, the direction to the sensor. Uses lines, beams, xyz, valid and sensor of `cloud`.
+/// 3 floats per cell k: unit normal towards the sensor, fitted to the neighbours on the same surface along the line and along the beam.
+/// With too few neighbours: the direction to the sensor. Uses lines, beams, xyz, valid and sensor of `cloud`.
 [[nodiscard]] std::vector<float> surfaceNormals(const CloudGeometry& cloud);
 
 } // namespace edgescan::ui

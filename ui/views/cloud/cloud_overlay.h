@@ -1,4 +1,4 @@
-// Marker, laser ray and texts over the 3D picture: a transparent child, so that a moving marker redraws no point.
+// Marker, laser ray and texts over the 3D picture: a transparent child widget, so that a moving marker does not redraw the points.
 #pragma once
 
 #include "ui/base/cell_marks.h"
@@ -16,16 +16,16 @@ namespace edgescan::ui {
 struct OverlayMarks {
     std::optional<QPointF> ring;  ///< the marked point, widget pixels
     std::optional<QLineF> ray;    ///< from the sensor to the point
-    bool hidden = false;          ///< the point lies behind others: dashed
-    QString centreText;           ///< why the view is empty
+    bool hidden = false;          ///< other points hide the point: drawn dashed
+    QString centreText;           ///< the reason why the view is empty
     QString note;                 ///< top left
-    QString tip;                  ///< beside a point ...
-    std::optional<QPointF> tipAt; ///< ... that is in view
+    QString tip;                  ///< next to a point ...
+    std::optional<QPointF> tipAt; ///< ... if it is in view
     QString caption;              ///< top right ...
-    int captionRoom = 0;          ///< ... of what stands there already, so many pixels from the right
-    QString stale;                ///< greys the picture and says why; empty = none
+    int captionRoom = 0;          ///< ... at this distance from the right edge, pixels, because another widget is in the corner
+    QString stale;                ///< reason for the grey overlay over an outdated picture; empty: no overlay
     ScreenMarks marks;            ///< targets and measurements
-    QPolygonF dragged;            ///< round what is being selected
+    QPolygonF dragged;            ///< outline of the selection that the operator is drawing
 
     bool operator==(const OverlayMarks&) const = default;
     [[nodiscard]] bool empty() const {

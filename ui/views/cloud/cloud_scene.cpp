@@ -33,19 +33,19 @@
 namespace edgescan::ui {
 namespace {
 
-// Edge points are drawn this share of their distance nearer, at the same place on the screen: in front of the rock they
-// lie on, still behind rock that is really nearer.
+// Edge points are drawn nearer by this share of their distance, at the same place on the screen. They appear in front of the rock under
+// them, and behind rock that is really nearer.
 constexpr double kEdgeNearer = 0.010;
 constexpr double kHaloNearer = 0.007;
-constexpr double kSelectedNearer = 0.004; // over the cloud, under the edges
-constexpr double kAmbient = 0.5;          // of the cloud's colour where the surface is seen edge-on: still lighter than the background
+constexpr double kSelectedNearer = 0.004; // in front of the cloud, behind the edges
+constexpr double kAmbient = 0.5;          // share of the cloud's colour on surfaces seen edge-on: still lighter than the background
 constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
 const QColor kGround(0x85, 0x8b, 0x92);
-const QColor kSelected(kSelectedColour); // its points are larger as well
+const QColor kSelected(kSelectedColour); // its points are also larger
 
-// A halo darkens the cloud around an edge point but must not hide the next edge point, however far behind it lies.
+// The halo darkens the cloud around an edge point. It must not hide another edge point, even one far behind it.
 class HaloMapper : public vtkOpenGLPolyDataMapper {
 public:
     static HaloMapper* New() {
@@ -63,7 +63,7 @@ public:
 
 void setColour(vtkActor* actor, const QColor& colour) { actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF()); }
 
-// Scales about the eye (perspective) or shifts towards it (parallel): the same pixel, a smaller depth.
+// Scales towards the eye (perspective) or shifts towards it (parallel): the same pixel, a smaller depth.
 void pullNearer(vtkActor* actor, const CameraPose& pose, double share) {
     vtkNew<vtkMatrix4x4> matrix;
     const Eigen::Vector3d shift =
@@ -82,8 +82,8 @@ CloudScene::Layer::Layer(vtkSmartPointer<vtkPolyDataMapper> with) : mapper(std::
     if (!mapper) mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
     mapper->SetInputData(data);
     mapper->ScalarVisibilityOff();
-    mapper->StaticOn(); // the data never comes from a pipeline
-    // Several layers share one vertex buffer, so none may shift it; the origin is ours.
+    mapper->StaticOn(); // the data does not come from a VTK pipeline
+    // Several layers share one vertex buffer, so VTK must not shift the coordinates; CloudGeometry sets the origin.
     if (auto* gl = vtkOpenGLPolyDataMapper::SafeDownCast(mapper)) {
         gl->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     }
@@ -96,7 +96,7 @@ CloudScene::Layer::Layer(vtkSmartPointer<vtkPolyDataMapper> with) : mapper(std::
 void CloudScene::Layer::setCells(vtkPoints* points, std::span<const std::uint32_t> cells) {
     vtkNew<vtkCellArray> verts;
     if (!cells.empty()) {
-        // One poly-vertex cell over the caller's own numbers: nothing is copied on this side.
+        // One poly-vertex cell over the caller's array: no copy is made here.
         vtkNew<vtkTypeInt32Array> ends;
         ends->InsertNextValue(0);
         ends->InsertNextValue(static_cast<vtkTypeInt32>(cells.size()));
@@ -113,10 +113,10 @@ CloudScene::CloudScene(vtkRenderWindow* window)
     : window_(window), halo_(vtkSmartPointer<HaloMapper>::New()), outlineHalo_(vtkSmartPointer<HaloMapper>::New()) {
     window->SetMultiSamples(0);
     window->AddRenderer(renderer_);
-    // The culler would walk through all points for their bounds; the clip range is ours.
+    // The culler would visit all points for their bounds; clipRange() sets the planes instead.
     renderer_->GetCullers()->RemoveAllItems();
     renderer_->SetAutomaticLightCreation(0);
-    // A light at the eye: what faces the camera has the full colour of the cloud, nothing is brighter.
+    // A light at the eye: surfaces that face the camera have the full colour of the cloud, no surface is brighter.
     vtkNew<vtkLight> light;
     light->SetLightTypeToHeadlight();
     renderer_->AddLight(light);
@@ -146,7 +146,7 @@ CloudScene::CloudScene(vtkRenderWindow* window)
     focus_->GetProperty()->SetOpacity(0.3);
     focus_->GetProperty()->LightingOff();
     focus_->GetProperty()->BackfaceCullingOn();
-    // Blending works in the opaque pass too, and spares the translucent pass over the whole picture.
+    // Blending also works in the opaque pass. This avoids the translucent pass over the whole picture.
     focus_->ForceOpaqueOn();
     focus_->PickableOff();
     focus_->VisibilityOff();
@@ -160,7 +160,7 @@ std::unique_ptr<CloudScene::DrawnCloud> CloudScene::newCloud() {
     for (Layer& part : made->parts) {
         part.actor->GetProperty()->SetAmbient(kAmbient);
         part.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
-        part.actor->ForceOpaqueOn(); // with colours of its own VTK would look through all of them for a transparent one
+        part.actor->ForceOpaqueOn(); // otherwise VTK searches all point colours for a transparent one
         part.actor->VisibilityOff();
         renderer_->AddActor(part.actor);
     }
@@ -194,7 +194,7 @@ void CloudScene::load(std::shared_ptr<const CloudGeometry> cloud) {
         now_->normals->SetNumberOfComponents(3);
         now_->normals->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
     }
-    useFaces(); // those of the cloud before go with it
+    useFaces(); // the faces of the previous cloud are dropped with it
     for (std::size_t i = 0; i < now_->parts.size(); ++i) {
         Layer& part = now_->parts[i];
         part.actor->VisibilityOff();
@@ -204,15 +204,15 @@ void CloudScene::load(std::shared_ptr<const CloudGeometry> cloud) {
             part.setCells(nullptr, {});
         part.data->GetPointData()->SetNormals(cloud ? now_->normals.Get() : nullptr);
     }
-    now_->cloud = std::move(cloud); // only now may the floats of the cloud before go
+    now_->cloud = std::move(cloud); // only now may the floats of the previous cloud be freed
 }
 
 void CloudScene::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
-    if (ready_ != cloud) spareGoes_ = spare_->cloud && spare_->cloud != cloud;
+    if (ready_ != cloud) dropSpare_ = spare_->cloud && spare_->cloud != cloud;
     ready_ = cloud;
 }
 
-// Leaves out what is not drawable; the layer is left with the cells as they are then, which must outlive their use.
+// Drops cells that are not drawable. `cells` is replaced by the remaining ones; they must outlive their use in the layer.
 void CloudScene::setLayer(Layer& layer, EdgeCells::Indices& cells) {
     const auto drawable = [this](std::uint32_t k) { return now_->cloud->drawable(k); };
     if (cells && now_->cloud && !std::all_of(cells->begin(), cells->end(), drawable)) {
@@ -224,7 +224,7 @@ void CloudScene::setLayer(Layer& layer, EdgeCells::Indices& cells) {
     if (cells) {
         layer.setCells(now_->points, *cells);
     } else {
-        layer.setCells(nullptr, {}); // never the floats of a cloud that goes
+        layer.setCells(nullptr, {}); // drops references to the floats of a cloud that is being freed
     }
 }
 
@@ -242,14 +242,14 @@ void CloudScene::setGround(const GroundGrid& grid) {
     ground_.actor->SetVisibility(!grid.lines.empty());
 }
 
-// Only when it is drawn: a cloud that comes back has the colours of before, and mostly wants them.
+// Called only when the faces are drawn: a cloud that is shown again still has its former colours, and usually needs them.
 void CloudScene::useFaces() {
     std::shared_ptr<const std::vector<std::uint32_t>> colours = facesWanted_;
     vtkSmartPointer<vtkUnsignedCharArray> bytes;
     if (colours && now_->cloud && colours->size() == now_->cloud->cells()) {
         if (now_->faces == colours) return;
         bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-        bytes->SetNumberOfComponents(4); // with three VTK would make a copy for each part
+        bytes->SetNumberOfComponents(4); // with three components VTK would make a copy for each part
         auto* first = const_cast<std::uint32_t*>(colours->data());
         bytes->SetArray(reinterpret_cast<unsigned char*>(first), static_cast<vtkIdType>(4 * colours->size()), 1);
     } else {
@@ -261,7 +261,7 @@ void CloudScene::useFaces() {
         part.mapper->SetColorModeToDirectScalars();
         part.mapper->SetScalarVisibility(bytes != nullptr);
     }
-    now_->faces = std::move(colours); // only now may the colours before go
+    now_->faces = std::move(colours); // only now may the former colours be freed
 }
 
 void CloudScene::setOutline(EdgeCells::Indices cells) {
@@ -275,7 +275,8 @@ void CloudScene::setOutline(EdgeCells::Indices cells) {
 
 void CloudScene::setSelection(EdgeCells::Indices cells) {
     setLayer(selection_, cells);
-    selection_.data->GetPointData()->SetNormals(cells ? now_->normals.Get() : nullptr); // shaded as the cloud is: it keeps its form
+    // shaded like the cloud, so that its shape stays visible
+    selection_.data->GetPointData()->SetNormals(cells ? now_->normals.Get() : nullptr);
     selection_.actor->SetVisibility(cells != nullptr);
     selected_ = std::move(cells);
 }
@@ -345,9 +346,9 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     pullNearer(outlineHalo_.actor, pose, kHaloNearer);
 }
 
-// Called while the graphics context is current.
-void CloudScene::letSpareGo() {
-    if (!std::exchange(spareGoes_, false)) return;
+// Must be called while the graphics context is current.
+void CloudScene::freeSpare() {
+    if (!std::exchange(dropSpare_, false)) return;
     for (Layer& part : spare_->parts) {
         part.setCells(nullptr, {});
         part.data->GetPointData()->SetNormals(nullptr);
@@ -367,7 +368,7 @@ bool CloudScene::setParts(const Parts& parts) {
     const double larger = parts.enlarge ? std::clamp(std::sqrt(0.5 / share), 1.0, kLargestGrowth) : 1.0;
     const auto size = static_cast<float>(std::round(pointSize_ * larger));
     useFaces();
-    letSpareGo();
+    freeSpare();
     for (std::size_t i = 0; i < now_->parts.size(); ++i) {
         const int part = static_cast<int>(i);
         const bool shown = part >= parts.first && part <= parts.last && now_->cloud && !now_->cloud->drawOrder[i].empty();

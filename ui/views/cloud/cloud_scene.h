@@ -36,8 +36,8 @@ struct CloudLook {
     double edgeSize = 4.0;  ///< device pixels
     double halo = 1.0;      ///< device pixels on each side of an edge point
     bool edges = true;
-    bool byClass = false; ///< each class in its own colour
-    bool shaded = true;   ///< false: every point of the cloud has its full colour
+    bool byClass = false; ///< each edge class has its own colour
+    bool shaded = true;   ///< false: all points of the cloud have the full colour
 };
 
 /// GUI thread only; makes no OpenGL call itself.
@@ -47,29 +47,30 @@ public:
     ~CloudScene();
 
     void setCloud(std::shared_ptr<const CloudGeometry> cloud);
-    /// This cloud and the one before or after it stay in the graphics memory both, so that going from one to the other sends nothing; null:
-    /// only the one that is drawn stays.
+    /// Keeps this cloud in the graphics memory together with the drawn one, so that switching between them uploads nothing. Null: only the
+    /// drawn cloud stays in the graphics memory.
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
-    /// Cells that are not drawable are left out.
+    /// Cells that are not drawable are ignored.
     void setEdges(EdgeCells cells);
-    /// By cell, four bytes: red, green, blue, 255. Instead of the one colour of the cloud; null, or of another number of cells: none.
+    /// Per cell, four bytes: red, green, blue, 255. Replaces the single colour of the cloud. Null, or a wrong number of cells: the single
+    /// colour.
     void setFaces(std::shared_ptr<const std::vector<std::uint32_t>> colours);
-    /// Drawn white over everything. Cells that are not drawable are left out.
+    /// Drawn white over everything. Cells that are not drawable are ignored.
     void setOutline(EdgeCells::Indices cells);
-    /// Drawn in the colour of what is selected, as large as edges. Cells that are not drawable are left out.
+    /// Drawn in the colour of the selection, in the size of edges. Cells that are not drawable are ignored.
     void setSelection(EdgeCells::Indices cells);
-    /// Without a line: none is drawn.
+    /// A grid without lines is not drawn.
     void setGround(const GroundGrid& grid);
     void setLook(const CloudLook& look);
     void setCamera(const CameraPose& pose, const ClipRange& clip);
-    /// What is drawn of the drawing order: parts first .. last.
+    /// The drawn parts of the drawing order: first .. last.
     struct Parts {
         int first = 0;
         int last = 0;
-        bool onTop = false;   ///< of the frame before, which stays (same camera, same look)
-        bool enlarge = false; ///< fewer points are drawn larger, so that a surface stays a surface while the camera moves
+        bool onTop = false;   ///< draw over the frame before, which stays (same camera, same look)
+        bool enlarge = false; ///< draw fewer points but larger ones, so that surfaces stay closed while the camera moves
     };
-    /// True when one of them goes to the graphics memory for the first time.
+    /// True if a part is uploaded to the graphics memory for the first time.
     bool setParts(const Parts& parts);
     void showFocus(const Eigen::Vector3d& centre, double radius);
     void hideFocus();
@@ -86,7 +87,7 @@ private:
         vtkNew<vtkActor> actor;
     };
 
-    /// A cloud with what VTK made of it.
+    /// A cloud with its VTK objects.
     struct DrawnCloud {
         std::shared_ptr<const CloudGeometry> cloud; ///< owns the floats that VTK draws
         vtkSmartPointer<vtkPoints> points;
@@ -99,7 +100,7 @@ private:
     void load(std::shared_ptr<const CloudGeometry> cloud);
     void useFaces();
     void colourParts();
-    void letSpareGo();
+    void freeSpare();
     void showEdgeLayers();
     void setLayer(Layer& layer, EdgeCells::Indices& cells);
 
@@ -107,13 +108,13 @@ private:
     vtkRenderWindow* window_;
     std::unique_ptr<DrawnCloud> now_, spare_; // the spare one is not drawn
     std::shared_ptr<const CloudGeometry> ready_;
-    bool spareGoes_ = false; // once the graphics context is current
+    bool dropSpare_ = false; // drop it when the graphics context is current
     CloudLook look_;
     EdgeCells edges_; // owns the indices that VTK draws
     std::shared_ptr<const std::vector<std::uint32_t>> facesWanted_;
     EdgeCells::Indices outlined_, selected_;
     Layer halo_, edge_, outlineHalo_, outline_, selection_;
-    std::array<Layer, kEdgeClasses> classes_; // instead of edge_ where edges have the colours of their classes
+    std::array<Layer, kEdgeClasses> classes_; // used instead of edge_ if each edge class has its own colour
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;
     Layer ground_;

@@ -1,4 +1,5 @@
-// The 3D view: what is drawn, when, and how much of it. The mouse is in cloud_view_mouse.cpp, where it looks from in cloud_view_camera.cpp.
+// The 3D view: the drawn layers, when they are drawn, and how many points. The mouse is in cloud_view_mouse.cpp, the camera in
+// cloud_view_camera.cpp.
 #include "ui/views/cloud/cloud_view.h"
 
 #include "ui/views/cloud/cloud_overlay.h"
@@ -18,15 +19,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGuessMsPerPoint = 2.5e-4; // llvmpipe on a busy machine; only until frames are measured
-constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full when nothing came for so long
+constexpr double kGuessMsPerPoint = 2.5e-4; // for llvmpipe on a busy machine; used until frames are measured
+constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full after this pause without new points
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
 constexpr double kLargestPoint = 12.0;      // px
-constexpr double kFactorPerStep = 1.25;     // of a size that follows the spacing
-const QColor kCloudDimmed(121, 121, 121);   // dark enough for edges in front of it
+constexpr double kFactorPerStep = 1.25;     // of a point size that follows the spacing
+const QColor kCloudDimmed(121, 121, 121);   // dark enough to see edges in front of it
 const QColor kCloudBright(230, 230, 230);
 
-// Wide enough for a line of single cells to be seen, not so wide that two lines run into one.
+// Wide enough to see a line of single cells, but narrow enough that two lines do not merge.
 double edgeSizeFor(double pointSize) { return std::max(2.5, 1.25 * pointSize); }
 
 } // namespace
@@ -38,8 +39,8 @@ QSurfaceFormat CloudView::surfaceFormat() {
 }
 
 CloudView::CloudView(QWidget* parent) : QVTKOpenGLNativeWidget(parent), scene_(std::make_unique<CloudScene>(renderWindow())) {
-    interactor()->SetInteractorStyle(nullptr);    // the mouse is ours
-    setContextMenuPolicy(Qt::PreventContextMenu); // right drag zooms; we tell a click from a drag
+    interactor()->SetInteractorStyle(nullptr);    // this class handles the mouse itself
+    setContextMenuPolicy(Qt::PreventContextMenu); // right drag zooms; cloud_view_mouse.cpp separates clicks from drags
     pose_.viewAngleDeg = 60.0;
     overlay_ = new CloudOverlay(this);
     overlay_->setGeometry(rect());
@@ -78,7 +79,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     } else if (!cloud_ || !before || before->validCount / 2 > cloud_->validCount || cloud_->validCount / 2 > before->validCount) {
         guessBudget();
     }
-    restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // a coarse picture at once; a scan that keeps growing stays coarse
+    restTimer_.start(growing_ ? kGrowingRestMs : kRestMs); // shows a coarse picture at once; a growing scan stays coarse
     if (growing_) {
         const Vector3d shift = before->originM - cloud_->originM;
         pose_.position += shift;
@@ -101,7 +102,7 @@ void CloudView::setEdges(EdgeCells cells) {
     if (cells == edges_) return;
     edges_ = std::move(cells);
     scene_->setEdges(edges_);
-    // Perhaps a slider under way: the coarse cloud keeps up with the hand, the full one follows when it rests.
+    // A slider may be moving: the coarse cloud follows it, the full cloud is drawn when the slider rests.
     restTimer_.start(growing_ ? kGrowingRestMs : kRestMs);
     requestFrame();
 }
@@ -148,7 +149,7 @@ void CloudView::setCaptionRoom(int pixels) {
 void CloudView::requestFrame() {
     nextPart_ = 0; // from the beginning
     framePending_ = true;
-    update(); // Qt merges these: never more than one waits
+    update(); // Qt merges these calls: at most one is pending
 }
 
 void CloudView::moved(int restMs) {
@@ -198,27 +199,28 @@ void CloudView::resizeEvent(QResizeEvent* event) {
 
 void CloudView::paintGL() {
     if (!framePending_) {
-        QVTKOpenGLNativeWidget::paintGL(); // shows the frame that VTK drew before
+        QVTKOpenGLNativeWidget::paintGL(); // shows the frame that VTK drew last
         return;
     }
     framePending_ = false;
     const bool moving = restTimer_.isActive();
     CloudScene::Parts parts{nextPart_, nextPart_, nextPart_ > 0, moving};
-    // At rest a first share in the final size, then part after part on top of it until all are there: no frame takes long.
+    // When the camera rests, a first share is drawn in the final size. The other parts follow on top of it, one per frame, so that no frame
+    // takes long.
     if (nextPart_ == 0) parts.last = drawAll_ ? kCloudParts - 1 : std::max(budget_.lastPart(moving), leastPart());
     const bool uploads = scene_->setParts(parts);
-    updateSize(); // makes VTK draw anew in paintGL()
+    updateSize(); // makes VTK draw again in paintGL()
     QElapsedTimer clock;
     clock.start();
     QVTKOpenGLNativeWidget::paintGL();
-    context()->functions()->glFinish(); // without it only the sending of commands is measured
+    context()->functions()->glFinish(); // without it the clock measures only the sending of commands
     lastFrameMs_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     ++framesDrawn_;
 
     const double fraction = cloud_ ? kPartEnds[static_cast<std::size_t>(parts.last)] : 1.0;
     const bool changed = fraction != drawnFraction_;
     drawnFraction_ = fraction;
-    // Sending a cloud to the graphics memory is not part of a frame, but of a growing cloud every frame has it.
+    // The upload of a cloud to the graphics memory is not part of a frame's time. For a growing cloud it is, because every frame has one.
     if ((!uploads || growing_) && cloud_ && !parts.onTop) budget_.measured(fraction, lastFrameMs_);
     nextPart_ = cloud_ && !moving ? (parts.last + 1) % kCloudParts : 0;
     // Slots must not run inside a paint event.
@@ -232,7 +234,7 @@ void CloudView::paintGL() {
         Qt::QueuedConnection);
 }
 
-/// However busy the machine is, rocks are seen: so many points that a form shows, evenly.
+/// On a busy machine too, enough evenly spread points are drawn to show the shape of the rocks.
 int CloudView::leastPart() const {
     constexpr double kLeastPoints = 60'000;
     const double share = cloud_ && cloud_->validCount > 0 ? kLeastPoints / static_cast<double>(cloud_->validCount) : 1.0;
@@ -247,7 +249,7 @@ void CloudView::refine() {
 
 QImage CloudView::grabFrame(Points points) {
     drawAll_ = points == Points::All;
-    if (drawAll_) requestFrame(); // otherwise what is on the screen, or what waits to be drawn
+    if (drawAll_) requestFrame(); // otherwise the grab shows the current frame, or draws the pending one
     const QImage image = grab().toImage();
     drawAll_ = false;
     return image;
@@ -275,7 +277,8 @@ void CloudView::setStale(const QString& why) {
 void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
     if (cell == marked_) return;
     marked_ = cell;
-    if (marks_.targets.size() > kMarksAsked) screenMarks_.reset(); // of a crowd only the marked one is asked
+    // with many targets only the marked one is tested for points in front of it
+    if (marks_.targets.size() > kMarksAsked) screenMarks_.reset();
     updateOverlay();
 }
 
@@ -293,7 +296,7 @@ void CloudView::updateOverlay() {
     } else {
         marks.note = note_;
     }
-    // A tip is about what the mouse points at; the ring may be that of a target, which stays where it is.
+    // A tip describes the point under the mouse. The ring may belong to a target, which does not move with the mouse.
     const bool pinned =
         std::ranges::any_of(marks_.targets, [&](const TargetMark& target) { return target.active && target.cell == marked_; });
     const auto told = hoveredCell_ ? hoveredCell_ : pinned ? std::nullopt : marked_;
@@ -349,7 +352,7 @@ void CloudView::setPointSizeFollows(bool on, double factor) {
 
 void CloudView::changePointSize(int steps) {
     if (!sizeFollows_) return setPointSize(pointSize_ + steps);
-    // A step that no pixel shows is none: the factor stays where the sizes are.
+    // The factor does not change where the clamped sizes would not change.
     sizeFactor_ = std::clamp(sizeFactor_ * std::pow(kFactorPerStep, steps), 1.0 / 8, 8.0);
     followSpacing();
 }

@@ -30,40 +30,40 @@ namespace edgescan::ui {
 class CloudOverlay;
 class CloudScene;
 
-/// GUI thread only. The application must call QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat()) before it makes
-/// QApplication, and ask checkGl() before it makes a CloudView.
+/// GUI thread only. The application must call QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat()) before it makes QApplication,
+/// and checkGl() before it makes a CloudView.
 class CloudView : public QVTKOpenGLNativeWidget {
     Q_OBJECT
 public:
     using CellIndices = std::vector<std::uint32_t>;
     enum class Camera { Reset, Keep };
     enum class Points { AsShown, All };
-    enum class EdgesOver { AsAsked, Always }; ///< edges over faces
+    enum class EdgesOver { AsAsked, Always }; ///< whether edges are drawn over faces
 
     explicit CloudView(QWidget* parent = nullptr);
     ~CloudView() override;
 
-    /// VTK's format with 0 samples: multi-sampling costs four times the time without a graphics card.
+    /// VTK's format with 0 samples: without a graphics card multi-sampling quadruples the time.
     [[nodiscard]] static QSurfaceFormat surfaceFormat();
 
-    /// Takes a cloud made on the worker thread by makeCloudGeometry(*scan). Keep: a live scan that grows does not move
-    /// the camera. Drops the edges, which belong to the old scan. Null pointers empty the view.
+    /// Takes a cloud made on the worker thread by makeCloudGeometry(*scan). Keep: the camera does not move, for a growing live scan. Drops
+    /// the edges, which belong to the old scan. Null pointers empty the view.
     void setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const CloudGeometry> geometry, Camera camera = Camera::Reset);
-    /// The same for callers that can wait: makes the geometry on this thread.
+    /// The same for callers that can wait: makes the geometry in this thread.
     void setScan(std::shared_ptr<const Scan> scan);
-    /// Cells k = line * beams + beam, ascending. Replaces an index list only; the same pointer again costs nothing.
+    /// Cells k = line * beams + beam, ascending. Replaces only an index list; setting the same pointer again is free.
     void setEdges(EdgeCells cells);
     void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }
-    /// A colour for each point, instead of the cloud's gray (CloudScene::setFaces). While there are some, edges are drawn only where
-    /// setEdgesOverFaces() asks for them.
+    /// A colour for each point instead of the cloud's gray (CloudScene::setFaces). While faces are shown, edges are drawn only if `edges`
+    /// or setEdgesOverFaces() requests them.
     void setFaces(std::shared_ptr<const CellIndices> colours, EdgesOver edges = EdgesOver::AsAsked);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& faces() const { return faces_; }
     void setEdgesOverFaces(bool on);
-    /// Colours for the points of that cloud, wherever no faces are shown; edges stay over them. Null: its gray.
+    /// Point colours of the cloud `of`, used where no faces are shown; edges are drawn over them. Null: gray.
     void setColours(std::shared_ptr<const CloudGeometry> of, std::shared_ptr<const CellIndices> colours);
-    /// What the points have now: faces, else colours of this cloud; null: gray.
+    /// The current colours of the points: faces, else colours of this cloud; null: gray.
     [[nodiscard]] std::shared_ptr<const CellIndices> pointColours() const;
-    /// Cells along an outline, drawn white; null: none.
+    /// Cells along an outline, drawn white; null: no outline.
     void setOutline(std::shared_ptr<const CellIndices> cells);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& outline() const { return outline_; }
     [[nodiscard]] const std::shared_ptr<const Scan>& scan() const { return scan_; }
@@ -72,10 +72,10 @@ public:
     [[nodiscard]] bool edgesVisible() const { return edgesVisible_; }
     [[nodiscard]] bool cloudDimmed() const { return cloudDimmed_; }
     [[nodiscard]] bool shaded() const { return shaded_; }
-    /// Metres from line to line of the grid below the rocks; 0: it is not shown.
+    /// Spacing of the lines of the ground grid, metres; 0: the grid is hidden.
     [[nodiscard]] double groundStepM() const { return groundStepM_; }
     [[nodiscard]] double pointSize() const { return pointSize_; }
-    /// What the size that follows the spacing is multiplied by; empty: the size stays as it is.
+    /// The factor on a point size that follows the spacing; empty: the size is fixed.
     [[nodiscard]] std::optional<double> pointSizeFactor() const { return sizeFollows_ ? std::optional(sizeFactor_) : std::nullopt; }
     [[nodiscard]] const CloudClip& clip() const { return clip_; }
     [[nodiscard]] QColor background() const { return background_; }
@@ -85,57 +85,58 @@ public:
     [[nodiscard]] bool isParallel() const { return pose_.parallel; }
     [[nodiscard]] bool isTurntable() const { return turntable_; }
 
-    /// Local coordinates: add geometryOfCloud()->originM for those of the scan.
+    /// In local coordinates: add geometryOfCloud()->originM for the coordinates of the scan.
     [[nodiscard]] CameraPose camera() const { return pose_; }
     void setCamera(const CameraPose& pose);
     [[nodiscard]] Eigen::Vector3d rotationCentre() const { return centre_; }
 
-    /// The beam cursor: ring at the point and the laser ray to it; dashed when the point is hidden behind others.
+    /// The marked cell: a ring at the point and the laser ray to it; dashed if other points hide the point.
     void setMarkedCell(std::optional<std::uint32_t> cell);
     [[nodiscard]] std::optional<std::uint32_t> markedCell() const { return marked_; }
-    /// Text over the picture: "no scan open", "stale" ... Empty = the view's own ("no scan open", "no point to show").
+    /// Text over the picture: "no scan open", "stale" ... Empty = the view's own text ("no scan open", "no point to show").
     void setNote(const QString& note);
-    /// Greys the picture and says why across it: it is older than it seems. Empty = none.
+    /// Draws a grey overlay with this reason over an outdated picture. Empty = no overlay.
     void setStale(const QString& why);
-    /// A short text beside the marked cell. Empty = none.
+    /// A short text next to the marked cell. Empty = no text.
     void setTip(const QString& text);
     [[nodiscard]] const QString& tip() const { return tip_; }
-    /// What holds for everything that is shown, in the upper right corner. Empty = nothing.
+    /// Text in the upper right corner about the whole picture. Empty = no text.
     void setCaption(const QString& text);
     [[nodiscard]] const QString& caption() const { return caption_; }
-    /// Something stands in that corner, so many pixels from the right; 0: nothing.
+    /// Width of a widget in that corner, pixels from the right edge; 0: the corner is free.
     void setCaptionRoom(int pixels);
     [[nodiscard]] const QString& stale() const { return stale_; }
-    /// Targets and measurements, until others are set.
+    /// Replaces targets and measurements.
     void setMarks(CellMarks marks);
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
-    /// What a drag with the left button does from now on.
+    /// Sets the effect of dragging with the left button.
     void setDragTool(DragTool tool);
-    /// The left button is a finger: one that rests is a right click.
+    /// The left button counts as a finger: a resting press is a right click.
     void setForGloves(bool on) { touch_.setMouseIsFinger(on); }
-    /// Cells, ascending, that are drawn in a colour of their own; null: none.
+    /// Cells, ascending, drawn in the colour of the selection; null: no selection.
     void setSelection(std::shared_ptr<const CellIndices> cells);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& selection() const { return selection_; }
-    /// Cells that are not drawn and cannot be picked, 1 each; null: all are. Of another number of cells than the cloud: none is hidden.
+    /// One byte per cell: 1 = the cell is neither drawn nor pickable. Null, or a number of cells that differs from the cloud's: no cell is
+    /// hidden.
     void setHidden(std::shared_ptr<const std::vector<std::uint8_t>> hidden);
     [[nodiscard]] const std::shared_ptr<const std::vector<std::uint8_t>>& hidden() const { return hidden_; }
-    /// How the points lie on the screen now, device pixels.
+    /// The current projection of the points to the screen, device pixels.
     [[nodiscard]] ScreenView screenView() const;
 
-    /// Point drawn under a widget position, within 8 px.
+    /// The point drawn under a widget position, within 8 px.
     [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
-    /// Where the point of a cell is drawn (widget position); none when behind the camera or not valid.
+    /// The widget position of a cell's point; empty if the point is behind the camera or not valid.
     [[nodiscard]] std::optional<QPointF> pixelOf(std::uint32_t cell) const;
 
-    /// Nothing is under way: the frame shown is the one that stays.
+    /// True if no drawing is pending: the shown frame is final.
     [[nodiscard]] bool atRest() const { return !restTimer_.isActive() && !framePending_ && nextPart_ == 0; }
-    /// Share of the valid points in the frame shown; 1 when all.
+    /// Share of the valid points in the shown frame; 1 = all.
     [[nodiscard]] double drawnFraction() const { return drawnFraction_; }
     [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
-    /// Frames that VTK really drew (a repaint without change draws none).
+    /// Number of frames that VTK really drew (a repaint without changes draws none).
     [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
 
-    /// Draws what is pending and returns the picture with marker and texts, in device pixels.
+    /// Finishes pending drawing and returns the picture with marker and texts, in device pixels.
     [[nodiscard]] QImage grabFrame(Points points = Points::AsShown);
 
 public slots:
@@ -147,29 +148,29 @@ public slots:
     void viewTop();
     void viewBottom();
     void viewIsometric();
-    void resetView(); ///< from the scanner, clipping undone
+    void resetView(); ///< the scanner's view, without clipping
     void zoomToFit(); ///< keeps the direction
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
-    /// From the side that the scanner saw them from, all but a few at the rim in the view, with some of what is round them.
+    /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.
     void lookAtCells(const CellIndices& cells);
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
-    void flyTo(qint64 cell); ///< looks at the point from nearby and turns about it
+    void flyTo(qint64 cell); ///< looks at the point from nearby; it becomes the centre of rotation
     void setParallel(bool on);
     void setTurntable(bool on); ///< off = free rotation
     void setEdgesVisible(bool on);
-    void setCloudDimmed(bool on);     ///< off = the cloud stays bright while edges are on
+    void setCloudDimmed(bool on);     ///< off = the cloud stays bright under edges
     void setGround(bool on);          ///< a grid below the rocks
     void setShaded(bool on);          ///< off = the cloud is one flat gray
-    void setPointSize(double pixels); ///< 1 .. 12; from then on it stays
-    /// On: the size follows the spacing of the points and the zoom, so that a surface is closed and a crowd no blob.
+    void setPointSize(double pixels); ///< 1 .. 12; then fixed
+    /// On: the size follows the spacing of the points and the zoom, so that surfaces are closed and dense points do not merge.
     void setPointSizeFollows(bool on, double factor = 1.0);
     void setClip(const edgescan::ui::CloudClip& clip);
     void largerPoints() { changePointSize(+1); }
     void smallerPoints() { changePointSize(-1); }
     void setBackground(const QColor& colour);
     void setEdgeColours(const edgescan::ui::EdgeColours& colours);
-    void setEdgesByClass(bool on); ///< each class in its own colour
+    void setEdgesByClass(bool on); ///< each edge class has its own colour
     void setMousePreset(edgescan::ui::MousePreset preset) { mousePreset_ = preset; }
     void setWheelReversed(bool on) { wheelReversed_ = on; }
 
@@ -177,17 +178,17 @@ signals:
     void hovered(qint64 cell);
     void hoverLeft();
     void clicked(qint64 cell);
-    /// A finished drag with a tool that selects: its corners, widget pixels.
+    /// End of a drag with a selecting tool: its corners, widget pixels.
     void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
-    void contextMenuRequested(const QPoint& globalPosition, qint64 cell); ///< cell -1: beside the cloud
+    void contextMenuRequested(const QPoint& globalPosition, qint64 cell); ///< cell -1: the position is outside the cloud
     void drawnFractionChanged(double fraction);
     void frameDrawn(double ms);
     void pointSizeChanged(double pixels);
     void parallelChanged(bool on);
     void turntableChanged(bool on);
-    /// Another cloud is drawn, or other points of it.
+    /// Another cloud, or other points of it, are drawn.
     void pointsChanged();
-    /// Edges that are on are not drawn, because faces cover them; or they are drawn again.
+    /// on: faces cover the edges, which are therefore not drawn; off: they are drawn again.
     void edgesCovered(bool on);
 
 protected:
@@ -203,13 +204,13 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    static constexpr std::size_t kMarksAsked = 20; // of more targets only the marked one is asked whether something lies before it
-    static constexpr int kRestMs = 160;            // after the last movement the full picture is drawn
+    static constexpr std::size_t kMarksAsked = 20; // with more targets only the marked one is tested for points in front of it
+    static constexpr int kRestMs = 160;            // pause after the last movement before the full picture is drawn
 
     void requestFrame();
     void refine();
     [[nodiscard]] int leastPart() const;
-    void moved(int restMs = kRestMs); // the camera is under way: coarse picture now, full one after a pause
+    void moved(int restMs = kRestMs); // the camera is moving: coarse picture now, full picture after a pause
     void applyCamera();
     void applyColours();
     void changePointSize(int steps);
@@ -237,27 +238,27 @@ private:
     std::shared_ptr<const Scan> scan_;
     std::shared_ptr<const CloudGeometry> cloud_;
     EdgeCells edges_;
-    std::shared_ptr<const CloudGeometry> whole_; // cloud_ without what is hidden is another one
+    std::shared_ptr<const CloudGeometry> whole_; // the cloud with all cells; cloud_ differs from it while cells are hidden
     std::shared_ptr<const CellIndices> faces_, outline_, selection_;
     std::shared_ptr<const CloudGeometry> colouredCloud_;
-    std::shared_ptr<const CellIndices> colours_; // of that cloud
+    std::shared_ptr<const CellIndices> colours_; // the point colours of setColours()
     bool ground_ = false;
-    double groundStepM_ = 0.0; // of the grid that is drawn; asked after each frame
+    double groundStepM_ = 0.0; // of the drawn grid; compared after each frame
     std::shared_ptr<const std::vector<std::uint8_t>> hidden_;
     CellMarks marks_;
-    std::optional<ScreenMarks> screenMarks_; // marks_ as the camera sees them; empty: to be looked for
+    std::optional<ScreenMarks> screenMarks_; // marks_ projected by the camera; empty: must be computed
     QPolygonF dragged_;                      // while something is being selected, widget pixels
     DragTool tool_ = DragTool::Move;
     bool edgesOverFaces_ = false, edgesCovered_ = false;
     EdgesOver edgesOver_ = EdgesOver::AsAsked;
 
     CameraPose pose_;
-    Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // of rotation
+    Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // centre of rotation
     CloudClip clip_;
     bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;
     bool sizeFollows_ = false;
-    double sizeFactor_ = 1.0; // where it follows: what the operator multiplied it by
+    double sizeFactor_ = 1.0; // the operator's factor on a size that follows the spacing
     QColor background_{48, 48, 48};
     EdgeColours edgeColours_ = kUsualColours;
     MousePreset mousePreset_ = MousePreset::Default;
@@ -273,10 +274,10 @@ private:
     std::optional<std::uint32_t> hoveredCell_, marked_;
 
     DrawingBudget budget_;
-    QTimer restTimer_; // running = the camera (or a slider) is under way
+    QTimer restTimer_; // active = the camera (or a slider) is moving
     bool framePending_ = true, drawAll_ = false;
     bool growing_ = false; // the cloud replaced a shorter one of the same scan
-    int nextPart_ = 0;     // of the drawing order; above 0: it goes on top of the frame before
+    int nextPart_ = 0;     // next part of the drawing order; above 0: it is drawn over the frame before
     double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;
     int framesDrawn_ = 0;
 };

@@ -1,4 +1,4 @@
-// Where the 3D view looks from.
+// The camera of the 3D view.
 #include "ui/views/cloud/cloud_view.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ void CloudView::zoomToCells(const CellIndices& cells) {
         if (cloud_->drawable(k)) box.extend(cloud_->point(k));
     }
     if (box.isEmpty()) return;
-    box.extend(box.center() + Eigen::Vector3f::Constant(0.05F)); // a single point has no size to fit
+    box.extend(box.center() + Eigen::Vector3f::Constant(0.05F)); // a single point would have a box without size
     pose_ = lookingAt(box, pose_.forward(), pose_.up, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();

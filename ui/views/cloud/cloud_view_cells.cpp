@@ -1,4 +1,4 @@
-// A region of cells in the middle of the cloud view.
+// Looks at a region of cells in the cloud view.
 #include "core/base/order_statistic.h"
 #include "ui/views/cloud/cloud_scene.h"
 #include "ui/views/cloud/cloud_view.h"

@@ -1,4 +1,4 @@
-// What somebody put over the cloud: targets, measurements, a selection, cells that are hidden.
+// The operator's marks over the cloud: targets, measurements, a selection, hidden cells.
 #include "ui/views/cloud/cloud_scene.h"
 #include "ui/views/cloud/cloud_view.h"
 
@@ -11,7 +11,7 @@ void CloudView::setSelection(std::shared_ptr<const CellIndices> cells) {
     requestFrame();
 }
 
-/// The points stay where they are in the memory; what is hidden is no part of the drawing order, and no point to be picked.
+/// The points stay in the graphics memory. Hidden cells leave the drawing order and cannot be picked.
 void CloudView::setHidden(std::shared_ptr<const std::vector<std::uint8_t>> hidden) {
     if (hidden == hidden_) return;
     hidden_ = std::move(hidden);
@@ -26,7 +26,7 @@ void CloudView::setHidden(std::shared_ptr<const std::vector<std::uint8_t>> hidde
     emit pointsChanged();
 }
 
-/// All that belongs to the cells of the cloud anew, as it was.
+/// Applies all layers of the cloud's cells again, without a change.
 void CloudView::showParts() {
     scene_->setCloud(cloud_);
     scene_->setEdges(edges_);
@@ -56,7 +56,7 @@ void CloudView::setGround(bool on) {
 }
 
 void CloudView::showGround() {
-    const GroundGrid grid = ground_ && whole_ ? groundOf(*whole_) : GroundGrid{}; // none of a cloud without a point
+    const GroundGrid grid = ground_ && whole_ ? groundOf(*whole_) : GroundGrid{}; // no grid for a cloud without points
     groundStepM_ = grid.stepM;
     scene_->setGround(grid);
 }
@@ -70,9 +70,9 @@ void CloudView::setMarks(CellMarks marks) {
     updateOverlay();
 }
 
-/// Whether something lies before a point costs a look at all near it: of a crowd of targets only the active one is asked.
+/// Testing whether a point is hidden visits all points near it. With many targets only the active one is tested.
 const ScreenMarks& CloudView::marksOnScreen() {
-    if (screenMarks_) return *screenMarks_; // a mouse that moves over the points moves none of them
+    if (screenMarks_) return *screenMarks_; // moving the mouse over the points does not change them
     const ScreenView view = screenView();
     screenMarks_ = screenMarks(marks_, [&](std::size_t cell) -> std::optional<MarkPlace> {
         const auto k = static_cast<std::uint32_t>(cell);

@@ -1,4 +1,4 @@
-// The mouse of the 3D view: events in, camera motion and picks out.
+// The mouse of the 3D view: turns events into camera motion and picks.
 #include "ui/views/cloud/cloud_view.h"
 
 #include "ui/views/cloud/cloud_scene.h"
@@ -24,12 +24,12 @@ constexpr double kClipPerNotch = 0.02, kMostClipped = 0.98; // of the depth
 
 bool CloudView::event(QEvent* event) {
     if (touch_.read(event)) return true;
-    // Past VTK's interactor, which would take part in the mouse too.
+    // Bypasses VTK's interactor, which would handle the mouse too.
     return QOpenGLWidget::event(event);
 }
 
 void CloudView::pinch(QPointF middle, QPointF shift, double factor) {
-    const Vector3d anchor = anchorAt(middle - shift); // what lay between the fingers stays there
+    const Vector3d anchor = anchorAt(middle - shift); // the point between the fingers stays between them
     pose_ = panned(pose_, anchor, shift.x(), shift.y(), height());
     pose_ = zoomed(pose_, anchor, std::clamp(factor, 0.5, 2.0));
     moved();
@@ -51,7 +51,7 @@ std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
 
 void CloudView::mousePressEvent(QMouseEvent* event) {
     setFocus(Qt::MouseFocusReason);
-    if (drag_ != DragAction::None) return; // a second button during a drag changes nothing
+    if (drag_ != DragAction::None) return; // a second button during a drag is ignored
     drag_ = dragAction(event->button(), event->modifiers(), mousePreset_);
     press_.begin(*event);
     if (event->button() == Qt::LeftButton && tool_ != DragTool::Move && drag_ != DragAction::None) drag_ = DragAction::Select;
@@ -74,7 +74,7 @@ void CloudView::mouseMoveEvent(QMouseEvent* event) {
 void CloudView::selectTo(QPointF at) {
     if (tool_ == DragTool::Box) {
         dragged_ = QPolygonF(QRectF(press_.from, at).normalized());
-        dragged_.removeLast(); // the first corner again
+        dragged_.removeLast(); // removes the closing corner
     } else {
         if (dragged_.isEmpty()) dragged_ << press_.from;
         dragged_ << at;
@@ -136,7 +136,7 @@ void CloudView::setRotationCentre(QPointF pixel) {
     const auto cell = cellAt(pixel);
     if (!cell) return;
     centre_ = cloud_->point(*cell).cast<double>();
-    showFocus(); // until the view rests
+    showFocus(); // until the camera rests
     moved(kShowCentreMs);
 }
 
@@ -152,7 +152,7 @@ void CloudView::wheelEvent(QWheelEvent* event) {
 }
 
 void CloudView::wheelZoom(QPointF pixel, double notches) {
-    // One anchor for a whole run of notches, or the picture would creep as the nearest point changes.
+    // One anchor for a series of wheel steps; otherwise the picture would drift when the nearest point changes.
     if (!restTimer_.isActive() || QLineF(pixel, wheelAt_).length() > kSameCursorPx) wheelAnchor_ = anchorAt(pixel);
     wheelAt_ = pixel;
     pose_ = zoomed(pose_, wheelAnchor_, std::pow(kZoomPerNotch, notches));

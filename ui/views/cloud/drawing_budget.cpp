@@ -1,4 +1,4 @@
-// How many points to draw so that a frame stays within its time.
+// Chooses how many points a frame draws within its time.
 #include "ui/views/cloud/drawing_budget.h"
 
 #include "ui/views/cloud/cloud_geometry.h"
@@ -10,7 +10,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kRemembered = 12;
-constexpr double kLeastSlope = 0.6; // of what it would be if a frame cost nothing but its points
+constexpr double kLeastSlope = 0.6; // of the slope that holds if all of the time is due to the points
 
 } // namespace
 
@@ -35,7 +35,7 @@ void DrawingBudget::grown(double share) {
 
 void DrawingBudget::fit() {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
-    double weight = 1.0; // old frames count less: the machine may have become busier
+    double weight = 1.0; // older frames have less weight: the load of the machine may have changed
     for (auto drawing = drawings_.rbegin(); drawing != drawings_.rend(); ++drawing, weight *= 0.8) {
         n += weight;
         sx += weight * drawing->fraction;
@@ -47,7 +47,7 @@ void DrawingBudget::fit() {
     const double meanY = sy / n;
     const double varX = sxx / n - meanX * meanX;
     const double measuredSlope = varX > 0.01 * meanX * meanX ? (sxy / n - meanX * meanY) / varX : 0.0;
-    // Frames that differ little or by chance must not promise that more points are nearly free.
+    // Frames with similar or noisy times must not lead to the conclusion that more points cost almost nothing.
     slope_ = std::clamp(measuredSlope, kLeastSlope * meanY / meanX, meanY / meanX);
     base_ = meanY - slope_ * meanX;
 }

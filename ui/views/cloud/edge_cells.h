@@ -1,4 +1,4 @@
-// The edge cells of a frame, and the same by class for methods that tell classes apart.
+// The edge cells of a frame, all together and by class for methods that have classes.
 #pragma once
 
 #include "core/files/point_tables/edge_colours.h"
@@ -17,19 +17,19 @@ inline constexpr int kEdgeClasses = 5; // jump, convex, concave, data border, ou
 struct EdgeCells {
     using Indices = std::shared_ptr<const std::vector<std::uint32_t>>; ///< k = line * beams + beam, ascending
     Indices all;
-    std::array<Indices, kEdgeClasses> byClass;                           ///< null: the method tells no classes apart
-    std::array<float, kEdgeClasses> sizes{1.0F, 1.0F, 1.0F, 1.0F, 1.0F}; ///< of the points of each class, of the usual one
+    std::array<Indices, kEdgeClasses> byClass;                           ///< null: the method has no classes
+    std::array<float, kEdgeClasses> sizes{1.0F, 1.0F, 1.0F, 1.0F, 1.0F}; ///< point size per class, relative to the normal size
     bool operator==(const EdgeCells&) const = default;
 };
 
-/// By class; the first one is also the colour of every edge where classes are not told apart.
+/// By class; methods without classes use the first colour for every edge.
 using EdgeColours = std::array<QColor, kEdgeClasses>;
 
 inline QColor colourOf(const Rgb& colour) { return {colour.red, colour.green, colour.blue}; }
-/// As files have them.
+/// The same colours as in files.
 inline const EdgeColours kUsualColours{colourOf(kEdgeColours[1]), colourOf(kEdgeColours[2]), colourOf(kEdgeColours[3]),
                                        colourOf(kEdgeColours[4]), colourOf(kEdgeColours[5])};
-/// Told apart by those who see no difference between red and green: along yellow, white and blue. 3 : 1 and more to the cloud's gray, too.
+/// Distinct with red-green colour blindness: along yellow, white and blue. Contrast to the cloud's gray at least 3 : 1.
 inline const EdgeColours kColourBlindColours{QColor(240, 228, 66), QColor(178, 223, 255), QColor(255, 255, 255), QColor(255, 210, 190),
                                              QColor(190, 255, 190)};
 

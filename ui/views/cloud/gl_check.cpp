@@ -1,4 +1,4 @@
-// Is there an OpenGL context that VTK can draw with?
+// Checks for an OpenGL context that VTK can use.
 #include "ui/views/cloud/gl_check.h"
 
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-// A grid on the level of the lowest points: what is level, and how far things are apart.
+// A horizontal grid at the level of the lowest points: shows the horizontal direction and the distances.
 #pragma once
 
 #include "ui/views/cloud/cloud_geometry.h"
@@ -10,17 +10,16 @@
 
 namespace edgescan::ui {
 
-/// Local metres of a cloud.
+/// In local metres of a cloud.
 struct GroundGrid {
-    double stepM = 0.0; ///< from line to line: 1, 2 or 5 times a power of ten; 0: there is no grid
+    double stepM = 0.0; ///< spacing of the lines: 1, 2 or 5 times a power of ten; 0: no grid
     std::vector<std::array<Eigen::Vector3f, 2>> lines;
 };
 
-/// At right angles to `up` of CloudGeometry::axes, below all but one in a hundred of the points, as wide as the cloud is. About ten lines
-/// each way.
+/// Perpendicular to `up` of CloudGeometry::axes, below 99 % of the points, as wide as the cloud, with about ten lines in each direction.
 [[nodiscard]] GroundGrid groundOf(const CloudGeometry& cloud);
 
-/// 1, 2 or 5 times a power of ten: the largest that is not above `most`, which is above 0.
+/// The largest number of the form 1, 2 or 5 times a power of ten that is at most `most` (> 0).
 [[nodiscard]] double roundedDown(double most);
 
 } // namespace edgescan::ui

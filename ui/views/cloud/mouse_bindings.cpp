@@ -1,4 +1,4 @@
-// What a mouse button or wheel means in the cloud view.
+// Actions of mouse buttons and the wheel in the cloud view.
 #include "ui/views/cloud/mouse_bindings.h"
 
 namespace edgescan::ui {

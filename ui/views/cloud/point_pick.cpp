@@ -1,4 +1,4 @@
-// Which point is under the cursor.
+// Finds the point under the cursor.
 #include "ui/views/cloud/point_pick.h"
 
 #include <QImage>
@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3f;
 using Eigen::Vector4d;
 
-// Neighbours on the same surface must not count as hiding each other.
+// Neighbours on the same surface do not hide each other.
 constexpr double kSameSurface = 0.005;
 
 struct Window {
@@ -47,7 +47,7 @@ bool tileReaches(const ScreenView& view, const Box3f& box, const Window& window)
         y1 = std::max(y1, y);
     }
     if (behind == 8) return false;
-    if (behind > 0) return true; // partly behind the camera: the corners say nothing
+    if (behind > 0) return true; // partly behind the camera: the projected corners are meaningless
     return x0 <= window.x1 && x1 >= window.x0 && y0 <= window.y1 && y1 >= window.y0;
 }
 
@@ -72,7 +72,7 @@ std::vector<Candidate> candidates(const CloudGeometry& cloud, const ScreenView& 
     return out;
 }
 
-// Depths of a few pixels around the cursor, every point drawn as the square that the screen shows.
+// Depths of a few pixels around the cursor. Every point is drawn as the same square as on the screen.
 class DepthPatch {
 public:
     DepthPatch(const Window& window, const std::vector<Candidate>& points, double pointSize)
@@ -92,7 +92,7 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
     void draw(const ScreenPoint& p, double half) {
-        // A pixel is covered when its centre lies in the square.
+        // A point covers a pixel if the centre of the pixel is inside the point's square.
         const int x0 = std::max(0, static_cast<int>(std::ceil(p.x - half - 0.5)) - left_);
         const int x1 = std::min(width_ - 1, static_cast<int>(std::ceil(p.x + half - 0.5)) - 1 - left_);
         const int y0 = std::max(0, static_cast<int>(std::ceil(p.y - half - 0.5)) - top_);
@@ -137,7 +137,7 @@ ScreenPoint toScreen(const ScreenView& view, const Vector3f& point) {
     out.x = (clip.x() / w + 1.0) * 0.5 * view.width;
     out.y = (1.0 - clip.y() / w) * 0.5 * view.height;
     const bool parallel = view.worldToClip.row(3).head<3>().isZero();
-    // Parallel: from 1 (near) to 3 (far), so that a share of the depth means something.
+    // Parallel: from 1 (near) to 3 (far), so that a relative difference of depth is defined.
     out.depth = parallel ? clip.z() + 2.0 : w;
     return out;
 }
@@ -170,14 +170,14 @@ std::vector<std::uint32_t> pointsInside(const CloudGeometry& cloud, const Screen
     const QRect place = corners.boundingRect().toAlignedRect().intersected(QRectF(0, 0, view.width, view.height).toAlignedRect());
     std::vector<std::uint32_t> inside;
     if (corners.size() < 3 || place.isEmpty()) return inside;
-    QImage mask(place.size(), QImage::Format_Grayscale8); // a lasso has hundreds of corners: it is drawn once, and looked up
+    QImage mask(place.size(), QImage::Format_Grayscale8); // a lasso has hundreds of corners: rasterised once, then looked up
     mask.fill(0);
     QPainter painter(&mask);
     painter.setPen(Qt::NoPen);
     painter.setBrush(Qt::white);
     painter.drawPolygon(corners.translated(-place.topLeft()), Qt::OddEvenFill);
     painter.end();
-    // Points beside the polygon hide those in it, too.
+    // Points outside the polygon can hide points inside it.
     const double reach = view.pointSize + 1.0;
     const Window window{place.left() - reach, place.top() - reach, place.right() + 1 + reach, place.bottom() + 1 + reach};
     const std::vector<Candidate> points = candidates(cloud, view, window);

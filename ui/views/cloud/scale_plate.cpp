@@ -1,4 +1,4 @@
-// Scale, axes and colours of the cloud.
+// Draws the scale bar, the axes and the colour scale of the cloud.
 #include "ui/views/cloud/scale_plate.h"
 
 #include "core/scan/georef/placed_points.h"
@@ -17,14 +17,14 @@ namespace {
 constexpr double kMostBar = 110.0; // px
 constexpr int kBarLeft = 12, kPlate = 204, kPlain = 64, kColours = 50;
 constexpr double kAxis = 15.0;         // px
-constexpr int kLetters = 12;           // px, where the window's own are as usual ...
-constexpr double kUsualLetters = 17.0; // ... which is so high
+constexpr int kLetters = 12;           // px, for the usual font height of the window ...
+constexpr double kUsualLetters = 17.0; // ... which is this many px
 constexpr int kFromRim = 8;            // px
 constexpr QSize kLeastView(460, 240);
 const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
 const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
 
-/// Where east, north and up point in the frame of the scan, in the middle of its sweep.
+/// Directions of east, north and up in the frame of the scan, at the middle of its sweep.
 Eigen::Matrix3d mineAxes(const Scan& scan) {
     const PlacedPoints placed(scan);
     const int line = scan.lines() / 2, beam = scan.beams() / 2;
@@ -93,7 +93,7 @@ void ScalePlate::follow() {
     update();
 }
 
-/// How far away what is seen in the middle is; where nothing is, the middle of the cloud.
+/// The depth of the point in the middle of the view; without a point there: the depth of the cloud's centre.
 double ScalePlate::depthInTheMiddle() const {
     const CameraPose pose = cloud_->camera();
     const CloudGeometry& cloud = *cloud_->geometryOfCloud();
@@ -145,7 +145,7 @@ void ScalePlate::paintEvent(QPaintEvent* event) {
     ViewPlate::paintEvent(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.scale(unit(), unit()); // as large as the letters of the window
+    painter.scale(unit(), unit()); // scales with the font of the window
     QFont letters = painter.font();
     letters.setPixelSize(kLetters);
     painter.setFont(letters);
@@ -171,7 +171,7 @@ void ScalePlate::drawAxes(QPainter& painter) const {
         const QPointF way(axes_[n].x(), -axes_[n].y());
         painter.setPen(QPen(kAxisInk[n], 2.0));
         painter.drawLine(middle, middle + kAxis * way);
-        // The letter stands beyond the end; an axis that points at the eye has its own beside the middle.
+        // The letter is drawn beyond the end of the axis. An axis that points at the eye has its letter next to the middle.
         const double length = std::hypot(way.x(), way.y());
         const QPointF beyond = length > 0.3 ? (kAxis + 8.0 / length) * way : QPointF(-7, 8);
         painter.setPen(kInk);
@@ -187,7 +187,7 @@ void ScalePlate::drawColours(QPainter& painter) const {
         painter.fillRect(QRectF(bar.left() + x, bar.top(), 1.0, bar.height()), QColor(colourAt(x / (bar.width() - 1.0))));
     painter.setPen(kInk);
     const QFontMetrics letters(painter.font());
-    double free = 0.0; // from where on nothing is written
+    double free = 0.0; // x from which the line is free of text
     for (const auto& [share, text] : scaleTicks()) {
         const double x = bar.left() + share * bar.width(), wide = letters.horizontalAdvance(text);
         const double left = std::clamp(x - wide / 2, static_cast<double>(kBarLeft), bar.right() - wide);

@@ -1,4 +1,4 @@
-// The plate in the lower right corner of the cloud: how long a metre is there, where the axes point, what the colours of the points mean.
+// The plate in the lower right corner of the cloud: a scale bar, the directions of the axes, and the colour scale of the points.
 #pragma once
 
 #include "ui/base/view_plate.h"
@@ -16,22 +16,22 @@ namespace edgescan::ui {
 
 class CloudView;
 
-/// GUI thread only. Follows the camera of the view that it stands over, on the side where the legends do not stand; the mouse goes through
-/// it. In a view that is too small for it there is none.
+/// GUI thread only. Follows the camera of the view under it, in the corner opposite to the legends. It passes the mouse through. In a view
+/// that is too small the plate is hidden.
 class ScalePlate : public ViewPlate {
     Q_OBJECT
 public:
     explicit ScalePlate(CloudView* cloud);
 
-    /// Of the cloud on the screen; ColourBy::Nothing: no scale of colours.
+    /// The colours of the cloud on the screen; ColourBy::Nothing: no colour scale.
     void showColours(const CloudColours& colours);
-    /// "1 m at 4.9 m", and how many pixels that is.
+    /// "1 m at 4.9 m", and the length of the bar in pixels.
     [[nodiscard]] QString barText() const { return barText_; }
     [[nodiscard]] double barPixels() const { return barPixels_; }
-    /// "X", "Y", "Z", or of the mine grid; where they point on the screen, x right, y up, 1 = in the plane of the screen.
+    /// "X", "Y", "Z", or the names of the mine grid; their directions on the screen, x right, y up, 1 = in the plane of the screen.
     [[nodiscard]] const std::array<QString, 3>& axisNames() const { return names_; }
     [[nodiscard]] const std::array<Eigen::Vector2d, 3>& axesOnScreen() const { return axes_; }
-    /// "Range [m]"; empty: no colours. What is written along the scale, and where on it, 0 .. 1.
+    /// "Range [m]"; empty: no colours. The labels of the scale and their positions on it, 0 .. 1.
     [[nodiscard]] QString scaleTitle() const;
     [[nodiscard]] std::vector<std::pair<double, QString>> scaleTicks() const;
 
@@ -42,7 +42,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// What decides which point lies in the middle.
+    /// The values that determine which point is in the middle.
     struct Seen {
         std::shared_ptr<const CloudGeometry> cloud;
         CameraPose camera;
@@ -52,7 +52,7 @@ private:
     };
     void follow();
     void place();
-    [[nodiscard]] double unit() const; // 1, more where the letters are larger than usual
+    [[nodiscard]] double unit() const; // 1; larger with a larger font
     [[nodiscard]] double depthInTheMiddle() const;
     [[nodiscard]] bool coloured() const;
     void drawBar(QPainter& painter) const;
@@ -60,16 +60,16 @@ private:
     void drawColours(QPainter& painter) const;
 
     CloudView* cloud_;
-    std::shared_ptr<const Scan> scan_; // that the axes are of
+    std::shared_ptr<const Scan> scan_; // the scan of these axes
     Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
     std::array<QString, 3> names_{"X", "Y", "Z"};
     std::array<Eigen::Vector2d, 3> axes_{};
     QString barText_, groundText_;
     double barPixels_ = 0.0;
     Seen seen_;
-    double depth_ = 1.0; // of what was seen there, metres
+    double depth_ = 1.0; // of the point in the middle, metres
     CloudColours colours_;
-    bool coloured_ = false; // the points have these colours now
+    bool coloured_ = false; // the points have these colours at present
 };
 
 } // namespace edgescan::ui

@@ -1,4 +1,4 @@
-// Shows one lines x beams image: what is drawn. The mouse is in image_view_mouse.cpp.
+// Shows one lines x beams image. This file draws; the mouse is in image_view_mouse.cpp.
 #include "ui/views/image/image_view.h"
 
 #include "ui/base/marks.h"
@@ -14,9 +14,9 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kRing = 7.0;      // radius, px
-constexpr int kRoomForTags = 420;  // px of the view: below it targets have their numbers only
-constexpr double kFaded = 0.45;    // opacity of faces that belong to an older picture
-const QColor kTrail(86, 180, 233); // told from edges by its frames as well
+constexpr int kRoomForTags = 420;  // px of the view: in a smaller view targets show only their numbers
+constexpr double kFaded = 0.45;    // opacity of faces of an older picture
+const QColor kTrail(86, 180, 233); // its frames separate it from edges as well
 
 QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
 QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
@@ -151,7 +151,7 @@ void ImageView::showEvent(QShowEvent* event) {
     viewPort_->setViewSize(this, size());
 }
 
-// What nobody sees does not limit how large the picture is in the views that are seen.
+// A hidden view must not limit the size of the picture in the visible views.
 void ImageView::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     viewPort_->forgetView(this);
@@ -196,7 +196,8 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     const double scale = std::min(cell.width(), cell.height());
     const QImage& image = pyramid.level(pyramidLevel(scale, pyramid.shrink()));
     const QSizeF full = pyramid.image()->size();
-    // Odd sizes: the last pixel of a level stands for fewer cells, so cells per pixel is a power of two, not a quotient.
+    // For odd sizes the last pixel of a level covers fewer cells; therefore cells per pixel is a power of two, not the quotient of the
+    // sizes.
     const double cellsPerPixel =
         std::exp2(std::ceil(std::log2(std::max(full.width() / image.width(), full.height() / image.height())) - 1e-9));
 
@@ -204,7 +205,7 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     const QPointF bottomRight = viewPort_->toCell(QPointF(width(), height()), size());
     QRectF seen = QRectF(topLeft, bottomRight).intersected(QRectF({0.0, 0.0}, full));
     if (seen.isEmpty()) return;
-    // Whole pixels of the level, or drawImage would shift the picture by parts of a cell.
+    // Whole pixels of the level; otherwise drawImage would shift the picture by fractions of a cell.
     const QRect source =
         QRectF(seen.topLeft() / cellsPerPixel, seen.bottomRight() / cellsPerPixel).toAlignedRect().intersected(image.rect());
     QRectF cells(QPointF(source.topLeft()) * cellsPerPixel, QSizeF(source.size()) * cellsPerPixel);

@@ -1,4 +1,4 @@
-// Shows one lines x beams image: linked zoom and pan, hover, crosshair, box.
+// Shows one lines x beams image with linked zoom and pan, hover, crosshair and box.
 #pragma once
 
 #include "ui/base/cell_marks.h"
@@ -21,32 +21,32 @@
 
 namespace edgescan::ui {
 
-/// An edge chain that is pointed out. Cells as QPoint: x = beam, y = line.
+/// A highlighted edge chain. Cells as QPoint: x = beam, y = line.
 struct EdgeTrail {
-    std::vector<QPoint> cells;       ///< framed
-    std::vector<QPoint> way;         ///< from the cell asked about to the strong one that keeps it: a line
-    std::optional<QPoint> strongest; ///< ringed
+    std::vector<QPoint> cells;       ///< drawn with frames
+    std::vector<QPoint> way;         ///< from the asked cell to the strong cell that keeps it in the mask (hysteresis), drawn as a line
+    std::optional<QPoint> strongest; ///< drawn with a ring
 };
 
 /// GUI thread only. Cells as QPoint: x = beam, y = line.
 class ImageView : public QWidget {
     Q_OBJECT
 public:
-    /// The view port may be shared with other views; the view keeps it alive. Null makes an own one.
+    /// Several views may share the view port; each view keeps it alive. Null: the view makes its own.
     explicit ImageView(std::shared_ptr<ViewPort> viewPort = nullptr, QWidget* parent = nullptr);
     ~ImageView() override;
 
     [[nodiscard]] const std::shared_ptr<ViewPort>& viewPort() const { return viewPort_; }
 
-    /// One pixel per cell. The same pointer again costs nothing; the pointed-to image must never change. Null = empty.
+    /// One pixel per cell. Setting the same pointer again is free; the image must never change. Null = empty.
     void setImage(std::shared_ptr<const QImage> image, Shrink shrink = Shrink::Average);
-    /// Drawn over the image with this opacity (edges over gray); usually ARGB with transparent background.
+    /// Drawn over the image with this opacity (edges over gray); usually ARGB with a transparent background.
     void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::KeepBrightest);
-    /// Drawn between the two: coloured faces, transparent where there are none. `faded`: they belong to an older picture.
+    /// Drawn between the image and the overlay: coloured faces, transparent elsewhere. `faded`: they belong to an older picture.
     void setFaces(std::shared_ptr<const QImage> faces, bool faded = false);
-    /// Stays until another one, or an empty one, is set: sides of cells, ends as corners of cells (x = beam, y = line).
+    /// Shown until the next call; an empty list removes it. Sides of cells, with ends at corners of cells (x = beam, y = line).
     void setOutline(std::vector<QLine> sides);
-    /// A short text beside a cell. Empty = none.
+    /// A short text next to a cell. Empty = no text.
     void setTip(const QPoint& cell, const QString& text);
     [[nodiscard]] const std::shared_ptr<const QImage>& faces() const { return faces_.image(); }
     [[nodiscard]] bool facesFaded() const { return facesFaded_; }
@@ -56,41 +56,41 @@ public:
     [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return picture_.image(); }
     [[nodiscard]] const std::shared_ptr<const QImage>& overlay() const { return overlay_.image(); }
 
-    /// The cell hovered in another view: ring with dark outline and centre dot.
+    /// The cell under the mouse in another view: ring with dark outline and centre dot.
     void setMarkedCell(std::optional<QPoint> cell);
-    /// The sticky crosshair: thin lines through the cell. A click sets it in this view; the caller links the others.
+    /// The fixed crosshair: thin lines through the cell. A click sets it in this view; the caller links the other views.
     void setCrosshair(std::optional<QPoint> cell);
-    /// Box of cells that stays drawn (a selection); a finished Shift+drag sets it.
+    /// A selected box of cells that stays drawn; a finished Shift+drag sets it.
     void setBox(std::optional<QRect> cells);
-    /// Stays until another one, or an empty one, is set.
+    /// Shown until the next call; an empty trail removes it.
     void setTrail(EdgeTrail trail);
     [[nodiscard]] const EdgeTrail& trail() const { return trail_; }
-    /// Targets and measurements, until others are set.
+    /// Replaces targets and measurements.
     void setMarks(CellMarks marks);
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
-    /// Drawn over the image and its faces, one pixel per cell: what is selected, and what is hidden. Null = nothing.
+    /// Drawn over the image and its faces, one pixel per cell: selected and hidden cells. Null = no selection.
     void setSelection(std::shared_ptr<const QImage> selection);
     [[nodiscard]] const std::shared_ptr<const QImage>& selection() const { return selection_.image(); }
-    /// What a drag with the left button does from now on.
+    /// Sets the effect of dragging with the left button.
     void setDragTool(DragTool tool);
-    /// The left button is a finger: one that rests is a right click.
+    /// The left button counts as a finger: a resting press is a right click.
     void setForGloves(bool on) { touch_.setMouseIsFinger(on); }
-    /// Off: Esc belongs to somebody else, crosshair and box stay.
+    /// Off: Esc has another use; crosshair and box stay.
     void setClearsOnEscape(bool on) { clearsOnEscape_ = on; }
     [[nodiscard]] std::optional<QPoint> markedCell() const { return marked_; }
     [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
     [[nodiscard]] std::optional<QRect> box() const { return box_; }
 
     void setTitle(const QString& title);
-    /// Short text over the picture: "preview", "stale", "no scan open". Empty = none.
+    /// Short text over the picture: "preview", "stale", "no scan open". Empty = no text.
     void setNote(const QString& note);
     [[nodiscard]] const QString& note() const { return note_; }
     void setBackground(const QColor& colour);
-    /// Greys the picture and says why across it ("STALE 3 s"): it is older than it seems. Empty = none.
+    /// Draws a grey overlay with this reason ("STALE 3 s") over an outdated picture. Empty = no overlay.
     void setStale(const QString& why);
     [[nodiscard]] const QString& stale() const { return stale_; }
 
-    /// Cell under a widget position; none outside the image.
+    /// The cell under a widget position; empty outside the image.
     [[nodiscard]] std::optional<QPoint> cellAt(QPointF pixel) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {480, 420}; }
@@ -100,14 +100,14 @@ signals:
     void hovered(int line, int beam);
     void hoverLeft();
     void clicked(int line, int beam);
-    /// Esc took the crosshair (and box) away.
+    /// Esc removed the crosshair and the box.
     void cleared();
-    /// Right click without a drag; where on the screen.
+    /// Right click without a drag, with its position on the screen.
     void menuWanted(int line, int beam, const QPoint& position);
     void boxSelected(const QRect& cells);
-    /// A finished drag with a tool that selects: its corners, in cells (x = beam, y = line).
+    /// End of a drag with a selecting tool: its corners, in cells (x = beam, y = line).
     void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
-    /// Right drag, pixels since the last signal: x = window, y = level (down is positive).
+    /// Right drag, pixels since the last signal: x = window, y = level (positive downwards).
     void windowLevelDragged(int dx, int dy);
     void windowLevelFinished();
 
@@ -151,7 +151,7 @@ private:
     CellMarks marks_;
     DragTool tool_ = DragTool::Move;
     bool clearsOnEscape_ = true;
-    QPolygonF way_; // of a drag that selects, in cells
+    QPolygonF way_; // path of a selecting drag, in cells
     std::vector<QLine> outline_;
     QPoint tipCell_;
     QString tip_;

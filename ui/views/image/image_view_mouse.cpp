@@ -21,7 +21,7 @@ void ImageView::pinch(QPointF middle, QPointF shift, double factor) {
 }
 
 void ImageView::mousePressEvent(QMouseEvent* event) {
-    if (drag_ != Drag::None) return; // a second button during a drag changes nothing
+    if (drag_ != Drag::None) return; // a second button during a drag is ignored
     press_.begin(*event);
     const bool shift = event->modifiers() & Qt::ShiftModifier;
     const bool selects = tool_ != DragTool::Move && !picture_.empty();
@@ -45,11 +45,11 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     press_.last = at;
 }
 
-/// A box has whole cells; a lasso goes where the hand goes.
+/// A box contains whole cells; a lasso follows the mouse.
 void ImageView::selectTo(QPointF at) {
     if (tool_ == DragTool::Box) {
         way_ = QPolygonF(QRectF(boxCells(press_.from, at)));
-        way_.removeLast(); // the first corner again
+        way_.removeLast(); // removes the closing corner
     } else {
         if (way_.isEmpty()) way_ << viewPort_->toCell(press_.from, size());
         way_ << viewPort_->toCell(at, size());
@@ -88,13 +88,13 @@ void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
 void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
     viewPort_->zoomAt(viewPort_->toCell(event->position(), size()), std::pow(kZoomPerNotch, notches(*event)));
-    pointAt(cellAt(event->position())); // another cell may lie under the cursor now
+    pointAt(cellAt(event->position())); // the cell under the cursor may have changed
 }
 
 void ImageView::keyPressEvent(QKeyEvent* event) {
     const bool something = clearsOnEscape_ && (crosshair_ || box_);
     if (event->key() != Qt::Key_Escape || !something) {
-        QWidget::keyPressEvent(event); // Esc goes on to the window: cancel job, leave tool
+        QWidget::keyPressEvent(event); // the window handles Esc next: cancel a job, leave a tool
         return;
     }
     setCrosshair(std::nullopt);

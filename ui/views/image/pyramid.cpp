@@ -1,4 +1,4 @@
-// Halved images for zooming out.
+// Images of half, quarter ... size for zooming out.
 #include "ui/views/image/pyramid.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ QImage halved(const QImage& image, Shrink shrink) {
 
 int pyramidLevel(double scale, Shrink shrink) {
     if (!(scale > 0.0) || scale >= 1.0) return 0;
-    // 1e-6: a fit of exactly one half is level 1, whatever the last bit says.
+    // 1e-6: a scale of exactly one half gives level 1 in spite of rounding.
     const double halvings = -std::log2(scale);
     return static_cast<int>(shrink == Shrink::KeepBrightest ? std::ceil(halvings - 1e-6) : std::floor(halvings + 1e-6));
 }

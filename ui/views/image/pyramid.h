@@ -1,4 +1,5 @@
-// Halved images for zooming out: average for gray, brightest for edges (a line one pixel wide must never vanish).
+// Images of half, quarter ... size for zooming out: averages for gray, the brightest pixel for edges (a line one pixel wide must stay
+// visible).
 #pragma once
 
 #include <QImage>
@@ -13,15 +14,14 @@ enum class Shrink {
     KeepBrightest, ///< the most opaque, then brightest, of 2 x 2
 };
 
-/// Half as large, rounded up; an odd last row or column stands for itself. Gray stays gray (8 bit), all else becomes
-/// ARGB32 premultiplied.
+/// Half the size, rounded up; an odd last row or column is copied. Gray stays gray (8 bit), other formats become ARGB32 premultiplied.
 [[nodiscard]] QImage halved(const QImage& image, Shrink shrink);
 
-/// Level whose pixels are at least one screen pixel large (KeepBrightest) or just above half a pixel (Average, drawn
-/// smoothly). 0 = the image itself. `scale` = screen pixels per cell.
+/// The level whose pixels cover at least one screen pixel (KeepBrightest), or more than half a pixel (Average, drawn smoothly). 0 = the
+/// image itself. `scale` = screen pixels per cell.
 [[nodiscard]] int pyramidLevel(double scale, Shrink shrink);
 
-/// The halved images of one image, each made when first asked for.
+/// The halved images of one image, each made at its first use.
 class Pyramid {
 public:
     Pyramid() = default;
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool empty() const { return image_ == nullptr || image_->isNull(); }
     [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return image_; }
     [[nodiscard]] Shrink shrink() const { return shrink_; }
-    /// Stops at 1 x 1. A reference stays valid until the next call of level().
+    /// The last level has 1 x 1 pixels. The reference is valid until the next call of level().
     [[nodiscard]] const QImage& level(int wanted);
     [[nodiscard]] int levelsMade() const { return static_cast<int>(halves_.size()); }
 

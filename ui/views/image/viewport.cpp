@@ -1,4 +1,4 @@
-// Which part of the image is seen.
+// The visible part of the image.
 #include "ui/views/image/viewport.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ void ViewPort::centreOn(QPointF cell) {
     emit changed();
 }
 
-// The middle of the view never leaves the image, so the image cannot be lost.
+// The centre of the view stays inside the image, so that the image cannot be lost.
 void ViewPort::keepInReach() {
     centre_.setX(std::clamp(centre_.x(), 0.0, static_cast<double>(std::max(0, imageSize_.width()))));
     centre_.setY(std::clamp(centre_.y(), 0.0, static_cast<double>(std::max(0, imageSize_.height()))));

@@ -1,4 +1,4 @@
-// Which part of the lines x beams image is seen, shared by several image views so that they always zoom and pan together.
+// The visible part of the lines x beams image. Several image views share it, so that they always zoom and pan together.
 #pragma once
 
 #include <QHash>
@@ -24,11 +24,11 @@ public:
     [[nodiscard]] double aspect() const { return aspect_; }
     [[nodiscard]] QSizeF cellSize() const { return {zoom_ * aspect_, zoom_}; }
     [[nodiscard]] QSize imageSize() const { return imageSize_; }
-    /// True until somebody zooms or pans: the whole image follows the size of the views.
+    /// True until the operator zooms or pans: the whole image is fitted to the size of the views.
     [[nodiscard]] bool fitted() const { return fitted_; }
 
-    /// Beams x lines. Other beams fit the image again; the same size or more lines keep zoom and place (a re-tune, a live scan),
-    /// unless the whole image was seen.
+    /// Beams x lines. A new number of beams fits the image again. The same size or more lines keep zoom and place (a re-tune, a live scan),
+    /// unless the whole image was visible.
     void setImageSize(QSize beamsByLines);
     void setAspect(double widthByHeight);
     /// "True angle" aspect: beam step and line step in degrees.
@@ -36,15 +36,15 @@ public:
     void setSquarePixels() { setAspect(1.0); }
 
     void fit();
-    /// These cells as large as they can be.
+    /// Fits these cells into the view.
     void fitTo(const QRectF& cells);
-    /// Makes the cells a factor larger; `cell` stays at the same place on the screen.
+    /// Enlarges the cells by a factor; `cell` stays at the same place on the screen.
     void zoomAt(QPointF cell, double factor);
-    /// Moves the picture by so many (device-independent) pixels.
+    /// Moves the picture by (device-independent) pixels.
     void panPixels(QPointF pixels);
     void centreOn(QPointF cell);
 
-    /// Each view tells its size, so that fit() suits the smallest of them.
+    /// Each view reports its size, so that fit() suits the smallest view.
     void setViewSize(const QObject* view, QSize size);
     void forgetView(const QObject* view);
 

@@ -10,7 +10,7 @@
 namespace edgescan {
 namespace {
 
-// A range image whose pixels are the cells of a scan: nothing is resampled, and every border is a cell.
+// A range image whose pixels are the cells of a scan: without resampling, so that every border is a cell.
 class GridRangeImage : public pcl::RangeImage {
 public:
     explicit GridRangeImage(const PeerScan& scan) : directions_(scan.directions) {

@@ -1,4 +1,4 @@
-// PCL's BoundaryEstimation: a point is on a boundary when its neighbours leave a wide gap in the angles round it.
+// PCL's BoundaryEstimation: a point is on a boundary if the directions to its neighbours have a wide gap.
 #include "core/lab/peers/pcl/points.h"
 
 #include <pcl/features/boundary.h>
@@ -11,7 +11,7 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kChunk = 2000; // points between two looks at the clock
+constexpr std::size_t kChunk = 2000; // points between two checks of the time
 
 } // namespace
 
@@ -26,7 +26,7 @@ PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, boo
     normals->resize(points.cloud->size());
     PeerEdges result;
     result.mask = Grid<std::uint8_t>(scan.pointsM.lines, scan.pointsM.beams);
-    // Chunks spread over the whole scan, so that what is done when the time is up says something about the rest.
+    // Chunks distributed over the whole scan, so that the part processed within the time limit represents the rest.
     const std::size_t chunks = (points.cells.size() + kChunk - 1) / kChunk;
     std::size_t done = 0;
     double normalMs = 0;

@@ -1,4 +1,4 @@
-// edgescan-peers BYTES SECONDS: one detector of PCL on one scan, for runPeer(). Request on standard input, answer on standard output.
+// edgescan-peers BYTES SECONDS: runs one detector of PCL on one scan, for runPeer(). Request on standard input, answer on standard output.
 // BYTES limits its memory, SECONDS its CPU time (0 = no limit).
 #include "core/lab/peers/pcl/points.h"
 #include "core/lab/peers/peer_messages.h"
@@ -24,10 +24,10 @@ void limit(int what, const char* most) {
     setrlimit(static_cast<__rlimit_resource>(what), &both);
 }
 
-// OrganizedEdgeFromNormals averages normals over windows of 10 cells and computes "height - 10" without a sign.
+// OrganizedEdgeFromNormals averages normals over windows of 10 cells and computes "height - 10" in an unsigned type.
 int fewestCells(Peer peer) { return peer == Peer::OrganizedEdge || peer == Peer::OrganizedEdgeUnrolled ? kNormalWindow : 8; }
 
-// Without an answer runPeer() says that the memory was not enough. PCL's threads and Eigen end in different places.
+// If there is no answer, runPeer() reports that the memory was not enough. PCL's threads and Eigen end the process in different places.
 [[noreturn]] void outOfMemory() { _exit(EXIT_FAILURE); }
 
 void ended() {
@@ -88,7 +88,7 @@ int main(int count, char** arguments) {
     setrlimit(RLIMIT_CORE, &noCore);
     std::set_new_handler(outOfMemory);
     std::set_terminate(ended);
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // PCL complains that a sweep is no camera
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // PCL would warn that a sweep is not a camera image
     const std::optional<PeerRequest> request = readRequest(readAll(STDIN_FILENO));
     if (!request) return EXIT_FAILURE;
     return writeAll(STDOUT_FILENO, answerBytes(answer(*request))) ? EXIT_SUCCESS : EXIT_FAILURE;

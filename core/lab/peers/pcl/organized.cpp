@@ -9,7 +9,7 @@ namespace {
 
 using Detector = pcl::OrganizedEdgeFromNormals<pcl::PointXYZ, pcl::Normal, pcl::Label>;
 
-constexpr float kDepthStep = 0.02F; // of the depth: PCL's own
+constexpr float kDepthStep = 0.02F; // share of the depth: PCL's default
 
 } // namespace
 

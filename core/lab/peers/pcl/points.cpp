@@ -1,4 +1,4 @@
-// A scan as PCL sees it.
+// Converts a scan to PCL's types.
 #include "core/lab/peers/pcl/points.h"
 
 #include <ctime>

@@ -1,4 +1,4 @@
-// A scan as PCL sees it.
+// Converts a scan to PCL's types.
 #pragma once
 
 #include "core/lab/peers/peers.h"
@@ -10,11 +10,11 @@
 
 namespace edgescan {
 
-inline constexpr int kNormalWindow = 10; ///< cells that OrganizedEdgeFromNormals averages normals over: PCL's own
+inline constexpr int kNormalWindow = 10; ///< window, in cells, over which OrganizedEdgeFromNormals averages normals: PCL's default
 
 using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// An organised cloud, beams wide and lines high; NaN where there is no range.
+/// An organised cloud, beams wide and lines high; NaN without a range.
 [[nodiscard]] PclCloud::Ptr organisedCloud(const Grid<Eigen::Vector3f>& pointsM);
 
 /// The cells with a range, and their points in the same order.
@@ -24,11 +24,11 @@ struct MeasuredPoints {
 };
 [[nodiscard]] MeasuredPoints measuredPoints(const PeerScan& scan);
 
-/// Thread CPU time between two readings, by name.
+/// Thread CPU time between two readings, with a name for each.
 class StepClock {
 public:
     StepClock();
-    /// Ends the step that began with the last call (or the construction).
+    /// Ends the step that began with the last call (or with the construction).
     void ended(const char* step);
     [[nodiscard]] double secondsSinceStart() const;
     [[nodiscard]] std::vector<StageTime> take() { return std::move(steps_); }
@@ -38,7 +38,7 @@ private:
     std::vector<StageTime> steps_;
 };
 
-// The peers, one file each. They may throw, and PCL may crash in any of them.
+// The PCL methods, one file each. They may throw, and PCL may crash in any of them.
 [[nodiscard]] PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius);
 [[nodiscard]] PeerEdges rangeImageBorders(const PeerScan& scan);
 [[nodiscard]] PeerEdges organizedEdges(const PeerScan& scan, bool unrolled);

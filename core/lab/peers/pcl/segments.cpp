@@ -1,4 +1,4 @@
-// PCL's segmentations of a cloud into pieces: region growing over normals, and LCCP, which joins supervoxels where they meet convexly.
+// PCL's segmentations of a cloud: region growing over normals, and LCCP, which joins supervoxels at convex borders.
 #include "core/lab/peers/pcl/points.h"
 
 #include <pcl/features/normal_3d.h>
@@ -12,7 +12,7 @@
 namespace edgescan {
 namespace {
 
-// Chosen on a tuning scene of docs/make-rocks, ten trials each; PCL has no values of its own for most of them.
+// Chosen on a tuning scene of docs/make-rocks with ten trials each, because PCL has no defaults for most of them.
 constexpr int kNormalPoints = 30;
 constexpr unsigned kGrowNeighbours = 30;
 constexpr float kGrowSmoothnessDeg = 20.0F;
