@@ -27,16 +27,16 @@ nlohmann::ordered_json auditReport(const Audited& asked, const AuditCheck& check
 int run(const Audited& asked) {
     const auto check = checkAudit(asked.file, asked.last);
     if (!check) {
-        complain(check.error());
-        if (asked.json) say(refusal("audit", asked.file, check.error()), true);
+        printError(check.error());
+        if (asked.json) printResult(refusal("audit", asked.file, check.error()), true);
         return kRefused;
     }
     if (asked.json) {
-        say(document("audit", auditReport(asked, *check)), true);
+        printResult(document("audit", auditReport(asked, *check)), true);
     } else {
-        for (const AuditFault& fault : check->faults) say(std::string(auditFaultName(fault.kind)) + ": " + fault.sentence);
-        say(std::to_string(check->lines) + " lines as they were written, " + std::to_string(check->faults.size()) + " faults; last hash " +
-            (check->last.empty() ? "none" : check->last));
+        for (const AuditFault& fault : check->faults) printResult(std::string(auditFaultName(fault.kind)) + ": " + fault.sentence);
+        printResult(std::to_string(check->lines) + " lines as they were written, " + std::to_string(check->faults.size()) +
+                    " faults; last hash " + (check->last.empty() ? "none" : check->last));
     }
     return check->faults.empty() ? kDone : kRefused;
 }

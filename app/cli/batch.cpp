@@ -58,14 +58,14 @@ std::uint64_t memoryOfJob(const Batch& batch, int jobs) {
 
 // Everything except the scan that can change a result.
 Result<Json> settingsOfRun(const Batch& batch) {
-    const Result<Preset> preset = presetOf(batch.method);
+    const Result<edges::Preset> preset = presetOf(batch.method);
     if (!preset) return preset.error();
     Json choices = Json::array();
-    for (const WritingChoice& choice : kWritingChoices) {
+    for (const files::WritingChoice& choice : files::kWritingChoices) {
         if (batch.write.choices.*choice.member) choices.push_back(choice.key);
     }
     Json settings{{"program", std::string(version()) + " " + commit()},
-                  {"preset", settingsToJson(preset->settings)},
+                  {"preset", edges::settingsToJson(preset->settings)},
                   {"typed", typedFlags(batch.method)},
                   {"reading", readingFlags(batch.read.options)},
                   {"results", batch.wanted},
@@ -78,12 +78,12 @@ Result<Json> settingsOfRun(const Batch& batch) {
 }
 
 Result<BatchWork> planned(const Batch& batch, const Json& settings) {
-    const auto listing = listArchive(batch.asked, batch.results);
+    const auto listing = batch::listArchive(batch.asked, batch.results);
     if (!listing) return listing.error();
-    const auto names = outputNames(listing->inputs, batch.names);
+    const auto names = batch::outputNames(listing->inputs, batch.names);
     if (!names) return names.error();
     const auto wanted = wantedFiles(batch.wanted);
-    const Result<Shard> shard = batch.shard.empty() ? Result<Shard>(Shard{}) : shardOf(batch.shard);
+    const Result<batch::Shard> shard = batch.shard.empty() ? Result<batch::Shard>(batch::Shard{}) : batch::shardOf(batch.shard);
     if (!wanted) return wanted.error();
     if (!shard) return shard.error();
     BatchWork work;
@@ -93,8 +93,8 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
         work.names.push_back((*names)[i]);
     }
     if (!listing->leftOut.empty())
-        complain(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
-                 " more files are no scans but records or exports, and are left out; name them singly to have them read.");
+        printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
+                   " more files are no scans but records or exports, and are left out; name them singly to have them read.");
     work.results = batch.results;
     work.read = batch.read;
     work.method = batch.method;
@@ -137,7 +137,7 @@ public:
         if (worked > 0) text += ", " + fixedText(worked / seconds, 1) + "/s";
         const double each = seconds / static_cast<double>(std::max<std::size_t>(1, counts.ended()));
         if (!last) text += ", " + clockText(each * static_cast<double>(scans_ - counts.ended())) + " left";
-        tellProgress(text, last);
+        showProgress(text, last);
     }
 
 private:
@@ -149,12 +149,12 @@ private:
 /// The state of a run.
 struct Running {
     const BatchWork& work;
-    Journal& journal;
+    batch::Journal& journal;
     Counts counts;
     std::optional<Error> stop; ///< the journal can no longer be written
 };
 
-void noteEnd(Running& running, const JobEnd& end) {
+void noteEnd(Running& running, const batch::JobEnd& end) {
     if (end.answer && end.answer->empty()) {
         ++running.counts.unchanged;
         return;
@@ -172,22 +172,22 @@ void noteEnd(Running& running, const JobEnd& end) {
     if (!row.is_object()) row = failedRow(running.work, end.job, "its answer is no row");
     const std::string outcome = row.value("outcome", "");
     ++(outcome == "done" ? running.counts.done : outcome == "refused" ? running.counts.refused : running.counts.failed);
-    if (row.contains("error") && row["error"].is_string()) complain(row["error"].get<std::string>());
+    if (row.contains("error") && row["error"].is_string()) printError(row["error"].get<std::string>());
     if (const auto noted = running.journal.append(row, picture); !noted && !running.stop) running.stop = noted.error();
 }
 
 Result<Done> workThrough(const Batch& batch, const BatchWork& work, int jobs, Running& running) {
     ProgressLine progress(batch.read.progress || isatty(STDERR_FILENO) != 0, work.inputs.size());
     std::size_t next = 0;
-    Jobs run;
+    batch::Jobs run;
     run.next = [&]() -> std::optional<std::size_t> { return next < work.inputs.size() ? std::optional(next++) : std::nullopt; };
     run.work = [&](std::size_t job, int worker) { return scanForArchive(work, job, worker); };
-    run.ended = [&](const JobEnd& end) {
+    run.ended = [&](const batch::JobEnd& end) {
         noteEnd(running, end);
         progress.tell(running.counts);
     };
     run.goOn = [&] { return !interrupted() && !running.stop; };
-    const auto ended = runInProcesses({jobs, work.memoryBytes, batch.timeLimit}, run);
+    const auto ended = batch::runInProcesses({jobs, work.memoryBytes, batch.timeLimit}, run);
     if (running.stop) return *running.stop;
     return ended;
 }
@@ -198,7 +198,7 @@ struct AllRows {
     std::vector<std::string> missing;
 };
 Result<AllRows> allRows(const BatchWork& work) {
-    auto rows = readJournals(work.results);
+    auto rows = batch::readJournals(work.results);
     if (!rows) return rows.error();
     AllRows all;
     for (const std::string& input : work.inputs) {
@@ -214,15 +214,16 @@ Result<AllRows> allRows(const BatchWork& work) {
 
 Result<Done> writeTables(const Batch& batch, const Json& settings, const std::vector<std::string>& rows) {
     const fs::path folder = batch.results;
-    std::vector<std::pair<fs::path, std::string>> files{{folder / "results.csv", csvTable(rows)},
-                                                        {folder / "results.ndjson", ndjsonTable(rows)},
+    std::vector<std::pair<fs::path, std::string>> files{{folder / "results.csv", batch::csvTable(rows)},
+                                                        {folder / "results.ndjson", batch::ndjsonTable(rows)},
                                                         {folder / "settings.json", jsonText(settings, 2) + "\n"}};
     if (!batch.noSurvey) {
         const auto picture = [&](const std::string& text) {
             const auto row = parseOrderedJson(text, "");
-            return row ? pictureOf(*row, folder) : std::string();
+            return row ? batch::pictureOf(*row, folder) : std::string();
         };
-        files.emplace_back(folder / "survey.html", surveyPage("Survey of " + std::to_string(rows.size()) + " scans", rows, picture));
+        files.emplace_back(folder / "survey.html",
+                           exports::surveyPage("Survey of " + std::to_string(rows.size()) + " scans", rows, picture));
     }
     std::vector<FileContent> contents;
     for (const auto& [path, text] : files) contents.push_back({path, std::as_bytes(std::span(text))});
@@ -233,7 +234,7 @@ Result<Done> writeTables(const Batch& batch, const Json& settings, const std::ve
 Json elementsOf(const std::vector<std::string>& missing, int of) {
     Json elements = Json::array();
     for (int i = 1; of > 1 && i <= of; ++i) {
-        if (std::ranges::any_of(missing, [&](const std::string& input) { return Shard{i, of}.holds(input); })) elements.push_back(i);
+        if (std::ranges::any_of(missing, [&](const std::string& input) { return batch::Shard{i, of}.holds(input); })) elements.push_back(i);
     }
     return elements;
 }
@@ -255,11 +256,12 @@ int tell(const Batch& batch, const Running& running, const AllRows& all, double 
                 {"unchanged", running.counts.unchanged},
                 {"worked", running.counts.ended() - running.counts.unchanged},
                 {"seconds", static_cast<double>(static_cast<long long>(seconds * 1000)) / 1000}};
-    if (batch.merge) report["missing_elements"] = elementsOf(all.missing, shardsIn(batch.results));
-    say(document("batch", report), false);
+    if (batch.merge) report["missing_elements"] = elementsOf(all.missing, batch::shardsIn(batch.results));
+    printResult(document("batch", report), false);
     if (!all.missing.empty()) {
-        complain(Error{std::to_string(all.missing.size()) + " scans have no row yet, so no table was written", batch.results,
-                       batch.merge ? "run the elements named again, then the merge" : "run the same command again: it goes on from here"});
+        printError(
+            Error{std::to_string(all.missing.size()) + " scans have no row yet, so no table was written", batch.results,
+                  batch.merge ? "run the elements named again, then the merge" : "run the same command again: it goes on from here"});
         return kRefused;
     }
     return batch.strict && refused + failed > 0 ? kRefused : kDone;
@@ -267,11 +269,11 @@ int tell(const Batch& batch, const Running& running, const AllRows& all, double 
 
 Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
     const auto start = Clock::now();
-    const Shard shard = batch.shard.empty() ? Shard{} : *shardOf(batch.shard);
-    auto journal = Journal::open(batch.results, shard, batch.shard.empty());
+    const batch::Shard shard = batch.shard.empty() ? batch::Shard{} : *batch::shardOf(batch.shard);
+    auto journal = batch::Journal::open(batch.results, shard, batch.shard.empty());
     if (!journal) return journal.error();
     work.workFolder = journal->workFolder();
-    auto before = readJournals(batch.results);
+    auto before = batch::readJournals(batch.results);
     if (!before) return before.error();
     work.before = std::move(*before);
     const int jobs = batch.jobs > 0 ? batch.jobs : processors();
@@ -290,9 +292,10 @@ Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
 }
 
 int run(Batch& batch) {
-    const Pipeline withoutThreads; // checking the settings smooths a step; if that started a thread pool, every forked worker would hang
+    const edges::Pipeline
+        withoutThreads; // checking the settings smooths a step; if that started a thread pool, every forked worker would hang
     const auto refuse = [](const Error& error, int code) {
-        complain(error);
+        printError(error);
         return code;
     };
     if (const auto method = checkMethod(batch.method); !method) return refuse(method.error(), kWrongUsage);
@@ -303,7 +306,7 @@ int run(Batch& batch) {
     if (!batch.withRocks && anyTyped(batch.rocks))
         return refuse({"these flags are of rocks, and none are asked for", "batch", "add --rocks, or a result of rocks"}, kWrongUsage);
     if (!batch.shard.empty()) {
-        if (const auto shard = shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
+        if (const auto shard = batch::shardOf(batch.shard); !shard) return refuse(shard.error(), kWrongUsage);
         if (batch.merge) return refuse({"a merge is of all parts", "--shard", "leave one of the two out"}, kWrongUsage);
     }
     const auto settings = settingsOfRun(batch);
@@ -319,7 +322,8 @@ void addFlags(CLI::App& command, Batch& batch) {
         ->required();
     const char* group = "Results";
     std::string fields;
-    for (const NameField& field : nameFields()) fields += (fields.empty() ? "{" : ", {") + std::string(field.key) + "} " + field.help;
+    for (const batch::NameField& field : batch::nameFields())
+        fields += (fields.empty() ? "{" : ", {") + std::string(field.key) + "} " + field.help;
     command.add_option("-o,--output", batch.results, "Folder for tables and results; its own")->required()->group(group);
     command.add_option("--results", batch.wanted, "What is written of each scan: " + wantedWords() + "; none for the table alone")
         ->capture_default_str()
@@ -345,7 +349,7 @@ void addBatch(CLI::App& app, int& code) {
     auto batch = std::make_shared<Batch>();
     CLI::App& command = *app.add_subcommand("batch", "The method over an archive: continued where it was interrupted");
     addFlags(command, *batch);
-    command.add_flag("--rocks", batch->withRocks, std::string("Rocks of every scan, with their sizes in the table: ") + kRockCaveat)
+    command.add_flag("--rocks", batch->withRocks, std::string("Rocks of every scan, with their sizes in the table: ") + rocks::kRockCaveat)
         ->group("Rocks");
     addRockFlags(command, batch->rocks, false);
     addMethodFlags(command, batch->method);

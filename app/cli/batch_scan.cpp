@@ -44,23 +44,23 @@ using Clock = std::chrono::steady_clock;
 
 struct ResultWord {
     const char* word;
-    std::optional<ExportContent> content;
+    std::optional<exports::ExportContent> content;
     const char* stem;
     const char* extension; ///< empty: the extension is typed after the word
 };
-constexpr std::array kWords{ResultWord{"mask", ExportContent::EdgeImage, "edges", ".png"},
-                            ResultWord{"gray", ExportContent::GrayImage, "gray", ".png"},
-                            ResultWord{"range", ExportContent::RangeImage, "range", ".png"},
+constexpr std::array kWords{ResultWord{"mask", exports::ExportContent::EdgeImage, "edges", ".png"},
+                            ResultWord{"gray", exports::ExportContent::GrayImage, "gray", ".png"},
+                            ResultWord{"range", exports::ExportContent::RangeImage, "range", ".png"},
                             ResultWord{"json", std::nullopt, "detect", ".json"},
                             ResultWord{"report", std::nullopt, "report", ".html"},
-                            ResultWord{"edges", ExportContent::EdgeCloud, "edges", ""},
-                            ResultWord{"cloud", ExportContent::FullCloud, "cloud", ""},
-                            ResultWord{"rocks", ExportContent::RockReport, "rocks", ".json"},
-                            ResultWord{"rock-table", ExportContent::RockTable, "rocks", ".csv"},
-                            ResultWord{"rock-labels", ExportContent::RockLabels, "rocks", ".png"},
-                            ResultWord{"rock-outlines", ExportContent::RockOutlines, "rocks", ""},
-                            ResultWord{"rock-hulls", ExportContent::RockHulls, "hulls", ""},
-                            ResultWord{"rock-cloud", ExportContent::RockCloud, "rocks", ""}};
+                            ResultWord{"edges", exports::ExportContent::EdgeCloud, "edges", ""},
+                            ResultWord{"cloud", exports::ExportContent::FullCloud, "cloud", ""},
+                            ResultWord{"rocks", exports::ExportContent::RockReport, "rocks", ".json"},
+                            ResultWord{"rock-table", exports::ExportContent::RockTable, "rocks", ".csv"},
+                            ResultWord{"rock-labels", exports::ExportContent::RockLabels, "rocks", ".png"},
+                            ResultWord{"rock-outlines", exports::ExportContent::RockOutlines, "rocks", ""},
+                            ResultWord{"rock-hulls", exports::ExportContent::RockHulls, "hulls", ""},
+                            ResultWord{"rock-cloud", exports::ExportContent::RockCloud, "rocks", ""}};
 
 double milliseconds(Clock::time_point since) {
     return std::round(std::chrono::duration<double, std::milli>(Clock::now() - since).count() * 1000) / 1000;
@@ -116,20 +116,20 @@ bool addInputFiles(Json& row, const std::string& input, const InputClaims& claim
     row["bytes"] = files[0]["bytes"];
     row["sha256"] = files[0]["sha256"];
     row["files"] = files;
-    row["record_beside"] = isThere(sidecarPath(input));
+    row["record_beside"] = isThere(files::sidecarPath(input));
     row["times"]["modified"] = modified;
     return files[0]["bytes"] >= 0 && files[0]["sha256"].is_string();
 }
 
-Json changedSettings(const Settings& settings) {
-    const auto all = settingsToJson(settings);
+Json changedSettings(const edges::Settings& settings) {
+    const auto all = edges::settingsToJson(settings);
     Json changed{{"method", all["method"]}};
-    for (const std::string& key : changedFromDefault(settings)) changed[key] = all[key];
+    for (const std::string& key : edges::changedFromDefault(settings)) changed[key] = all[key];
     return changed;
 }
 
-void addDetection(Json& row, const Detection& detection) {
-    const Json report = detectReport(detection, 0);
+void addDetection(Json& row, const edges::Detection& detection) {
+    const Json report = exports::detectReport(detection, 0);
     const Scan& scan = *detection.scan;
     row["format"] = scan.format;
     row["scan_sha256"] = scan.sha256;
@@ -143,12 +143,12 @@ void addDetection(Json& row, const Detection& detection) {
     }
     row["warnings"] = report["warnings"];
     for (const std::string& warning : placeWarnings(scan)) row["warnings"].push_back(warning);
-    if (const auto sentence = leftOutSentence(scan)) row["warnings"].push_back(*sentence);
+    if (const auto sentence = files::leftOutSentence(scan)) row["warnings"].push_back(*sentence);
 }
 
 // The same keys as the JSON of `rocks`, without the list of rocks.
-void addRockStudy(Json& row, const RockStudy& study) {
-    Json report = rocksReport(study, CoordinateFrame::Scanner);
+void addRockStudy(Json& row, const rocks::Study& study) {
+    Json report = exports::rocksReport(study, CoordinateFrame::Scanner);
     row["rocks"] = Json::object();
     for (const char* key : {"rock_count", "size_curve", "fines", "not_rock", "outside_region", "labels_sha256", "note"})
         row["rocks"][key] = std::move(report[key]);
@@ -163,19 +163,21 @@ std::string reportCommand(const BatchWork& work, const Scan& scan) {
     return command;
 }
 
-Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const Detection& detection,
-                      const std::shared_ptr<const RockStudy>& rocks, double loadMs, const fs::path& folder) {
-    ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
+Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edges::Detection& detection,
+                      const std::shared_ptr<const rocks::Study>& rocks, double loadMs, const fs::path& folder) {
+    exports::ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
     options.sidecar = work.sidecars;
     options.rocks = rocks;
     if (wanted.extension == ".html") {
-        const PageWords words{reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())};
-        return writeWholeFile(folder / (wanted.stem + wanted.extension), scanPage(detection, words, {.rocks = rocks.get(), .earlier = {}}));
+        const exports::PageWords words{reportCommand(work, *detection.scan), work.write.operatorName, work.write.role, utcText(utcNow())};
+        return writeWholeFile(folder / (wanted.stem + wanted.extension),
+                              exports::scanPage(detection, words, {.rocks = rocks.get(), .earlier = {}}));
     }
     if (!wanted.content)
-        return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", detectReport(detection, loadMs)));
-    const std::string tail = namesFrame(*wanted.content, "x" + wanted.extension) ? frameTail(options.frame) : "";
-    const auto written = exportWithProvenance(*wanted.content, detection, folder / (wanted.stem + tail + wanted.extension), options);
+        return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", exports::detectReport(detection, loadMs)));
+    const std::string tail = exports::namesFrame(*wanted.content, "x" + wanted.extension) ? frameTail(options.frame) : "";
+    const auto written =
+        exports::exportWithProvenance(*wanted.content, detection, folder / (wanted.stem + tail + wanted.extension), options);
     if (!written) return written.error();
     return Done{};
 }
@@ -235,7 +237,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
     claimInput(input);
     const auto start = Clock::now();
     ReadingOptions reading = work.read.options;
-    Result<Scan> opened = openAsAsked(input, reading);
+    Result<Scan> opened = files::openAsAsked(input, reading);
     const double loadMs = milliseconds(start);
     row["times"] = {{"load_ms", loadMs}};
     const bool readable = addInputFiles(row, input, *inputs.claims());
@@ -243,17 +245,17 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
         refuse(row, readable ? "refused" : "failed", opened.error());
         return {};
     }
-    const auto enough = checkMemoryFor(work.withRocks ? Work::Rocks : Work::Detect, *opened);
-    const Result<Settings> settings = settingsFor(work.method, *opened);
+    const auto enough = edges::checkMemoryFor(work.withRocks ? edges::Work::Rocks : edges::Work::Detect, *opened);
+    const Result<edges::Settings> settings = settingsFor(work.method, *opened);
     if (!enough || !settings) {
         refuse(row, "refused", enough ? settings.error() : enough.error());
         return {};
     }
-    const auto detection =
-        detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, work.withRocks ? KeepFor::Rocks : KeepFor::Edges);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings,
+                                              work.withRocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
     row["times"]["detect_ms"] = std::round(detection->totalMs * 1000) / 1000;
     addDetection(row, *detection);
-    std::shared_ptr<const RockStudy> rocks;
+    std::shared_ptr<const rocks::Study> rocks;
     if (work.withRocks) {
         const auto asked = presetOf(work.rocks, *detection->scan);
         if (!asked) {
@@ -261,7 +263,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
             return {};
         }
         const auto begun = Clock::now();
-        rocks = std::make_shared<const RockStudy>(studyRocks(rockInputs(*detection), *asked->settings));
+        rocks = std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(*detection), *asked->settings));
         row["times"]["rocks_ms"] = milliseconds(begun);
         addRockStudy(row, *rocks);
     }
@@ -272,7 +274,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
             return {};
         }
     }
-    return surveyPicture(*detection);
+    return exports::surveyPicture(*detection);
 }
 
 } // namespace
@@ -280,9 +282,9 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
 namespace {
 
 // Formats of contents that are not clouds: ".dxf .geojson"; empty: the formats of clouds.
-std::string formatsOf(ExportContent content) {
-    if (content == ExportContent::RockOutlines) return ".dxf .geojson";
-    return content == ExportContent::RockHulls ? ".ply .obj" : "";
+std::string formatsOf(exports::ExportContent content) {
+    if (content == exports::ExportContent::RockOutlines) return ".dxf .geojson";
+    return content == exports::ExportContent::RockHulls ? ".ply .obj" : "";
 }
 
 } // namespace
@@ -302,9 +304,9 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
         if (const auto formats = cloud ? formatsOf(*word->content) : std::string(); !formats.empty()) {
             if ((formats + " ").find(extension + " ") == std::string::npos)
                 return Error{"the extension names no format for this", typed, "use " + formats};
-        } else if (const Format* format = cloud ? writtenFormat("x" + extension) : nullptr;
+        } else if (const files::Format* format = cloud ? files::writtenFormat("x" + extension) : nullptr;
                    cloud && (format == nullptr || format->write == nullptr)) {
-            return Error{"the extension names no format for points", typed, "use " + writtenExtensions(false)};
+            return Error{"the extension names no format for points", typed, "use " + files::writtenExtensions(false)};
         }
         wanted.push_back({typed, word->content, word->stem, extension});
     }
@@ -327,7 +329,7 @@ bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     const std::string outcome = row.value("outcome", "");
     const bool triedAgain = work.retry || work.memoryBytes > row["times"].value("memory_bytes", std::uint64_t{0});
     if (outcome != "done" && (outcome != "refused" || triedAgain)) return false;
-    if (isThere(sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
+    if (isThere(files::sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
     const Json& modified = row["times"]["modified"];
     for (std::size_t i = 0; i < row["files"].size(); ++i) {
         const Json& file = row["files"][i];

@@ -14,8 +14,8 @@ namespace edgescan::cli {
 /// A result that the user wants for every scan, as typed: "mask", "edges.ply".
 struct WantedFile {
     std::string typed;
-    std::optional<ExportContent> content; ///< empty: JSON or the report
-    [[nodiscard]] bool isOfRocks() const { return content && edgescan::isOfRocks(*content); }
+    std::optional<exports::ExportContent> content; ///< empty: JSON or the report
+    [[nodiscard]] bool isOfRocks() const { return content && edgescan::exports::isOfRocks(*content); }
     std::string stem, extension; ///< of the file's name; the frame of a cloud is inserted between them
 };
 
@@ -28,7 +28,7 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated);
 struct BatchWork {
     std::vector<std::string> inputs; ///< paths
     std::vector<std::string> names;  ///< the folder of each input's results, below results/scans
-    JournalRows before;              ///< the earlier rows of the inputs
+    batch::JournalRows before;       ///< the earlier rows of the inputs
     std::filesystem::path results, workFolder;
     ReadFlags read;
     MethodFlags method;

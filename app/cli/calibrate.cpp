@@ -34,31 +34,31 @@ std::string errorLine(const char* name, double value, double sd, const char* uni
     return std::string(name) + rightAligned(fixedText(value, digits), 10) + " +- " + fixedText(2 * sd, digits) + " " + unit + "\n";
 }
 
-std::string tableOf(const SelfCalibration& found) {
+std::string tableOf(const inspect::SelfCalibration& found) {
     const AssemblyErrors& e = found.errors;
     const AssemblyErrors& sd = found.sd;
     return "error of the assembly, +- 2 standard deviations\n" + errorLine("  lever arm t1  ", e.t1Mm(), sd.t1Mm(), "mm", 2) +
            errorLine("  lever arm t2  ", e.t2Mm(), sd.t2Mm(), "mm", 2) +
            errorLine("  tilt of fan   ", e.tiltDeg(), sd.tiltDeg(), "degrees", 4) +
            errorLine("  beam index    ", e.indexDeg(), sd.indexDeg(), "degrees", 4) +
-           (found.turnTold ? errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4)
-                           : "  turn at 180     not told by a sweep mounting; the step stays as it is\n") +
+           (found.turnIsEstimated ? errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4)
+                                  : "  turn at 180     not told by a sweep mounting; the step stays as it is\n") +
            "the two views of " + std::to_string(found.cells) + " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " +
            fixedText(found.medianAfterMm, 1) + " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) +
            " mm)\n";
 }
 
 /// Writes the picture of the seam, and the number of matching edges into `report`.
-Result<Done> drawSeam(const std::shared_ptr<const Scan>& scan, const SelfCalibration& found, const std::string& path,
+Result<Done> drawSeam(const std::shared_ptr<const Scan>& scan, const inspect::SelfCalibration& found, const std::string& path,
                       nlohmann::ordered_json& report) {
-    if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return enough;
-    const auto detection = detectEdges(scan, Settings{});
-    const SeamEdges before = seamEdges(*scan, *detection->mask, {});
-    const SeamEdges after = seamEdges(*scan, *detection->mask, found.errors);
+    if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *scan); !enough) return enough;
+    const auto detection = edges::detectEdges(scan, edges::Settings{});
+    const inspect::SeamEdges before = inspect::seamEdges(*scan, *detection->mask, {});
+    const inspect::SeamEdges after = inspect::seamEdges(*scan, *detection->mask, found.errors);
     report["seam_edges"] = after.lateEdges;
-    report["seam_edges_met_before"] = rounded(before.metShare(), 1e4);
-    report["seam_edges_met_after"] = rounded(after.metShare(), 1e4);
-    return savePngRgb(oneOverTheOther(seamPicture(before), seamPicture(after)), path);
+    report["seam_edges_met_before"] = rounded(before.matchedShare(), 1e4);
+    report["seam_edges_met_after"] = rounded(after.matchedShare(), 1e4);
+    return containers::savePngRgb(inspect::oneOverTheOther(inspect::seamPicture(before), inspect::seamPicture(after)), path);
 }
 
 std::string seamLine(const nlohmann::ordered_json& report) {
@@ -70,14 +70,14 @@ std::string seamLine(const nlohmann::ordered_json& report) {
 }
 
 Result<Done> reportBacklash(const Calibrate& asked, const std::vector<std::shared_ptr<const Scan>>& scans,
-                            const std::vector<CalibrationSource>& sources) {
-    const Result<Backlash> found = backlashOf(*scans[0], *scans[1]);
+                            const std::vector<inspect::CalibrationSource>& sources) {
+    const Result<inspect::Backlash> found = inspect::backlashOf(*scans[0], *scans[1]);
     if (!found) return Error{found.error().what, asked.files[1], found.error().hint};
     if (asked.json.empty()) {
-        say("backlash: line angles of the second pass are" + rightAligned(fixedText(found->deg, 4), 8) + " +- " +
-            fixedText(2 * found->sdDeg, 4) + " degrees ahead of those of the first (2 standard deviations); " +
-            std::to_string(found->cells) + " cells lay " + fixedText(found->apartBeforeMm, 1) + " mm apart and lie " +
-            fixedText(found->apartAfterMm, 1) + " mm apart without it (median)\nNothing is applied by itself.\n");
+        printResult("backlash: line angles of the second pass are" + rightAligned(fixedText(found->deg, 4), 8) + " +- " +
+                    fixedText(2 * found->sdDeg, 4) + " degrees ahead of those of the first (2 standard deviations); " +
+                    std::to_string(found->cells) + " cells lay " + fixedText(found->apartBeforeMm, 1) + " mm apart and lie " +
+                    fixedText(found->apartAfterMm, 1) + " mm apart without it (median)\nNothing is applied by itself.\n");
         return Done{};
     }
     nlohmann::ordered_json report{{"there", {{"name", sources[0].name}, {"sha256", sources[0].sha256}}},
@@ -103,13 +103,13 @@ Result<Done> checkTogether(const Calibrate& asked) {
 
 struct Opened {
     std::vector<std::shared_ptr<const Scan>> scans;
-    std::vector<CalibrationSource> sources;
+    std::vector<inspect::CalibrationSource> sources;
 };
 
 Result<Opened> openedScans(const Calibrate& asked) {
     Opened opened;
     for (const std::string& file : asked.files) {
-        Result<Scan> scan = openAndTell(file, asked.read);
+        Result<Scan> scan = openAndWarn(file, asked.read);
         if (!scan) return scan.error();
         const Result<std::string> hash = sha256OfFile(file);
         if (!hash) return hash.error();
@@ -132,24 +132,25 @@ Result<Done> calibrate(const Calibrate& asked) {
         if (!bytes) return bytes.error();
         base = textOf(*bytes);
     }
-    const Result<SelfCalibration> found = calibrateFromTurn(scans);
+    const Result<inspect::SelfCalibration> found = inspect::calibrateFromSweeps(scans);
     if (!found) return found.error();
-    const Result<std::string> text = calibrationText(base, asked.base, *found, sources);
+    const Result<std::string> text = inspect::calibrationText(base, asked.base, *found, sources);
     if (!text) return text.error();
     if (Result<Done> written = writeWholeFile(asked.out, *text); !written) return written;
     if (!asked.picture.empty()) {
-        if (Result<Done> saved =
-                savePngRgb(oneOverTheOther(viewsPicture(*scans.front(), {}), viewsPicture(*scans.front(), found->errors)), asked.picture);
+        if (Result<Done> saved = containers::savePngRgb(
+                inspect::oneOverTheOther(inspect::viewsPicture(*scans.front(), {}), inspect::viewsPicture(*scans.front(), found->errors)),
+                asked.picture);
             !saved)
             return saved;
     }
-    nlohmann::ordered_json report = estimateJson(*found, sources);
+    nlohmann::ordered_json report = inspect::estimateJson(*found, sources);
     if (!asked.seam.empty()) {
         if (Result<Done> drawn = drawSeam(scans.front(), *found, asked.seam, report); !drawn) return drawn;
     }
     if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", report));
     if (!isStandardOutput(asked.out))
-        say(tableOf(*found) + seamLine(report) + "Nothing is applied by itself: give the file with --calibration.\n");
+        printResult(tableOf(*found) + seamLine(report) + "Nothing is applied by itself: give the file with --calibration.\n");
     return Done{};
 }
 
@@ -173,7 +174,7 @@ void addCalibrate(CLI::App& app, int& code) {
     command.callback([asked, &code] {
         const Result<Done> result = calibrate(*asked);
         code = result ? kDone : kRefused;
-        if (!result) complain(result.error());
+        if (!result) printError(result.error());
     });
 }
 

@@ -25,22 +25,22 @@ struct ChangeFlags {
     MethodFlags method;
 };
 
-Result<std::shared_ptr<const Detection>> detected(const ChangeFlags& flags, const std::string& file) {
-    Result<Scan> scan = openAndTell(file, flags.read);
+Result<std::shared_ptr<const edges::Detection>> detected(const ChangeFlags& flags, const std::string& file) {
+    Result<Scan> scan = openAndWarn(file, flags.read);
     if (!scan) return scan.error();
-    if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
-    const Result<Settings> settings = settingsFor(flags.method, *scan);
+    if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *scan); !enough) return enough.error();
+    const Result<edges::Settings> settings = settingsFor(flags.method, *scan);
     if (!settings) return settings.error();
-    return detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
+    return edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
 }
 
-Result<LineUpWish> wishOf(const ChangeFlags& flags) {
-    LineUpWish wish;
+Result<inspect::RegistrationRequest> wishOf(const ChangeFlags& flags) {
+    inspect::RegistrationRequest wish;
     wish.bySurfaces = flags.bySurfaces;
     if (flags.poses.empty()) return wish;
-    const auto before = open3dtkPose(flags.poses[0]);
+    const auto before = inspect::open3dtkPose(flags.poses[0]);
     if (!before) return before.error();
-    const auto now = open3dtkPose(flags.poses[1]);
+    const auto now = inspect::open3dtkPose(flags.poses[1]);
     if (!now) return now.error();
     wish.poses = std::array{*now, *before};
     return wish;
@@ -55,15 +55,15 @@ Result<Done> change(const ChangeFlags& flags) {
     const auto now = detected(flags, flags.files[1]);
     if (!now) return now.error();
     const Scan& later = *(*now)->scan;
-    const auto found = sceneChange({(*now)->scan, (*now)->mask}, {(*before)->scan, (*before)->mask}, *wish);
+    const auto found = inspect::sceneChange({(*now)->scan, (*now)->mask}, {(*before)->scan, (*before)->mask}, *wish);
     if (!found) return found.error();
     if (!flags.picture.empty()) {
-        if (const auto saved = savePngRgb(changePicture(later, *found), flags.picture); !saved) return saved.error();
+        if (const auto saved = containers::savePngRgb(inspect::changePicture(later, *found), flags.picture); !saved) return saved.error();
     }
-    if (flags.json != "-" && flags.picture != "-") say(changeText(later, *found));
+    if (flags.json != "-" && flags.picture != "-") printResult(inspect::changeText(later, *found));
     if (flags.json.empty()) return Done{};
     nlohmann::ordered_json report{{"before", flags.files[0]}, {"now", flags.files[1]}};
-    report.update(changeReport(later, *found));
+    report.update(inspect::changeReport(later, *found));
     return writeDocument(flags.json, document("change", report));
 }
 
@@ -85,7 +85,7 @@ void addChange(CLI::App& app, int& code) {
     command.callback([flags, &code] {
         const Result<Done> result = change(*flags);
         code = result ? kDone : kRefused;
-        if (!result) complain(result.error());
+        if (!result) printError(result.error());
     });
 }
 

@@ -30,7 +30,7 @@ struct CompareFlags {
     std::string truth, json, pictures;
     double matchRadiusM = 0.1;
     bool refine = false;
-    ComparisonSettings settings;
+    lab::ComparisonSettings settings;
     bool slow = false, noPeers = false;
     ReadFlags read;
 };
@@ -49,21 +49,23 @@ std::string fileName(const std::string& name) {
     return result;
 }
 
-Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std::vector<ComparedMethod>& methods,
-                          const std::optional<TruthSet>& truth) {
+Result<Done> savePictures(const CompareFlags& flags, const Scan& scan, const std::vector<lab::ComparedMethod>& methods,
+                          const std::optional<lab::TruthSet>& truth) {
     const fs::path folder = flags.pictures;
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", flags.pictures, "give one that can be written to"};
-    for (const ComparedMethod& method : methods) {
+    for (const lab::ComparedMethod& method : methods) {
         if (method.edges == 0 && !method.note.empty()) continue;
-        if (const Result<Done> saved = savePng8(method.mask, folder / (fileName(method.key) + ".png")); !saved) return saved.error();
+        if (const Result<Done> saved = containers::savePng8(method.mask, folder / (fileName(method.key) + ".png")); !saved)
+            return saved.error();
     }
     if (truth) {
-        const Grid<Rgb> sheet = truthSheet(scan, methods, truth->edges, flags.settings.tolerance);
-        if (const Result<Done> saved = sheet.size() > 0 ? savePngRgb(sheet, folder / "truth.png") : Done{}; !saved) return saved.error();
+        const Grid<Rgb> sheet = lab::truthSheet(scan, methods, truth->edges, flags.settings.tolerance);
+        if (const Result<Done> saved = sheet.size() > 0 ? containers::savePngRgb(sheet, folder / "truth.png") : Done{}; !saved)
+            return saved.error();
     }
-    return savePngRgb(edgesSheet(scan, methods), folder / "comparison.png");
+    return containers::savePngRgb(lab::edgesSheet(scan, methods), folder / "comparison.png");
 }
 
 // Flags that would change nothing, or make every score 0.
@@ -80,7 +82,7 @@ std::optional<Error> wrongUsage(const CompareFlags& flags) {
 
 // The first key of --only that no method has.
 std::optional<Error> unknownKey(const std::vector<std::string>& only) {
-    const std::vector<std::string> known = comparedKeys();
+    const std::vector<std::string> known = lab::comparedKeys();
     for (const std::string& key : only) {
         if (std::ranges::find(known, key) != known.end()) continue;
         std::string names;
@@ -91,40 +93,40 @@ std::optional<Error> unknownKey(const std::vector<std::string>& only) {
 }
 
 Result<Done> compare(const CompareFlags& flags) {
-    ComparisonSettings settings = flags.settings;
-    settings.peers = !flags.noPeers && flags.settings.only.empty();
-    if (flags.slow) settings.peerLimits.seconds = std::numeric_limits<double>::infinity();
+    lab::ComparisonSettings settings = flags.settings;
+    settings.withPcl = !flags.noPeers && flags.settings.only.empty();
+    if (flags.slow) settings.pclLimits.seconds = std::numeric_limits<double>::infinity();
     const bool tell = flags.read.progress || isatty(STDERR_FILENO) != 0;
     const auto progress = [&](const char* name, double fraction) {
-        if (tell) tellProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
+        if (tell) showProgress(rightAligned(fixedText(100 * fraction, 0), 3) + " % " + name, fraction >= 1.0);
         return true;
     };
     if (flags.files.size() == 2) {
         settings.repeats = 1;
         return compareTwo({flags.files, flags.poses, flags.json, flags.refine, flags.matchRadiusM, settings, flags.read}, progress);
     }
-    Result<Scan> opened = openAndTell(flags.files.front(), flags.read);
+    Result<Scan> opened = openAndWarn(flags.files.front(), flags.read);
     if (!opened) return opened.error();
-    if (auto enough = checkMemoryFor(Work::Compare, *opened); !enough) return enough.error();
+    if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *opened); !enough) return enough.error();
     const auto scan = std::make_shared<const Scan>(std::move(*opened));
-    std::optional<TruthSet> truth;
+    std::optional<lab::TruthSet> truth;
     if (!flags.truth.empty()) {
-        Result<TruthSet> read = readTruth(flags.truth);
+        Result<lab::TruthSet> read = lab::readTruth(flags.truth);
         if (!read) return read.error();
         if (read->edges.edgeClass.lines != scan->lines() || read->edges.edgeClass.beams != scan->beams())
             return Error{"the truth is not of this scan's shape", flags.truth, "give the folder that was written with the scan"};
-        if (auto fits = checkTruthFits(*scan, *read, flags.truth); !fits) return fits.error();
+        if (auto fits = lab::checkTruthFits(*scan, *read, flags.truth); !fits) return fits.error();
         truth = std::move(*read);
     }
-    const std::vector<ComparedMethod> methods = compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
-    if (tell) tellProgress("all compared", true);
+    const std::vector<lab::ComparedMethod> methods = lab::compareMethods(scan, truth ? &*truth : nullptr, settings, progress);
+    if (tell) showProgress("all compared", true);
     if (!flags.pictures.empty()) {
         const Result<Done> saved = savePictures(flags, *scan, methods, truth);
         if (!saved) return saved.error();
     }
-    if (flags.json != "-") say(comparisonText(*scan, methods));
+    if (flags.json != "-") printResult(lab::comparisonText(*scan, methods));
     if (flags.json.empty()) return Done{};
-    return writeDocument(flags.json, document("compare", comparisonReport(*scan, methods, settings)));
+    return writeDocument(flags.json, document("compare", lab::comparisonReport(*scan, methods, settings)));
 }
 
 } // namespace
@@ -151,8 +153,8 @@ void addCompare(CLI::App& app, int& code) {
     command.add_flag("--best", flags->settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");
     addNumber(command, "--repeats", flags->settings.repeats, {1, 1000},
               "Runs of each of our methods, interleaved; medians of thread CPU time are told");
-    addNumber(command, "--radius", flags->settings.peerLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
-    addNumber(command, "--peer-seconds", flags->settings.peerLimits.seconds, {0, 1e6},
+    addNumber(command, "--radius", flags->settings.pclLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
+    addNumber(command, "--peer-seconds", flags->settings.pclLimits.seconds, {0, 1e6},
               "A PCL peer that works point by point stops after this time [s]");
     command.add_flag("--slow", flags->slow, "Let every PCL peer end, however long it takes");
     command.add_option("--only", flags->settings.only, "Only these of our methods, and no peers: thesis,edgescan+")->delimiter(',');
@@ -161,13 +163,13 @@ void addCompare(CLI::App& app, int& code) {
     command.callback([flags, &code] {
         const std::optional<Error> unknown = unknownKey(flags->settings.only);
         if (const std::optional<Error> wrong = unknown ? unknown : wrongUsage(*flags)) {
-            complain(*wrong);
+            printError(*wrong);
             code = kWrongUsage;
             return;
         }
         const Result<Done> result = compare(*flags);
         code = result ? kDone : kRefused;
-        if (!result) complain(result.error());
+        if (!result) printError(result.error());
     });
 }
 

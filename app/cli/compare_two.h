@@ -15,10 +15,10 @@ struct CompareTwo {
     std::string json;               ///< file, "-" or empty
     bool refine = false;
     double radiusM = 0.1;
-    ComparisonSettings settings;
+    lab::ComparisonSettings settings;
     ReadFlags read;
 };
 
-Result<Done> compareTwo(const CompareTwo& asked, const ComparisonProgress& progress);
+Result<Done> compareTwo(const CompareTwo& asked, const lab::ComparisonProgress& progress);
 
 } // namespace edgescan::cli

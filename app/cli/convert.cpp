@@ -18,28 +18,28 @@ struct Convert {
 };
 
 int run(const Convert& convert) {
-    if (writtenFormat(convert.out) == nullptr) {
-        complain({"the extension names no format that can be written", convert.out, "use " + writtenExtensions(true)});
+    if (files::writtenFormat(convert.out) == nullptr) {
+        printError({"the extension names no format that can be written", convert.out, "use " + files::writtenExtensions(true)});
         return kWrongUsage;
     }
-    Result<Scan> opened = openAndTell(convert.in, convert.read);
+    Result<Scan> opened = openAndWarn(convert.in, convert.read);
     if (!opened) {
-        complain(opened.error());
+        printError(opened.error());
         return kRefused;
     }
-    Detection detection;
+    edges::Detection detection;
     detection.scan = std::make_shared<const Scan>(std::move(*opened));
     const Scan& scan = *detection.scan;
     // A scan in the scanner's frame opens again unchanged; its pose is a property of the file if the format can hold it.
-    const ExportOptions options =
-        exportOptions(convert.write, writtenFormat(convert.out)->keepsPlace ? CoordinateFrame::Scanner : usualFrame(scan));
-    const std::vector<std::string> lost = lostOnSaving(
+    const exports::ExportOptions options =
+        exportOptions(convert.write, files::writtenFormat(convert.out)->keepsPlace ? CoordinateFrame::Scanner : usualFrame(scan));
+    const std::vector<std::string> lost = files::lostOnSaving(
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
-    for (const std::string& sentence : lost) complain(printable(convert.in) + ": " + sentence);
-    const auto saved = exportWithProvenance(ExportContent::WholeScan, detection, convert.out, options);
+    for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
+    const auto saved = exports::exportWithProvenance(exports::ExportContent::WholeScan, detection, convert.out, options);
     if (saved) return kDone;
-    complain(saved.error());
+    printError(saved.error());
     return kRefused;
 }
 
@@ -49,7 +49,8 @@ void addConvert(CLI::App& app, int& code) {
     auto convert = std::make_shared<Convert>();
     CLI::App& command = *app.add_subcommand("convert", "Any readable scan to any writable format; the grid stays");
     command.add_option("IN", convert->in, "Scan")->required();
-    command.add_option("OUT", convert->out, "New file: " + writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")->required();
+    command.add_option("OUT", convert->out, "New file: " + files::writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")
+        ->required();
     addReadFlags(command, convert->read);
     addWriteFlags(command, convert->write);
     command.callback([convert, &code] { code = run(*convert); });

@@ -63,23 +63,23 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
     return out;
 }
 
-Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const Detection& detection, double loadMs) {
-    const ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
-    const std::vector<std::pair<ExportContent, std::string>> exports{{ExportContent::EdgeImage, out.mask},
-                                                                     {ExportContent::GrayImage, out.gray},
-                                                                     {ExportContent::RangeImage, out.range},
-                                                                     {ExportContent::EdgeCloud, out.edges},
-                                                                     {ExportContent::FullCloud, out.cloud}};
+Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const edges::Detection& detection, double loadMs) {
+    const exports::ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
+    const std::vector<std::pair<exports::ExportContent, std::string>> exports{{exports::ExportContent::EdgeImage, out.mask},
+                                                                              {exports::ExportContent::GrayImage, out.gray},
+                                                                              {exports::ExportContent::RangeImage, out.range},
+                                                                              {exports::ExportContent::EdgeCloud, out.edges},
+                                                                              {exports::ExportContent::FullCloud, out.cloud}};
     std::optional<Error> failure; // the other exports are still written
     for (const auto& [content, path] : exports) {
         if (path.empty()) continue;
-        const auto written = exportWithProvenance(content, detection, path, options);
+        const auto written = exports::exportWithProvenance(content, detection, path, options);
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
     if (out.json.empty()) return Done{};
     const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
-    return writeDocument(out.json, document("detect", detectReport(detection, loadMs)), !lines);
+    return writeDocument(out.json, document("detect", exports::detectReport(detection, loadMs)), !lines);
 }
 
 /// The folder or the files that were written; empty if no file was written.
@@ -87,17 +87,17 @@ std::string placesWrittenTo(const Detect& detect, const Outputs& out) {
     if (!detect.folder.empty()) return printable(detect.folder);
     std::string places;
     for (const std::string& path : out.paths()) {
-        if (!path.empty()) places += (places.empty() ? "" : ", ") + (goesToNoFile(path) ? "standard output" : printable(path));
+        if (!path.empty()) places += (places.empty() ? "" : ", ") + (isStreamOrDevice(path) ? "standard output" : printable(path));
     }
     return places;
 }
 
-std::string filledText(const Detection& detection) {
+std::string filledText(const edges::Detection& detection) {
     if (!detection.filled) return {};
     return ", " + std::to_string(detection.filled->cells.size()) + " cells filled in " + std::to_string(detection.filled->gaps) + " gaps";
 }
 
-std::string summary(const Detection& detection) {
+std::string summary(const edges::Detection& detection) {
     const Scan& scan = *detection.scan;
     return std::to_string(detection.edges->size()) + " edge cells of " + std::to_string(scan.cells()) + " (" +
            std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams)" + filledText(detection) + ", " +
@@ -106,22 +106,22 @@ std::string summary(const Detection& detection) {
 
 Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const auto start = std::chrono::steady_clock::now();
-    Result<Scan> opened = openAndTell(file, detect.read);
+    Result<Scan> opened = openAndWarn(file, detect.read);
     if (!opened) return opened.error();
     const double loadMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (auto enough = checkMemoryFor(Work::Detect, *opened); !enough) return enough.error();
-    const Result<Settings> settings = settingsFor(detect.method, *opened);
+    if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *opened); !enough) return enough.error();
+    const Result<edges::Settings> settings = settingsFor(detect.method, *opened);
     if (!settings) return settings.error();
-    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
     if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
     const std::string places = placesWrittenTo(detect, out);
     const std::string found = printable(file) + ": " + summary(*detection);
     if (places.empty())
-        say(found);
+        printResult(found);
     else
-        tellWritten(found + "; written to " + places + ".", detect.read);
+        reportWritten(found + "; written to " + places + ".", detect.read);
     return Done{};
 }
 
@@ -136,14 +136,14 @@ bool onePathForSeveral(const Detect& detect) {
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
     for (const std::string& path : {detect.edges, detect.cloud}) {
-        if (const Format* format = writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
-            return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
+        if (const files::Format* format = files::writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
+            return Error{"the extension names no format for points", path, "use " + files::writtenExtensions(false)};
     }
     if (auto distinct = checkDistinct(typedOutputs(detect).paths()); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first scan writes results
-        const std::string stem = scanName(file);
+        const std::string stem = files::scanName(file);
         if (detect.folder.empty() || stems.insert(stem).second) continue;
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
@@ -154,14 +154,14 @@ int run(const Detect& detect) {
     const Result<Done> usage = checkUsage(detect);
     const Result<Done> method = checkMethod(detect.method);
     if (!usage || !method) {
-        complain(usage ? method.error() : usage.error());
+        printError(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
     if (!detect.folder.empty()) {
         std::error_code failed;
         fs::create_directories(detect.folder, failed);
         if (failed) {
-            complain({"the folder cannot be made (" + failed.message() + ")", detect.folder, "give -o a folder that can be written to"});
+            printError({"the folder cannot be made (" + failed.message() + ")", detect.folder, "give -o a folder that can be written to"});
             return kRefused;
         }
     }
@@ -170,8 +170,8 @@ int run(const Detect& detect) {
         const auto one = [&] {
             const Result<Done> result = detectOne(detect, file);
             if (result) return kDone;
-            complain(result.error());
-            if (detect.json == "-") say(refusal("detect", file, result.error()), detect.files.size() == 1 && !detect.ndjson);
+            printError(result.error());
+            if (detect.json == "-") printResult(refusal("detect", file, result.error()), detect.files.size() == 1 && !detect.ndjson);
             return kRefused;
         };
         if (guarded(one, kRefused) != kDone) code = kRefused;
@@ -191,7 +191,7 @@ void addDetect(CLI::App& app, int& code) {
     command.add_option("--mask", detect->mask, "Edge map, 8-bit PNG, 255 = edge, row = line, column = beam")->group(group);
     command.add_option("--gray", detect->gray, "Gray image, 8-bit PNG")->group(group);
     command.add_option("--range", detect->range, "Ranges in mm, 16-bit PNG")->group(group);
-    command.add_option("--edges", detect->edges, "Edge points in metres: " + writtenExtensions(false))->group(group);
+    command.add_option("--edges", detect->edges, "Edge points in metres: " + files::writtenExtensions(false))->group(group);
     command.add_option("--cloud", detect->cloud, "All points in metres with a field for edges: the same formats")->group(group);
     command.add_option("-o,--output", detect->folder, "Folder for all of these, under the scan's name")->group(group);
     addMethodFlags(command, detect->method);

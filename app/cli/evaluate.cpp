@@ -39,14 +39,14 @@ struct Evaluate {
 };
 
 // `own`, the threshold of the settings, is among them: the best of a sweep is never worse than what the settings give.
-std::vector<double> usualThresholds(const Parameter& parameter, double own) {
+std::vector<double> usualThresholds(const edges::Parameter& parameter, double own) {
     std::vector<double> thresholds{own};
     const std::string key = parameter.key;
     // Steps fine enough that the best F is missed by less than a thousandth where F is flat, wide enough for all noises.
     const double from = key == "lower" ? 0.5 : key == "step" ? 0.25 : 0.5;
     const double to = key == "lower" ? 4096.0 : key == "step" ? 64.0 : 2.6;
     const double factor = key == "sensitivity" ? 1.1 : std::sqrt(2.0);
-    for (double value = from; value <= to; value *= factor) thresholds.push_back(snapped(parameter, value));
+    for (double value = from; value <= to; value *= factor) thresholds.push_back(edges::snapped(parameter, value));
     std::ranges::sort(thresholds);
     thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
     return thresholds;
@@ -56,7 +56,7 @@ std::vector<double> usualThresholds(const Parameter& parameter, double own) {
 struct Case {
     std::shared_ptr<const Scan> scan; ///< null for a mask without ranges
     Grid<std::uint8_t> mask;          ///< empty for a scan
-    TruthSet truth;
+    lab::TruthSet truth;
 };
 
 bool isMask(const std::string& file) { return fs::path(file).extension() == ".png"; }
@@ -70,23 +70,23 @@ Result<Done> checkShape(const std::string& file, int lines, int beams, const Gri
 
 Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
     Case one;
-    Result<TruthSet> truth = readTruth(evaluate.truths[n]);
+    Result<lab::TruthSet> truth = lab::readTruth(evaluate.truths[n]);
     if (!truth) return truth.error();
     one.truth = std::move(*truth);
     const Grid<std::uint8_t>& wanted = one.truth.edges.edgeClass;
     if (isMask(evaluate.files[n])) {
-        auto mask = readPng8(evaluate.files[n]);
+        auto mask = containers::readPng8(evaluate.files[n]);
         if (!mask) return mask.error();
         if (auto fits = checkShape(evaluate.files[n], mask->lines, mask->beams, wanted); !fits) return fits.error();
         one.mask = std::move(*mask);
         if (evaluate.ranges.empty()) return one;
     }
     const std::string& file = evaluate.ranges.empty() ? evaluate.files[n] : evaluate.ranges[n];
-    Result<Scan> scan = openAndTell(file, evaluate.read);
+    Result<Scan> scan = openAndWarn(file, evaluate.read);
     if (!scan) return scan.error();
     if (auto fits = checkShape(file, scan->lines(), scan->beams(), wanted); !fits) return fits.error();
-    if (auto fits = checkTruthFits(*scan, one.truth, evaluate.truths[n]); !fits) return fits.error();
-    if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
+    if (auto fits = lab::checkTruthFits(*scan, one.truth, evaluate.truths[n]); !fits) return fits.error();
+    if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *scan); !enough) return enough.error();
     one.scan = std::make_shared<const Scan>(std::move(*scan));
     return one;
 }
@@ -105,56 +105,56 @@ void show(const Json& evaluation) {
                  fixedText(100 * rocks["at_least_90_percent"].get<double>(), 0) + " % of " + fixedText(rocks["count"].get<double>(), 0);
     if (evaluation.contains("error_mm"))
         lines += ", 3D error P50 / P95 " + text(evaluation["error_mm"]["p50"], 0) + " / " + text(evaluation["error_mm"]["p95"], 0) + " mm";
-    say(lines + ", Pratt " + text(evaluation["pratt"], 3));
+    printResult(lines + ", Pratt " + text(evaluation["pratt"], 3));
 }
 
 void showSweep(const Json& sweep) {
     const auto number = [](const Json& value) { return significantText(value.get<double>(), 6); };
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
-        say(rightAligned(group, 15) + "  ODS " + number(sweep[group]["ods"]) + " at " + number(sweep[group]["ods_threshold"]) + ", OIS " +
-            number(sweep[group]["ois"]) + ", AP " + number(sweep[group]["ap"]));
+        printResult(rightAligned(group, 15) + "  ODS " + number(sweep[group]["ods"]) + " at " + number(sweep[group]["ods_threshold"]) +
+                    ", OIS " + number(sweep[group]["ois"]) + ", AP " + number(sweep[group]["ap"]));
 }
 
-Result<Json> evaluateAll(const Evaluate& evaluate, const Settings& settings) {
-    const Parameter& swept = sweptParameter(settings.method);
-    ThresholdSweep sweep;
+Result<Json> evaluateAll(const Evaluate& evaluate, const edges::Settings& settings) {
+    const edges::Parameter& swept = edges::sweptParameter(settings.method);
+    lab::ThresholdSweep sweep;
     if (evaluate.sweep) sweep.thresholds = evaluate.thresholds.empty() ? usualThresholds(swept, swept.get(settings)) : evaluate.thresholds;
-    Evaluation fixed;
+    lab::Evaluation fixed;
     for (std::size_t n = 0; n < evaluate.files.size(); ++n) {
         Result<Case> one = openCase(evaluate, n);
         if (!one) return one.error();
         if (one->mask.size() > 0) {
-            fixed += evaluateMask(one->mask, one->truth, one->scan.get(), evaluate.tolerance);
+            fixed += lab::evaluateMask(one->mask, one->truth, one->scan.get(), evaluate.tolerance);
             continue;
         }
-        Pipeline pipeline;
+        edges::Pipeline pipeline;
         const auto scoreAt = [&](double threshold) {
-            Settings turned = settings;
+            edges::Settings turned = settings;
             swept.set(turned, threshold);
-            return evaluateMask(*pipeline.run(one->scan, turned)->mask, one->truth, one->scan.get(), evaluate.tolerance);
+            return lab::evaluateMask(*pipeline.run(one->scan, turned)->mask, one->truth, one->scan.get(), evaluate.tolerance);
         };
         fixed += scoreAt(swept.get(settings));
-        std::vector<Evaluation> row;
+        std::vector<lab::Evaluation> row;
         for (const double threshold : sweep.thresholds) row.push_back(scoreAt(threshold));
         sweep.perScan.push_back(std::move(row));
     }
     Json json = document("evaluate", Json::object());
     json["files"] = evaluate.files;
     json["tolerance"] = evaluate.tolerance;
-    if (!isMask(evaluate.files.front())) json["settings"] = settingsToJson(settings);
-    json["fixed"] = evaluationJson(fixed);
-    json["rocks"] = rocksJson(fixed);
+    if (!isMask(evaluate.files.front())) json["settings"] = edges::settingsToJson(settings);
+    json["fixed"] = lab::evaluationJson(fixed);
+    json["rocks"] = lab::rocksJson(fixed);
     if (sweep.thresholds.empty()) return json;
     json["swept"] = swept.key;
-    json["sweep"] = sweepJson(sweep);
+    json["sweep"] = lab::sweepJson(sweep);
     return json;
 }
 
 // Thresholds and flags that a person typed and that would change nothing, or not what was meant; turns the thresholds typed into numbers.
-Result<Done> checkUsage(Evaluate& evaluate, const Settings& settings) {
+Result<Done> checkUsage(Evaluate& evaluate, const edges::Settings& settings) {
     if (std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask) && anyTyped(evaluate.method))
         return Error{"a mask holds its edges already, so no method finds them", "evaluate", "leave the flags of the method out"};
-    const Parameter& swept = sweptParameter(settings.method);
+    const edges::Parameter& swept = edges::sweptParameter(settings.method);
     for (std::size_t n = 0; n < evaluate.typedThresholds.size(); ++n) {
         const std::optional<double> value = numberOf(evaluate.typedThresholds[n]);
         const bool fits = value && NumberLimits{swept.minimum, swept.maximum}.hold(*value);
@@ -162,8 +162,8 @@ Result<Done> checkUsage(Evaluate& evaluate, const Settings& settings) {
             evaluate.thresholds.push_back(*value);
         else
             return Error{"value " + std::to_string(n + 1) + " is out of place", "--thresholds",
-                         "give rising values of --" + std::string(swept.key) + ", from " + formatValue(swept, swept.minimum) + " to " +
-                             formatValue(swept, swept.maximum)};
+                         "give rising values of --" + std::string(swept.key) + ", from " + edges::formatValue(swept, swept.minimum) +
+                             " to " + edges::formatValue(swept, swept.maximum)};
     }
     if (!evaluate.thresholds.empty() && !evaluate.sweep) return Error{"thresholds belong to a sweep", "--thresholds", "give --sweep too"};
     return Done{};
@@ -180,13 +180,13 @@ std::optional<Error> misplacedFlag(const CLI::App& command, bool rocks) {
     return std::nullopt;
 }
 
-int runRocks(Evaluate& evaluate, const Settings& settings) {
+int runRocks(Evaluate& evaluate, const edges::Settings& settings) {
     if (std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask)) {
-        complain({"a mask holds no rocks", "evaluate --rocks", "give the scans"});
+        printError({"a mask holds no rocks", "evaluate --rocks", "give the scans"});
         return kWrongUsage;
     }
-    if (!reads(settings.method, kReadsSurface)) {
-        complain({"rocks follow from the surface, which this method does not measure", "--method", "leave it out with --rocks"});
+    if (!edges::reads(settings.method, edges::kReadsSurface)) {
+        printError({"rocks follow from the surface, which this method does not measure", "--method", "leave it out with --rocks"});
         return kWrongUsage;
     }
     evaluate.ofRocks.choices.edges = settings;
@@ -199,33 +199,34 @@ int runRocks(Evaluate& evaluate, const Settings& settings) {
 
 int run(Evaluate& evaluate, const CLI::App& command) {
     if (const auto idle = misplacedFlag(command, evaluate.rocks)) {
-        complain(*idle);
+        printError(*idle);
         return kWrongUsage;
     }
-    const Result<Settings> settings = settingsOf(evaluate.method);
+    const Result<edges::Settings> settings = settingsOf(evaluate.method);
     if (!settings) {
-        complain(settings.error());
+        printError(settings.error());
         return kWrongUsage;
     }
     if (const Result<Done> usage = checkUsage(evaluate, *settings); !usage) {
-        complain(usage.error());
+        printError(usage.error());
         return kWrongUsage;
     }
     const bool masks = std::any_of(evaluate.files.begin(), evaluate.files.end(), isMask);
     if (evaluate.files.size() != evaluate.truths.size()) {
-        complain({"there are " + std::to_string(evaluate.files.size()) + " files and " + std::to_string(evaluate.truths.size()) +
-                      " folders with truth",
-                  "evaluate", "give --truth once per file, in the same order"});
+        printError({"there are " + std::to_string(evaluate.files.size()) + " files and " + std::to_string(evaluate.truths.size()) +
+                        " folders with truth",
+                    "evaluate", "give --truth once per file, in the same order"});
         return kWrongUsage;
     }
     if (evaluate.rocks) return runRocks(evaluate, *settings);
     const bool allMasks = std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask);
     if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size())) {
-        complain({"ranges belong to masks, one scan each", "--ranges", "give --ranges once per mask, in the same order, or leave it out"});
+        printError(
+            {"ranges belong to masks, one scan each", "--ranges", "give --ranges once per mask, in the same order, or leave it out"});
         return kWrongUsage;
     }
     if (evaluate.sweep && masks) {
-        complain({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"});
+        printError({"a mask has no threshold to sweep over", "evaluate", "give the scan and --method instead"});
         return kWrongUsage;
     }
     return writeOrShow(evaluateAll(evaluate, *settings), evaluate.json, [](const Json& figures) {
@@ -254,7 +255,8 @@ void addEvaluate(CLI::App& app, int& code) {
     command.add_option("--json", evaluate->json, "All figures; - is stdout");
     const char* rocks = "Rocks";
     command.add_flag("--rocks", evaluate->rocks, "Scores the rocks found in simulated scans instead of the edges")->group(rocks);
-    const auto level = std::ranges::find_if(rockParameters(), [](const RockParameter& p) { return p.key == std::string_view("level"); });
+    const auto level =
+        std::ranges::find_if(rocks::rockParameters(), [](const rocks::RockParameter& p) { return p.key == std::string_view("level"); });
     addNumber(command, "--level", evaluate->ofRocks.choices.rocks.level, {level->minimum, level->maximum}, level->help).group(rocks);
     command.add_flag("--peers", evaluate->ofRocks.peers, "Also PCL's RegionGrowing and LCCP")->group(rocks);
     command.add_option("--pictures", evaluate->ofRocks.pictures, "Folder for a picture per scan: rocks found, merged, split and missed")

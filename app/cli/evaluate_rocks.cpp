@@ -21,33 +21,33 @@ namespace fs = std::filesystem;
 
 struct OpenScene {
     std::shared_ptr<const Scan> scan;
-    RockScene scene;
+    lab::RockScene scene;
 };
 
 Result<OpenScene> openScene(const EvaluateRocks& evaluate, std::size_t n) {
-    Result<TrueRocks> truth = readTrueRocks(evaluate.truths[n]);
+    Result<lab::TrueRocks> truth = lab::readTrueRocks(evaluate.truths[n]);
     if (!truth) return truth.error();
-    Result<Scan> scan = openAndTell(evaluate.files[n], evaluate.read);
+    Result<Scan> scan = openAndWarn(evaluate.files[n], evaluate.read);
     if (!scan) return scan.error();
     const Grid<std::uint16_t> clean = truth->cleanMm;
-    Result<RockScene> scene = rockScene(*scan, std::move(*truth), evaluate.files[n]);
+    Result<lab::RockScene> scene = lab::rockScene(*scan, std::move(*truth), evaluate.files[n]);
     if (!scene) return scene.error();
-    if (auto fits = checkTruthFits(*scan, TruthSet{{}, {}, clean}, evaluate.truths[n]); !fits) return fits.error();
-    if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
+    if (auto fits = lab::checkTruthFits(*scan, lab::TruthSet{{}, {}, clean}, evaluate.truths[n]); !fits) return fits.error();
+    if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *scan); !enough) return enough.error();
     return OpenScene{std::make_shared<const Scan>(std::move(*scan)), std::move(*scene)};
 }
 
 /// One way on all scenes.
 struct Column {
-    const RockWay* way;
-    std::vector<RockSceneScore> scores;
+    const lab::RockMethod* way;
+    std::vector<lab::RockSceneScore> scores;
     std::string note;
 };
 
-Json missesJson(const RockScene& scene, const RockSceneScore& score, std::size_t file) {
-    constexpr std::array<const char*, kMisses> kNames{"called_no_rock", "with_wall", "merged", "split", "other"};
+Json missesJson(const lab::RockScene& scene, const lab::RockSceneScore& score, std::size_t file) {
+    constexpr std::array<const char*, lab::kMisses> kNames{"called_no_rock", "with_wall", "merged", "split", "other"};
     Json rocks = Json::array();
-    for (const RockVerdict& rock : score.strict.rocks)
+    for (const lab::RockVerdict& rock : score.strict.rocks)
         rocks.push_back({{"file", file},
                          {"object", scene.truth.rocks[rock.rock - 1].object},
                          {"cells", rock.cells},
@@ -57,33 +57,33 @@ Json missesJson(const RockScene& scene, const RockSceneScore& score, std::size_t
     return rocks;
 }
 
-Result<Done> savePicture(const EvaluateRocks& evaluate, std::size_t n, const OpenScene& open, const RockAnswer& answer,
-                         const RockSceneScore& score) {
+Result<Done> savePicture(const EvaluateRocks& evaluate, std::size_t n, const OpenScene& open, const lab::RockDetection& answer,
+                         const lab::RockSceneScore& score) {
     if (evaluate.pictures.empty()) return Done{};
     std::error_code failed;
     fs::create_directories(evaluate.pictures, failed);
     if (failed)
         return Error{"the folder cannot be made (" + failed.message() + ")", evaluate.pictures, "choose one that can be written to"};
-    return savePngRgb(rockSheet(*open.scan, open.scene, answer, score),
-                      fs::path(evaluate.pictures) / ("rocks-" + std::to_string(n + 1) + ".png"));
+    return containers::savePngRgb(lab::rockSheet(*open.scan, open.scene, answer, score),
+                                  fs::path(evaluate.pictures) / ("rocks-" + std::to_string(n + 1) + ".png"));
 }
 
 Result<Json> evaluateAll(const EvaluateRocks& evaluate) {
     std::vector<Column> columns;
-    for (const RockWay& way : rockWays()) {
-        if (!way.peer || evaluate.peers) columns.push_back({&way, {}, {}});
+    for (const lab::RockMethod& way : lab::rockMethods()) {
+        if (!way.isPcl || evaluate.peers) columns.push_back({&way, {}, {}});
     }
     Json rocks = Json::array();
     for (std::size_t n = 0; n < evaluate.files.size(); ++n) {
         const Result<OpenScene> open = openScene(evaluate, n);
         if (!open) return open.error();
         for (Column& column : columns) {
-            const RockAnswer answer = column.way->find(open->scan, evaluate.choices);
+            const lab::RockDetection answer = column.way->find(open->scan, evaluate.choices);
             if (!answer.note.empty()) {
                 column.note = answer.note;
                 continue;
             }
-            column.scores.push_back(scoreRocks(open->scene, answer));
+            column.scores.push_back(lab::scoreRocks(open->scene, answer));
             if (&column != columns.data()) continue;
             for (Json& rock : missesJson(open->scene, column.scores.back(), n)) rocks.push_back(std::move(rock));
             if (const auto saved = savePicture(evaluate, n, *open, answer, column.scores.back()); !saved) return saved.error();
@@ -91,13 +91,13 @@ Result<Json> evaluateAll(const EvaluateRocks& evaluate) {
     }
     Json json = document("evaluate-rocks", Json::object());
     json["files"] = evaluate.files;
-    json["settings"] = settingsToJson(evaluate.choices.edges);
-    json["rock_settings"] = rockSettingsToJson(evaluate.choices.rocks);
+    json["settings"] = edges::settingsToJson(evaluate.choices.edges);
+    json["rock_settings"] = rocks::rockSettingsToJson(evaluate.choices.rocks);
     json["answers"] = Json::array();
     for (const Column& column : columns) {
         Json one{{"answer", column.way->key}, {"name", column.way->name}};
         one["note"] = column.note.empty() ? Json(nullptr) : Json(column.note);
-        one.update(rockScoreJson(column.scores));
+        one.update(lab::rockScoreJson(column.scores));
         json["answers"].push_back(std::move(one));
     }
     json["rocks"] = std::move(rocks);
@@ -121,7 +121,7 @@ void showTable(const Json& json) {
         }
         lines += one["note"].is_null() ? "\n" : "  " + one["note"].get<std::string>() + "\n";
     }
-    say(lines);
+    printResult(lines);
 }
 
 /// What is told of each rock, for the first answer.
@@ -145,14 +145,14 @@ void showClaims(const Json& one) {
             percentText(one["order"]["right_where_both_decide"]) + ", found " + percentText(one["order"]["recall"]) + ", true " +
             percentText(one["order"]["precision"]) + "; contacts: true " + percentText(one["contacts"]["precision"]) + ", found " +
             percentText(one["contacts"]["recall"]);
-    say(text);
+    printResult(text);
 }
 
 } // namespace
 
 int writeOrShow(const Result<Json>& figures, const std::string& json, const std::function<void(const Json&)>& show) {
     if (!figures) {
-        complain(figures.error());
+        printError(figures.error());
         return kRefused;
     }
     if (json.empty()) {
@@ -161,7 +161,7 @@ int writeOrShow(const Result<Json>& figures, const std::string& json, const std:
     }
     const Result<Done> written = writeDocument(json, *figures);
     if (written) return kDone;
-    complain(written.error());
+    printError(written.error());
     return kRefused;
 }
 

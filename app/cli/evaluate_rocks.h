@@ -17,7 +17,7 @@ struct EvaluateRocks {
     std::string json;     ///< file, "-" or empty
     std::string pictures; ///< folder; empty = none
     bool peers = false;
-    RockChoices choices;
+    lab::RockMethodSettings choices;
     ReadFlags read;
 };
 

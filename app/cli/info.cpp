@@ -20,9 +20,9 @@ int run(const Info& info) {
     int code = kDone;
     for (const std::string& file : info.files) {
         const auto one = [&] {
-            const Result<Scan> scan = openAsAsked(file, readingOptions(info.read));
-            say(scan ? document("info", infoReport(*scan)) : refusal("info", file, scan.error()), false);
-            if (!scan) complain(scan.error());
+            const Result<Scan> scan = files::openAsAsked(file, readingOptions(info.read));
+            printResult(scan ? document("info", exports::infoReport(*scan)) : refusal("info", file, scan.error()), false);
+            if (!scan) printError(scan.error());
             return scan ? kDone : kRefused;
         };
         if (guarded(one, kRefused) != kDone) code = kRefused;

@@ -8,9 +8,9 @@
 namespace edgescan::cli {
 
 /// {"counter_jumps": n, ...}: the kinds of irregularity that occurred.
-[[nodiscard]] nlohmann::ordered_json irregularReport(const Irregularities& irregular);
+[[nodiscard]] nlohmann::ordered_json irregularReport(const scanner::Irregularities& irregular);
 
 /// {"received": n, "placed": n, "duplicates": n, "unusable": n, "lost": n, "accounted_for": true}
-[[nodiscard]] nlohmann::ordered_json accountReport(const TelegramAccount& account);
+[[nodiscard]] nlohmann::ordered_json accountReport(const scanner::TelegramAccount& account);
 
 } // namespace edgescan::cli

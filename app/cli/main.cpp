@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
                     "edgescan-cli detect BELL.json -o RESULTS --jump 40", "edgescan-cli convert BELL.json BELL.pcd",
                     "edgescan-cli evaluate BELL.json --truth TRUTH", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."}});
     const int ended = cli::guarded([&] { return cli::parsed(app, argc, argv).value_or(code); }, cli::kRefused);
-    if (cli::everythingWasSaid()) return ended;
-    cli::complain("stdout: the results cannot be written (no space, or closed); send them elsewhere.");
+    if (cli::stdoutIsComplete()) return ended;
+    cli::printError("stdout: the results cannot be written (no space, or closed); send them elsewhere.");
     return cli::kRefused;
 }

@@ -31,33 +31,33 @@ struct Record {
     Mounting mounting;
 };
 
-void showStatus(const LiveStatus& status) {
-    std::string line = sessionPhaseName(status.session.phase);
+void showStatus(const files::LiveStatus& status) {
+    std::string line = scanner::sessionPhaseName(status.session.phase);
     line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
             std::to_string(status.statistics.reconnects) + " reconnects";
     if (const auto remarks = status.sweep.irregular.sentences(); !remarks.empty())
         line += ", " + std::to_string(remarks.size()) + " remarks";
-    const std::string lag = status.recording ? lagText(*status.recording) : std::string();
+    const std::string lag = status.recording ? files::lagText(*status.recording) : std::string();
     if (!lag.empty()) line += ", " + lag;
-    tellProgress(line);
+    showProgress(line);
 }
 
 // True if the recording has the requested sweeps or lines, or can no longer get them.
-bool finished(const Record& record, const LiveStatus& status, std::chrono::steady_clock::time_point start) {
-    if (interrupted() || status.session.phase == SessionPhase::Stopped) return true;
+bool finished(const Record& record, const files::LiveStatus& status, std::chrono::steady_clock::time_point start) {
+    if (interrupted() || status.session.phase == scanner::SessionPhase::Stopped) return true;
     if (status.recording && status.recording->ended) return true;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
 }
 
 // Remarks about sweeps, telegrams and the disk, as sentences.
-std::vector<std::string> remarks(const LiveStatus& status, const RecordingState& recorded) {
+std::vector<std::string> remarks(const files::LiveStatus& status, const files::RecordingState& recorded) {
     std::vector<std::string> all = status.sweep.irregularEver.sentences();
     if (!status.sweep.assumed.empty()) all.push_back(status.sweep.assumed);
     const auto count = [&](std::uint64_t number, const char* what) {
         if (number > 0) all.push_back(std::to_string(number) + what);
     };
-    const TelegramAccount& account = status.sweep.account;
+    const scanner::TelegramAccount& account = status.sweep.account;
     count(static_cast<std::uint64_t>(account.linesLost), " lines of the sweeps are lost in whole or in part.");
     count(static_cast<std::uint64_t>(status.undecodable), " scan telegrams could not be decoded.");
     count(status.statistics.stream.skipped, " bytes were no telegram and were skipped.");
@@ -69,7 +69,7 @@ std::vector<std::string> remarks(const LiveStatus& status, const RecordingState&
 }
 
 /// The mounting that was used to place the lines, and which of its values are assumed.
-nlohmann::ordered_json mountingReport(const SweepSettings& sweep) {
+nlohmann::ordered_json mountingReport(const scanner::SweepSettings& sweep) {
     nlohmann::ordered_json assumed = nlohmann::ordered_json::array();
     if (sweep.axisAssumed) assumed.push_back("axis");
     if (sweep.stepAssumed) assumed.push_back("line_step_deg");
@@ -83,8 +83,9 @@ nlohmann::ordered_json mountingReport(const SweepSettings& sweep) {
             {"assumed", assumed}};
 }
 
-nlohmann::ordered_json summary(const Record& record, const SweepSettings& sweep, const LiveStatus& status, const RecordingState& recorded) {
-    const TelegramAccount& account = status.sweep.account;
+nlohmann::ordered_json summary(const Record& record, const scanner::SweepSettings& sweep, const files::LiveStatus& status,
+                               const files::RecordingState& recorded) {
+    const scanner::TelegramAccount& account = status.sweep.account;
     return {{"output", record.out},
             {"lines", status.lines},
             {"sweep", status.sweep.text()},
@@ -115,22 +116,22 @@ nlohmann::ordered_json summary(const Record& record, const SweepSettings& sweep,
 int run(const Record& record) {
     const Result<HostPort> address = hostPort(record.address);
     if (!address) {
-        complain(address.error());
+        printError(address.error());
         return kWrongUsage;
     }
-    SessionSettings scanner;
+    scanner::SessionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
     Mounting mounting = record.mounting;
     if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
-    const Result<SweepSettings> sweep = sweepOf(mounting);
+    const Result<scanner::SweepSettings> sweep = sweepOf(mounting);
     if (!sweep) {
-        complain(sweep.error());
+        printError(sweep.error());
         return kRefused;
     }
-    LiveFeed feed(scanner, *sweep, [] {});
+    files::LiveFeed feed(scanner, *sweep, [] {});
     if (const Result<Done> started = feed.startRecording(record.out); !started) {
-        complain(started.error());
+        printError(started.error());
         return kRefused;
     }
     catchInterrupt();
@@ -140,18 +141,18 @@ int run(const Record& record) {
         if (showsProgress) showStatus(feed.status());
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    LiveStatus status = feed.status();
-    if (showsProgress) tellProgress(std::to_string(status.lines) + " lines", true);
+    files::LiveStatus status = feed.status();
+    if (showsProgress) showProgress(std::to_string(status.lines) + " lines", true);
     feed.stop();
-    const LiveStatus last = feed.status();
+    const files::LiveStatus last = feed.status();
     status.sweep = last.sweep;           // includes the end of its last sweep
     status.statistics = last.statistics; // includes the telegrams received meanwhile
     status.lines = last.lines;           // likewise: the recording has these lines too
-    if (const std::string lag = status.recording ? lagText(*status.recording) : std::string(); !lag.empty())
-        complain(lag + "; waiting some seconds for it.");
-    const Result<RecordingState> closed = feed.stopRecording();
+    if (const std::string lag = status.recording ? files::lagText(*status.recording) : std::string(); !lag.empty())
+        printError(lag + "; waiting some seconds for it.");
+    const Result<files::RecordingState> closed = feed.stopRecording();
     if (!closed) {
-        complain(closed.error());
+        printError(closed.error());
         return kRefused;
     }
     if (status.lines == 0 && status.statistics.stream.bytes == 0) {
@@ -160,12 +161,12 @@ int run(const Record& record) {
         std::filesystem::remove(record.out, ignored);
     }
     if (status.lines == 0) {
-        Error none = withoutLines(status.session, record.address);
+        Error none = scanner::noLinesError(status.session, record.address);
         if (status.statistics.stream.bytes > 0) none.hint += "; what did arrive is in " + record.out;
-        complain(none);
+        printError(none);
         return kRefused;
     }
-    say(document("record", summary(record, *sweep, status, *closed)), false);
+    printResult(document("record", summary(record, *sweep, status, *closed)), false);
     return kDone;
 }
 

@@ -27,8 +27,8 @@ struct ReplayWanted {
     MethodFlags method;
 };
 
-nlohmann::ordered_json lineReport(const Replay& replay) {
-    const SweepProgress progress = replay.progress();
+nlohmann::ordered_json lineReport(const files::Replay& replay) {
+    const scanner::SweepProgress progress = replay.progress();
     return {{"line", replay.position() - 1},
             {"sweep", progress.number},
             {"row", progress.lines - 1},
@@ -39,7 +39,7 @@ nlohmann::ordered_json lineReport(const Replay& replay) {
 }
 
 // Waits until the next line is due: the recorded delay divided by the speed. Speed 0 does not wait.
-void waitForNextLine(const Replay& replay, double speed) {
+void waitForNextLine(const files::Replay& replay, double speed) {
     const int line = replay.position();
     if (speed <= 0 || line >= replay.lines()) return;
     const double ns = static_cast<double>(replay.timeNs(line) - replay.timeNs(line - 1)) / speed;
@@ -48,25 +48,25 @@ void waitForNextLine(const Replay& replay, double speed) {
 
 int run(const ReplayWanted& wanted) {
     if (const auto method = checkMethod(wanted.method); !method) {
-        complain(method.error());
+        printError(method.error());
         return kWrongUsage;
     }
-    auto scan = openScan(wanted.file, wanted.place, [&](const Replay& replay) {
-        if (!wanted.quiet) say(document("replay-line", lineReport(replay)), false);
+    auto scan = files::openScan(wanted.file, wanted.place, [&](const files::Replay& replay) {
+        if (!wanted.quiet) printResult(document("replay-line", lineReport(replay)), false);
         waitForNextLine(replay, wanted.speed);
     });
     if (scan && scan->format != "recording") scan = Error{"this is no recording", wanted.file, "open it with detect"};
     if (!scan) {
-        complain(scan.error());
+        printError(scan.error());
         return kRefused;
     }
-    const Result<Settings> settings = settingsFor(wanted.method, *scan);
+    const Result<edges::Settings> settings = settingsFor(wanted.method, *scan);
     if (!settings) {
-        complain(settings.error());
+        printError(settings.error());
         return kRefused;
     }
-    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
-    say(document("replay", {{"result", document("detect", detectReport(*detection, 0.0))}}), false);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
+    printResult(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}), false);
     return kDone;
 }
 

@@ -39,70 +39,71 @@ std::string commandOf(const ReportCommand& report) {
     return command;
 }
 
-Result<Notebook> notebookOf(const ReportCommand& report, const Scan& scan) {
+Result<inspect::Notebook> notebookOf(const ReportCommand& report, const Scan& scan) {
     const auto bytes = readInput(report.targets);
     if (!bytes) return bytes.error();
-    return notebookFromText(textOf(*bytes), notebookScan(scan), report.targets);
+    return inspect::notebookFromText(textOf(*bytes), inspect::notebookScan(scan), report.targets);
 }
 
-Result<SceneChange> changeSince(const ReportCommand& report, const Detection& now) {
-    Result<Scan> before = openAndTell(report.before, report.read);
+Result<inspect::SceneChange> changeSince(const ReportCommand& report, const edges::Detection& now) {
+    Result<Scan> before = openAndWarn(report.before, report.read);
     if (!before) return before.error();
-    if (auto enough = checkMemoryFor(Work::Compare, *before); !enough) return enough.error();
-    const auto earlier = detectEdges(std::make_shared<const Scan>(std::move(*before)), now.settings);
-    return sceneChange({now.scan, now.mask}, {earlier->scan, earlier->mask});
+    if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *before); !enough) return enough.error();
+    const auto earlier = edges::detectEdges(std::make_shared<const Scan>(std::move(*before)), now.settings);
+    return inspect::sceneChange({now.scan, now.mask}, {earlier->scan, earlier->mask});
 }
 
 Result<Done> make(const ReportCommand& report) {
-    Result<Scan> opened = openAndTell(report.file, report.read);
+    Result<Scan> opened = openAndWarn(report.file, report.read);
     if (!opened) return opened.error();
-    if (auto enough = checkMemoryFor(report.withRocks ? Work::Rocks : Work::Detect, *opened); !enough) return enough.error();
-    const Result<Settings> settings = settingsFor(report.method, *opened);
+    if (auto enough = edges::checkMemoryFor(report.withRocks ? edges::Work::Rocks : edges::Work::Detect, *opened); !enough)
+        return enough.error();
+    const Result<edges::Settings> settings = settingsFor(report.method, *opened);
     if (!settings) return settings.error();
     const auto preset = presetOf(report.rocks, *opened);
     if (!preset) return preset.error();
-    const auto detection =
-        detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, report.withRocks ? KeepFor::Rocks : KeepFor::Edges);
-    std::optional<RockStudy> rocks;
-    if (report.withRocks) rocks = studyRocks(rockInputs(*detection), *preset->settings, preset->edits);
-    const PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow())};
-    PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, report.before};
-    std::optional<Notebook> notebook;
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings,
+                                              report.withRocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
+    std::optional<rocks::Study> rocks;
+    if (report.withRocks) rocks = rocks::studyRocks(rocks::rockInputs(*detection), *preset->settings, preset->edits);
+    const exports::PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow())};
+    exports::PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, report.before};
+    std::optional<inspect::Notebook> notebook;
     if (!report.targets.empty()) {
         auto read = notebookOf(report, *detection->scan);
         if (!read) return read.error();
         notes.notebook = &notebook.emplace(std::move(*read));
     }
-    std::optional<SceneChange> change;
+    std::optional<inspect::SceneChange> change;
     if (!report.before.empty()) {
         auto found = changeSince(report, *detection);
         if (!found) return found.error();
         notes.change = &change.emplace(std::move(*found));
     }
-    const std::string page = scanPage(*detection, words, notes);
+    const std::string page = exports::scanPage(*detection, words, notes);
     if (auto written = writeWholeFile(report.out, page); !written) return written;
-    tellWritten(printable(report.file) + ": a report of " + fixedText(static_cast<double>(page.size()) / 1e6, 1) + " MB; written to " +
-                    printable(report.out) + ".",
-                report.read);
+    reportWritten(printable(report.file) + ": a report of " + fixedText(static_cast<double>(page.size()) / 1e6, 1) + " MB; written to " +
+                      printable(report.out) + ".",
+                  report.read);
     return Done{};
 }
 
 int run(ReportCommand& report) {
     if (const auto method = checkMethod(report.method); !method) {
-        complain(method.error());
+        printError(method.error());
         return kWrongUsage;
     }
     if (const auto rocks = checkRocks(report.rocks); !rocks) {
-        complain(rocks.error());
+        printError(rocks.error());
         return kWrongUsage;
     }
     if (!report.withRocks && anyTyped(report.rocks)) {
-        complain(Error{"these flags are of rocks, and the report has none", "report", "add --rocks"});
+        printError(Error{"these flags are of rocks, and the report has none", "report", "add --rocks"});
         return kWrongUsage;
     }
     const auto made = make(report);
     if (made) return kDone;
-    complain(made.error());
+    printError(made.error());
     return kRefused;
 }
 
@@ -117,7 +118,7 @@ void addReport(CLI::App& app, int& code) {
     command.add_option("--role", report->role, "As what");
     command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/targets.md)");
     command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, by the same settings");
-    command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + kRockCaveat)->group("Rocks");
+    command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + rocks::kRockCaveat)->group("Rocks");
     addRockFlags(command, report->rocks, true);
     addMethodFlags(command, report->method);
     addReadFlags(command, report->read);

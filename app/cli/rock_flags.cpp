@@ -8,7 +8,7 @@ namespace edgescan::cli {
 
 void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
     const char* group = "Rocks";
-    for (const RockParameter& p : rockParameters()) {
+    for (const rocks::RockParameter& p : rocks::rockParameters()) {
         const std::string flag = std::string("--") + p.key;
         const NumberLimits limits{p.minimum, p.maximum};
         const auto take = [&flags, flag, limits, &p](const std::string& text) {
@@ -17,7 +17,7 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
         const std::string unit = *p.unit == '\0' ? "" : std::string("; ") + p.unit;
         command.add_option_function<std::string>(flag, take, p.help + unit)
             ->type_name(rangeName(limits))
-            ->default_str(shortestText(p.get(RockSettings{})))
+            ->default_str(shortestText(p.get(rocks::RockSettings{})))
             ->group(group);
     }
     command.add_option("--region", flags.region, "Region of interest, cells of the picture: \"LINE,BEAM LINE,BEAM\" or a polygon")
@@ -33,7 +33,7 @@ bool anyTyped(const RockFlags& flags) { return !flags.typed.empty() || !flags.re
 
 Result<Done> checkRocks(RockFlags& flags) {
     if (!flags.region.empty()) {
-        const auto region = parseRegion(flags.region);
+        const auto region = rocks::parseRegion(flags.region);
         if (!region) return region.error();
         flags.corners = *region;
     }
@@ -50,14 +50,14 @@ std::string typedFlags(const RockFlags& flags) {
     return text;
 }
 
-Result<RockPreset> presetOf(const RockFlags& flags, const Scan& scan) {
-    RockPreset preset;
+Result<rocks::Preset> presetOf(const RockFlags& flags, const Scan& scan) {
+    rocks::Preset preset;
     if (!flags.edits.empty()) {
-        auto read = readRockPreset(flags.edits, scan);
+        auto read = rocks::readRockPreset(flags.edits, scan);
         if (!read) return read.error();
         preset = std::move(*read);
     }
-    RockSettings settings = preset.settings.value_or(RockSettings{});
+    rocks::RockSettings settings = preset.settings.value_or(rocks::RockSettings{});
     for (const auto& [parameter, value] : flags.typed) parameter->set(settings, value);
     if (!flags.corners.empty()) settings.region = flags.corners;
     preset.settings = settings;

@@ -11,9 +11,9 @@
 namespace edgescan::cli {
 
 struct RockFlags {
-    std::vector<std::pair<const RockParameter*, double>> typed;
+    std::vector<std::pair<const rocks::RockParameter*, double>> typed;
     std::string region, edits; ///< as typed
-    std::vector<RegionCorner> corners;
+    std::vector<rocks::RegionCorner> corners;
 };
 
 /// Adds one flag per row of rockParameters(), --region, and --edits for commands with one scan.
@@ -29,6 +29,6 @@ Result<Done> checkRocks(RockFlags& flags);
 [[nodiscard]] std::string typedFlags(const RockFlags& flags);
 
 /// Reads the file of edits. Typed settings override those of the file. The settings of the result are always present.
-Result<RockPreset> presetOf(const RockFlags& flags, const Scan& scan);
+Result<rocks::Preset> presetOf(const RockFlags& flags, const Scan& scan);
 
 } // namespace edgescan::cli

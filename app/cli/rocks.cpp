@@ -33,29 +33,31 @@ namespace fs = std::filesystem;
 // One flag per row: the path of a result, and its name inside an output folder.
 struct RockOutput {
     const char* flag;
-    ExportContent content;
+    exports::ExportContent content;
     const char* tail;
     const char* formats; ///< of outlines and hulls: extensions, separated by commas; null: any format
     const char* help;
 };
 constexpr RockOutput kRockOutputs[]{
-    {"--labels", ExportContent::RockLabels, "_rocks.png", nullptr, "16-bit PNG: 0 none, then 1..n, the largest visible area first"},
-    {"--json", ExportContent::RockReport, "_rocks.json", nullptr, "All rocks with what may be said of them; - is stdout"},
-    {"--csv", ExportContent::RockTable, "_rocks.csv", nullptr, "One row per rock, units in the names"},
-    {"--cloud", ExportContent::RockCloud, "_rocks.pcd", nullptr, "All points in metres with a field for rocks"},
-    {"--outlines", ExportContent::RockOutlines, "_rocks.dxf", ".dxf,.geojson",
+    {"--labels", exports::ExportContent::RockLabels, "_rocks.png", nullptr,
+     "16-bit PNG: 0 none, then 1..n, the largest visible area first"},
+    {"--json", exports::ExportContent::RockReport, "_rocks.json", nullptr, "All rocks with what may be said of them; - is stdout"},
+    {"--csv", exports::ExportContent::RockTable, "_rocks.csv", nullptr, "One row per rock, units in the names"},
+    {"--cloud", exports::ExportContent::RockCloud, "_rocks.pcd", nullptr, "All points in metres with a field for rocks"},
+    {"--outlines", exports::ExportContent::RockOutlines, "_rocks.dxf", ".dxf,.geojson",
      "Closed polylines in space (.dxf), or polygons in the picture (.geojson)"},
-    {"--hulls", ExportContent::RockHulls, "_hulls.ply", ".ply,.obj", "Convex hulls of the visible points, never a volume: .ply or .obj"},
+    {"--hulls", exports::ExportContent::RockHulls, "_hulls.ply", ".ply,.obj",
+     "Convex hulls of the visible points, never a volume: .ply or .obj"},
 };
 constexpr std::size_t kOutputs = std::size(kRockOutputs);
-constexpr std::size_t placeOf(ExportContent content) {
+constexpr std::size_t placeOf(exports::ExportContent content) {
     for (std::size_t n = 0; n < kOutputs; ++n) {
         if (kRockOutputs[n].content == content) return n;
     }
     return kOutputs;
 }
-constexpr std::size_t kReport = placeOf(ExportContent::RockReport);
-constexpr std::size_t kOutlines = placeOf(ExportContent::RockOutlines);
+constexpr std::size_t kReport = placeOf(exports::ExportContent::RockReport);
+constexpr std::size_t kOutlines = placeOf(exports::ExportContent::RockOutlines);
 
 struct RocksFlags {
     std::string file, folder, writeEdits;
@@ -81,7 +83,7 @@ std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
         if (path.empty() && !flags.folder.empty()) {
             const fs::path tail = output.tail;
             path = (fs::path(flags.folder) / scan.name).string() + tail.stem().string() +
-                   (namesFrame(output.content, tail) ? frameTail(frame) : "") + tail.extension().string();
+                   (exports::namesFrame(output.content, tail) ? frameTail(frame) : "") + tail.extension().string();
         }
         if (!path.empty()) files.push_back({&output, path});
     }
@@ -92,7 +94,7 @@ std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
 
 // "LINE,BEAM" as a cell of the scan.
 Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const char* flag) {
-    const auto corner = parseRegion(text + " " + text);
+    const auto corner = rocks::parseRegion(text + " " + text);
     if (!corner || corner->size() != 2 || !scan.rangeMm.contains(corner->front().line, corner->front().beam))
         return Error{"\"" + text + "\" is no cell of the scan", flag,
                      "give LINE,BEAM with lines from 0 to " + std::to_string(scan.lines() - 1) + " and beams from 0 to " +
@@ -101,42 +103,42 @@ Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const ch
 }
 
 // Splits at these cells, one after the other, like clicks in the viewer.
-Result<Done> split(const RocksFlags& flags, const RockInputs& inputs, RockStudy& study) {
+Result<Done> split(const RocksFlags& flags, const rocks::Inputs& inputs, rocks::Study& study) {
     for (const std::string& text : flags.split) {
         const auto cell = cellOf(text, *inputs.scan, "--split");
         if (!cell) return cell.error();
-        const auto edit = splitAt(*study.leaves, *study.tree, study.settings.level, *cell);
+        const auto edit = rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, *cell);
         if (!edit)
             return Error{"there is nothing to split at " + text, "--split",
                          "choose a cell of a rock that is made of several pieces, or a lower --level"};
-        std::vector<RockEdit> edits = study.edits;
+        std::vector<rocks::Edit> edits = study.edits;
         edits.push_back(*edit);
-        study = studyRocks(inputs, study.settings, edits, &study);
+        study = rocks::studyRocks(inputs, study.settings, edits, &study);
     }
     return Done{};
 }
 
-std::string summary(const RockStudy& study, const std::string& file) {
-    const SizeCurve curve = sizeCurve(study.rocks, study.settings.oversizeM);
-    const RegionCounts fines = regionCounts(study.map, RegionKind::Fines);
-    std::string text = printable(file) + ": " + std::to_string(study.rocks.size()) + " rocks (" + kRockCaveat + ")";
+std::string summary(const rocks::Study& study, const std::string& file) {
+    const rocks::SizeCurve curve = rocks::sizeCurve(study.rocks, study.settings.oversizeM);
+    const rocks::RegionCounts fines = rocks::regionCounts(study.map, rocks::RegionKind::Fines);
+    std::string text = printable(file) + ": " + std::to_string(study.rocks.size()) + " rocks (" + rocks::kRockCaveat + ")";
     if (curve.rocks() > 0)
         text += ", visible width P20 " + fixedText(curve.p20M, 2) + " P50 " + fixedText(curve.p50M, 2) + " P80 " +
                 fixedText(curve.p80M, 2) + " largest " + fixedText(curve.topM, 2) + " m";
     return text + ", " + std::to_string(fines.regions) + " pieces of fines";
 }
 
-Result<Done> answerWhy(const RocksFlags& flags, const RockStudy& study) {
-    const Scan& scan = *study.leaves->inputs.scan;
+Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {
+    const Scan& scan = *study.segmentation->inputs.scan;
     const auto one = cellOf(flags.why[0], scan, "--why");
     const auto other = cellOf(flags.why[1], scan, "--why");
     if (!one || !other) return one ? other.error() : one.error();
-    say(document("rocks-why", whyReport(study, whyTwoRocks(study, *one, *other))), true);
+    printResult(document("rocks-why", exports::whyReport(study, rocks::whyTwoRocks(study, *one, *other))), true);
     return Done{};
 }
 
-Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, const std::shared_ptr<const RockStudy>& study) {
-    ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
+Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
+    exports::ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
     options.rocks = study;
     std::optional<Error> failure; // the other files are still written
     const std::vector<WantedFile> files = wantedFiles(flags, *detection.scan);
@@ -144,17 +146,17 @@ Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, con
     for (const WantedFile& file : files) paths.push_back(file.path);
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
     for (const WantedFile& file : files) {
-        if (file.output->content == ExportContent::RockReport && file.path == "-") {
-            say(document("rocks", rocksReport(*study, options.frame)), true);
+        if (file.output->content == exports::ExportContent::RockReport && file.path == "-") {
+            printResult(document("rocks", exports::rocksReport(*study, options.frame)), true);
             continue;
         }
-        const auto written = exportWithProvenance(file.output->content, detection, file.path, options);
+        const auto written = exports::exportWithProvenance(file.output->content, detection, file.path, options);
         if (!written && !failure) failure = written.error();
     }
     if (!flags.writeEdits.empty()) {
         const Scan& scan = *detection.scan;
-        const RockPreset preset{study->settings, study->edits, scan.sha256};
-        const auto written = writeWholeFile(flags.writeEdits, rockPresetText(preset, scan.lines(), scan.beams()));
+        const rocks::Preset preset{study->settings, study->edits, scan.sha256};
+        const auto written = writeWholeFile(flags.writeEdits, rocks::rockPresetText(preset, scan.lines(), scan.beams()));
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
@@ -162,27 +164,27 @@ Result<Done> writeFiles(const RocksFlags& flags, const Detection& detection, con
     std::string places = printable(flags.folder);
     for (const WantedFile& file : files) {
         if (flags.folder.empty())
-            places += (places.empty() ? "" : ", ") + (goesToNoFile(file.path) ? "standard output" : printable(file.path));
+            places += (places.empty() ? "" : ", ") + (isStreamOrDevice(file.path) ? "standard output" : printable(file.path));
     }
     if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
     if (places.empty())
-        say(summary(*study, flags.file));
+        printResult(summary(*study, flags.file));
     else
-        tellWritten(summary(*study, flags.file) + "; written to " + places + ".", flags.read);
+        reportWritten(summary(*study, flags.file) + "; written to " + places + ".", flags.read);
     return Done{};
 }
 
 Result<Done> findRocks(const RocksFlags& flags) {
-    Result<Scan> opened = openAndTell(flags.file, flags.read);
+    Result<Scan> opened = openAndWarn(flags.file, flags.read);
     if (!opened) return opened.error();
-    if (auto enough = checkMemoryFor(Work::Rocks, *opened); !enough) return enough.error();
-    const Result<Settings> settings = settingsFor(flags.method, *opened);
+    if (auto enough = edges::checkMemoryFor(edges::Work::Rocks, *opened); !enough) return enough.error();
+    const Result<edges::Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
     const auto preset = presetOf(flags.rocks, *opened);
     if (!preset) return preset.error();
-    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, KeepFor::Rocks);
-    const RockInputs inputs = rockInputs(*detection);
-    auto study = std::make_shared<RockStudy>(studyRocks(inputs, *preset->settings, preset->edits));
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings, edges::KeepFor::Rocks);
+    const rocks::Inputs inputs = rocks::rockInputs(*detection);
+    auto study = std::make_shared<rocks::Study>(rocks::studyRocks(inputs, *preset->settings, preset->edits));
     if (const auto done = split(flags, inputs, *study); !done) return done.error();
     if (!flags.why.empty()) {
         if (const auto done = answerWhy(flags, *study); !done) return done.error();
@@ -202,10 +204,10 @@ Result<Done> checkUsage(RocksFlags& flags) {
             if (formats.find("," + asciiLower(fs::path(path).extension().string()) + ",") == std::string::npos)
                 return Error{"the extension names no format for this", path, std::string("use ") + kRockOutputs[n].formats};
         }
-        if (n < kOutputs && kRockOutputs[n].content == ExportContent::RockCloud) {
-            const Format* format = writtenFormat(path);
+        if (n < kOutputs && kRockOutputs[n].content == exports::ExportContent::RockCloud) {
+            const files::Format* format = files::writtenFormat(path);
             if (format == nullptr || format->write == nullptr)
-                return Error{"the extension names no format for points", path, "use " + writtenExtensions(false)};
+                return Error{"the extension names no format for points", path, "use " + files::writtenExtensions(false)};
         }
     }
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
@@ -216,21 +218,21 @@ Result<Done> checkUsage(RocksFlags& flags) {
 
 int run(RocksFlags& flags) {
     if (const Result<Done> usage = checkUsage(flags); !usage) {
-        complain(usage.error());
+        printError(usage.error());
         return kWrongUsage;
     }
     if (!flags.folder.empty()) {
         std::error_code failed;
         fs::create_directories(flags.folder, failed);
         if (failed) {
-            complain({"the folder cannot be made (" + failed.message() + ")", flags.folder, "give -o a folder that can be written to"});
+            printError({"the folder cannot be made (" + failed.message() + ")", flags.folder, "give -o a folder that can be written to"});
             return kRefused;
         }
     }
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;
-    complain(result.error());
-    if (flags.paths[kReport] == "-") say(refusal("rocks", flags.file, result.error()), true);
+    printError(result.error());
+    if (flags.paths[kReport] == "-") printResult(refusal("rocks", flags.file, result.error()), true);
     return kRefused;
 }
 
@@ -238,7 +240,7 @@ int run(RocksFlags& flags) {
 
 void addRocks(CLI::App& app, int& code) {
     auto flags = std::make_shared<RocksFlags>();
-    CLI::App& command = *app.add_subcommand("rocks", std::string("Finds the rocks between the edges: ") + kRockCaveat);
+    CLI::App& command = *app.add_subcommand("rocks", std::string("Finds the rocks between the edges: ") + rocks::kRockCaveat);
     command.add_option("FILE", flags->file, "Scan")->required();
     const char* results = "Results";
     for (std::size_t n = 0; n < kOutputs; ++n)

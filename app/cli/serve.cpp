@@ -23,7 +23,7 @@ struct Serve {
     bool remission = false;
     std::string dialect = "both";
     double seconds = 0.0;
-    EmulatedScannerSettings settings;
+    scanner::EmulatedScannerSettings settings;
     ReadFlags read;
 };
 
@@ -41,20 +41,20 @@ std::string recordFlags(const Scan& scan) {
 }
 
 struct Served {
-    std::unique_ptr<EmulatedScanner> scanner;
+    std::unique_ptr<scanner::EmulatedScanner> scanner;
     std::string recordFlags;
 };
 Result<Served> start(const Serve& serve) {
-    const Result<Scan> scan = openAndTell(serve.file, serve.read);
+    const Result<Scan> scan = openAndWarn(serve.file, serve.read);
     if (!scan) return scan.error();
-    TelegramStyle style;
+    scanner::TelegramStyle style;
     style.remission = serve.remission;
-    Result<std::vector<ScanTelegram>> telegrams = telegramsOf(*scan, style);
+    Result<std::vector<scanner::ScanTelegram>> telegrams = scanner::telegramsOf(*scan, style);
     if (!telegrams) return telegrams.error();
-    EmulatedScannerSettings settings = serve.settings;
-    settings.atEnd = serve.loop ? AtEnd::Again : AtEnd::Stop;
-    if (serve.dialect != "both") settings.only = serve.dialect == "a" ? Dialect::A : Dialect::B;
-    auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+    scanner::EmulatedScannerSettings settings = serve.settings;
+    settings.atEnd = serve.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
+    if (serve.dialect != "both") settings.only = serve.dialect == "a" ? scanner::Dialect::A : scanner::Dialect::B;
+    auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
     if (!scanner) return scanner.error();
     return Served{std::move(*scanner), recordFlags(*scan)};
 }
@@ -62,13 +62,13 @@ Result<Served> start(const Serve& serve) {
 int run(const Serve& serve) {
     const auto served = start(serve);
     if (!served) {
-        complain(served.error());
+        printError(served.error());
         return kRefused;
     }
     catchInterrupt();
     nlohmann::ordered_json flags = nullptr;
     if (!served->recordFlags.empty()) flags = served->recordFlags;
-    say(document("serve", {{"host", serve.settings.address}, {"port", served->scanner->port()}, {"record_flags", flags}}), false);
+    printResult(document("serve", {{"host", serve.settings.address}, {"port", served->scanner->port()}, {"record_flags", flags}}), false);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(serve.seconds);
     while (!interrupted() && (serve.seconds <= 0 || std::chrono::steady_clock::now() < end)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -80,7 +80,7 @@ int run(const Serve& serve) {
 
 void addServe(CLI::App& app, int& code) {
     auto serve = std::make_shared<Serve>();
-    EmulatedScannerSettings& s = serve->settings;
+    scanner::EmulatedScannerSettings& s = serve->settings;
     CLI::App& command =
         *app.add_subcommand("serve", "An emulated LMS511 that sends a scan's lines over TCP; prints host and port, runs until Ctrl+C");
     command.add_option("FILE", serve->file, "Scan to send")->required();

@@ -26,16 +26,18 @@ struct Simulate {
     bool noFootprint = false, noMixedPixels = false, noEchoLoss = false;
     bool progress = false;
     bool holesTyped = false;
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
 };
 
-SimulationSettings settingsOf(const Simulate& simulate) {
-    SimulationSettings settings = simulate.settings;
-    settings.profile = simulate.profile == "high" ? DeviceProfile::HighResolution : DeviceProfile::Standard;
+sim::SimulationSettings settingsOf(const Simulate& simulate) {
+    sim::SimulationSettings settings = simulate.settings;
+    settings.profile = simulate.profile == "high" ? sim::DeviceProfile::HighResolution : sim::DeviceProfile::Standard;
     settings.axis = simulate.axis == "spin" ? Axis::Spin : Axis::Sweep;
     settings.truth = !simulate.truth.empty();
-    settings.hole = simulate.hole == "round" ? WallHole::Round : simulate.hole == "square" ? WallHole::Square : WallHole::None;
-    if (simulate.hole.empty() && simulate.holesTyped) settings.hole = WallHole::Round;
+    settings.hole = simulate.hole == "round"    ? sim::WallHole::Round
+                    : simulate.hole == "square" ? sim::WallHole::Square
+                                                : sim::WallHole::None;
+    if (simulate.hole.empty() && simulate.holesTyped) settings.hole = sim::WallHole::Round;
     settings.surfaceFile = simulate.surface;
     settings.footprint = !simulate.noFootprint;
     settings.mixedPixels = !simulate.noMixedPixels;
@@ -45,7 +47,7 @@ SimulationSettings settingsOf(const Simulate& simulate) {
 
 /// The points of a cloud, metres.
 Result<std::vector<Eigen::Vector3f>> surfaceOf(const std::string& path) {
-    const Result<Scan> cloud = openScan(path);
+    const Result<Scan> cloud = files::openScan(path);
     if (!cloud) return cloud.error();
     const CartesianTables tables(*cloud);
     std::vector<Eigen::Vector3f> points;
@@ -57,35 +59,35 @@ Result<std::vector<Eigen::Vector3f>> surfaceOf(const std::string& path) {
 }
 
 int run(const Simulate& simulate) {
-    if (writtenFormat(simulate.out) == nullptr) {
-        complain({"the extension names no format that can be written", simulate.out, "use " + writtenExtensions(true)});
+    if (files::writtenFormat(simulate.out) == nullptr) {
+        printError({"the extension names no format that can be written", simulate.out, "use " + files::writtenExtensions(true)});
         return kWrongUsage;
     }
-    SimulationProgress progress;
+    sim::SimulationProgress progress;
     if (simulate.progress || isatty(STDERR_FILENO) != 0) {
         progress = [](double fraction) {
-            tellProgress("casting beams " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
+            showProgress("casting beams " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
             return true;
         };
     }
-    SimulationSettings settings = settingsOf(simulate);
+    sim::SimulationSettings settings = settingsOf(simulate);
     if (!simulate.surface.empty()) {
         Result<std::vector<Eigen::Vector3f>> surface = surfaceOf(simulate.surface);
         if (!surface) {
-            complain(surface.error());
+            printError(surface.error());
             return kRefused;
         }
         settings.surface = std::move(*surface);
     }
-    const Result<Simulation> simulation = edgescan::simulate(settings, progress);
+    const Result<sim::Simulation> simulation = edgescan::sim::simulate(settings, progress);
     if (!simulation) {
-        complain(simulation.error());
+        printError(simulation.error());
         return kWrongUsage;
     }
-    Result<Done> saved = saveScan(simulation->scan, simulate.out);
-    if (saved && settings.truth) saved = writeTruth(*simulation, settings, simulate.truth);
+    Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
+    if (saved && settings.truth) saved = lab::writeTruth(*simulation, settings, simulate.truth);
     if (saved) return kDone;
-    complain(saved.error());
+    printError(saved.error());
     return kRefused;
 }
 
@@ -110,7 +112,8 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
                                 {"--holes", {"wall"}},
                                 {"--hole-size", {"wall"}}};
     const std::string& chosen = simulate.settings.scene;
-    const bool known = std::ranges::any_of(simulationScenes(), [&](const SimulationScene& scene) { return scene.name == chosen; });
+    const bool known =
+        std::ranges::any_of(sim::simulationScenes(), [&](const sim::SimulationScene& scene) { return scene.name == chosen; });
     for (const Use& use : uses) {
         if (!known || command.count(use.flag) == 0 || std::ranges::find(use.scenes, chosen) != use.scenes.end()) continue;
         std::string names;
@@ -124,21 +127,22 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
 
 std::string sceneHelp() {
     std::string text = "What is scanned:";
-    for (const SimulationScene& scene : simulationScenes()) text += std::string(" ") + scene.name + " (" + scene.help + ")";
+    for (const sim::SimulationScene& scene : sim::simulationScenes()) text += std::string(" ") + scene.name + " (" + scene.help + ")";
     return text;
 }
 
 /// Adds a number of the settings, with the simulation's limits for it.
 template <class Value>
 CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& value, const char* help) {
-    const auto known = simulationNumbers();
-    const auto number = std::ranges::find_if(known, [&](const SimulationNumber& n) { return std::string_view(flag).substr(2) == n.key; });
+    const auto known = sim::simulationNumbers();
+    const auto number =
+        std::ranges::find_if(known, [&](const sim::SimulationNumber& n) { return std::string_view(flag).substr(2) == n.key; });
     return *addNumber(command, flag, value, number == known.end() ? NumberLimits{0, -1} : number->limits, help).group(group);
 }
 
 void addSceneFlags(CLI::App& command, Simulate& simulate) {
     const char* group = "Scene";
-    SimulationSettings& s = simulate.settings;
+    sim::SimulationSettings& s = simulate.settings;
     command
         .add_flag("--after-blast", s.afterBlast, "The hang-up after a blast: some rocks gone, others fallen or slid, the rest as before")
         ->group(group);
@@ -165,7 +169,7 @@ void addSceneFlags(CLI::App& command, Simulate& simulate) {
 
 void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
     const char* group = "Measurement";
-    SimulationSettings& s = simulate.settings;
+    sim::SimulationSettings& s = simulate.settings;
     add(command, group, "--noise", s.noise, "Times the range noise of the device");
     add(command, group, "--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1");
     add(command, group, "--dust", s.dust, "Share of cells with an echo from dust, 0 to 1");
@@ -182,7 +186,7 @@ void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
 }
 
 /// Mounting errors that a calibration estimates (docs/calibration.md).
-void addAssemblyFlags(CLI::App& command, SimulationSettings& s) {
+void addAssemblyFlags(CLI::App& command, sim::SimulationSettings& s) {
     const char* group = "Assembly, unknown to the scan";
     add(command, group, "--mount-t1", s.assembly.t1Mm(), "Lever arm of the scanner: along x of a spin, along y of a sweep [mm]");
     add(command, group, "--mount-t2", s.assembly.t2Mm(), "Lever arm of the scanner: along y of a spin, along z of a sweep [mm]");
@@ -196,9 +200,10 @@ void addAssemblyFlags(CLI::App& command, SimulationSettings& s) {
 
 void addSimulate(CLI::App& app, int& code) {
     auto simulate = std::make_shared<Simulate>();
-    SimulationSettings& s = simulate->settings;
+    sim::SimulationSettings& s = simulate->settings;
     CLI::App& command = *app.add_subcommand("simulate", "A synthetic draw-bell sweep of an LMS511; same seed, same bytes");
-    command.add_option("-o,--output", simulate->out, "New file: " + writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")
+    command
+        .add_option("-o,--output", simulate->out, "New file: " + files::writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")
         ->required();
     command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
@@ -219,7 +224,7 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
     command.callback([simulate, &command, &code] {
         if (const std::optional<Error> wrong = idleFlag(command, *simulate)) {
-            complain(*wrong);
+            printError(*wrong);
             code = kWrongUsage;
             return;
         }

@@ -35,14 +35,15 @@ Grid<std::uint8_t> shrunk(const Scan& scan, const Grid<std::uint8_t>& levels, in
 }
 
 int run(const Thumbnail& thumbnail) {
-    const Result<Scan> scan = openScan(thumbnail.in);
+    const Result<Scan> scan = files::openScan(thumbnail.in);
     if (!scan) {
-        complain(scan.error());
+        printError(scan.error());
         return kRefused;
     }
-    const Result<Done> saved = savePng8(shrunk(*scan, grayImage(*scan, Settings{}).levels, thumbnail.size), thumbnail.out);
+    const Result<Done> saved =
+        containers::savePng8(shrunk(*scan, edges::grayImage(*scan, edges::Settings{}).levels, thumbnail.size), thumbnail.out);
     if (saved) return kDone;
-    complain(saved.error());
+    printError(saved.error());
     return kRefused;
 }
 

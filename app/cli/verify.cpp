@@ -22,7 +22,7 @@ struct Verify {
 
 /// The named exports without duplicates. A record counts as its export: users type `verify RESULTS/*`.
 std::vector<std::string> exportsOf(const std::vector<std::string>& named) {
-    static const std::string kRecord = sidecarPath("").string();
+    static const std::string kRecord = files::sidecarPath("").string();
     std::vector<std::string> exports;
     for (const std::string& file : named) {
         const std::string whole = file.ends_with(kRecord) ? file.substr(0, file.size() - kRecord.size()) : file;
@@ -37,13 +37,14 @@ int run(const Verify& verify) {
     if (!verify.scans.empty()) scans = verify.scans;
     for (const std::string& file : exportsOf(verify.files)) {
         const auto one = [&] {
-            const Result<Verification> verification = verifyExport(file, scans);
-            if (!verification) complain(verification.error());
+            const Result<exports::Verification> verification = exports::verifyExport(file, scans);
+            if (!verification) printError(verification.error());
             if (verify.json)
-                say(verification ? document("verify", verificationReport(*verification)) : refusal("verify", file, verification.error()),
-                    false);
+                printResult(verification ? document("verify", exports::verificationReport(*verification))
+                                         : refusal("verify", file, verification.error()),
+                            false);
             else if (verification)
-                say(verificationText(*verification));
+                printResult(exports::verificationText(*verification));
             return verification && verification->identical ? kDone : kRefused;
         };
         if (guarded(one, kRefused) != kDone) code = kRefused;

@@ -23,31 +23,31 @@ struct WhyFlags {
 };
 
 Result<Done> explain(const WhyFlags& flags) {
-    Result<Scan> opened = openAndTell(flags.file, flags.read);
+    Result<Scan> opened = openAndWarn(flags.file, flags.read);
     if (!opened) return opened.error();
     if (!opened->rangeMm.contains(flags.line, flags.beam)) {
         return Error{"there is no cell at line " + std::to_string(flags.line) + ", beam " + std::to_string(flags.beam), flags.file,
                      "lines run from 0 to " + std::to_string(opened->lines() - 1) + ", beams from 0 to " +
                          std::to_string(opened->beams() - 1)};
     }
-    if (auto enough = checkMemoryFor(Work::Explain, *opened); !enough) return enough.error();
-    const Result<Settings> settings = settingsFor(flags.method, *opened);
+    if (auto enough = edges::checkMemoryFor(edges::Work::Explain, *opened); !enough) return enough.error();
+    const Result<edges::Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
-    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
-    const Why why = whyCell(*detection, detection->scan->rangeMm.index(flags.line, flags.beam));
-    say(document("why", whyReport(*detection, why)), true);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
+    const edges::Why why = edges::whyCell(*detection, detection->scan->rangeMm.index(flags.line, flags.beam));
+    printResult(document("why", exports::whyReport(*detection, why)), true);
     return Done{};
 }
 
 int run(const WhyFlags& flags) {
     const Result<Done> method = checkMethod(flags.method);
     if (!method) {
-        complain(method.error());
+        printError(method.error());
         return kWrongUsage;
     }
     const Result<Done> result = explain(flags);
     if (result) return kDone;
-    complain(result.error());
+    printError(result.error());
     return kRefused;
 }
 

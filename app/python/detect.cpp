@@ -20,7 +20,7 @@ namespace edgescan::python {
 namespace {
 
 cli::MethodFlags flagsOf(const Typed& typed, const std::string& preset) {
-    cli::MethodFlags flags = cli::nothingTyped();
+    cli::MethodFlags flags = cli::noFlags();
     flags.preset = preset;
     for (const auto& [key, text] : typed) flags.typed.at(key) = text;
     return flags;
@@ -31,15 +31,15 @@ ResultObject detect(const ScanObject& of, const Typed& typed, const std::string&
         const BindInputs inputs;
         const cli::MethodFlags flags = flagsOf(typed, preset);
         taken(cli::checkMethod(flags));
-        taken(checkMemoryFor(Work::Detect, *of.scan));
-        return {detectEdges(of.scan, taken(cli::settingsFor(flags, *of.scan)))};
+        taken(edges::checkMemoryFor(edges::Work::Detect, *of.scan));
+        return {edges::detectEdges(of.scan, taken(cli::settingsFor(flags, *of.scan)))};
     });
 }
 
 py::array strengthOf(const ResultObject& result) {
     const auto kept = result.strength;
     unlocked([&] {
-        std::call_once(kept->once, [&] { kept->map = thresholdMapOf(*result.detection); });
+        std::call_once(kept->once, [&] { kept->map = edges::thresholdMapOf(*result.detection); });
         return Done{};
     });
     return gridArray(kept->map.highest, kept);
@@ -47,16 +47,16 @@ py::array strengthOf(const ResultObject& result) {
 
 struct Content {
     const char* name;
-    ExportContent content;
+    exports::ExportContent content;
 };
-constexpr std::array<Content, 6> kContents{{{"edges", ExportContent::EdgeCloud},
-                                            {"cloud", ExportContent::FullCloud},
-                                            {"mask", ExportContent::EdgeImage},
-                                            {"gray", ExportContent::GrayImage},
-                                            {"range", ExportContent::RangeImage},
-                                            {"scan", ExportContent::WholeScan}}};
+constexpr std::array<Content, 6> kContents{{{"edges", exports::ExportContent::EdgeCloud},
+                                            {"cloud", exports::ExportContent::FullCloud},
+                                            {"mask", exports::ExportContent::EdgeImage},
+                                            {"gray", exports::ExportContent::GrayImage},
+                                            {"range", exports::ExportContent::RangeImage},
+                                            {"scan", exports::ExportContent::WholeScan}}};
 
-ExportContent contentOf(const std::string& name) {
+exports::ExportContent contentOf(const std::string& name) {
     std::string names;
     for (const Content& content : kContents) {
         if (name == content.name) return content.content;
@@ -79,30 +79,31 @@ cli::WriteFlags writeFlagsOf(const Typed& typed) {
     flags.includeAttached = text("include-attached", "off") == "on";
     flags.operatorName = text("operator", "");
     flags.role = text("role", "");
-    for (const WritingChoice& choice : kWritingChoices) flags.choices.*choice.member = text(choice.key, "off") == "on";
+    for (const files::WritingChoice& choice : files::kWritingChoices) flags.choices.*choice.member = text(choice.key, "off") == "on";
     return flags;
 }
 
-std::size_t write(const Detection& detection, ExportContent content, const std::string& path, const Typed& typed) {
+std::size_t write(const edges::Detection& detection, exports::ExportContent content, const std::string& path, const Typed& typed) {
     const cli::WriteFlags flags = writeFlagsOf(typed);
     return unlocked([&] {
         const BindInputs inputs;
         const Scan& scan = *detection.scan;
         if (!scan.path.empty()) claimInput(scan.path);
-        const bool points = isCloud(content) || content == ExportContent::WholeScan;
-        const Format* format = points ? writtenFormat(path) : nullptr;
-        if (points && (format == nullptr || (isCloud(content) && format->write == nullptr)))
-            throw Refused{{"the extension names no format for points", path, "use " + writtenExtensions(!isCloud(content))}};
-        const bool asMeasured = content == ExportContent::WholeScan && format->keepsPlace;
-        const ExportOptions options = cli::exportOptions(flags, asMeasured ? CoordinateFrame::Scanner : usualFrame(scan));
-        return taken(exportWithProvenance(content, detection, path, options));
+        const bool points = exports::isCloud(content) || content == exports::ExportContent::WholeScan;
+        const files::Format* format = points ? files::writtenFormat(path) : nullptr;
+        if (points && (format == nullptr || (exports::isCloud(content) && format->write == nullptr)))
+            throw Refused{
+                {"the extension names no format for points", path, "use " + files::writtenExtensions(!exports::isCloud(content))}};
+        const bool asMeasured = content == exports::ExportContent::WholeScan && format->keepsPlace;
+        const exports::ExportOptions options = cli::exportOptions(flags, asMeasured ? CoordinateFrame::Scanner : usualFrame(scan));
+        return taken(exports::exportWithProvenance(content, detection, path, options));
     });
 }
 
 std::size_t saveScanObject(const ScanObject& scan, const std::string& path, const Typed& typed) {
-    Detection detection;
+    edges::Detection detection;
     detection.scan = scan.scan;
-    return write(detection, ExportContent::WholeScan, path, typed);
+    return write(detection, exports::ExportContent::WholeScan, path, typed);
 }
 
 std::size_t saveResult(const ResultObject& result, const std::string& path, const std::string& content, const Typed& typed) {
@@ -116,7 +117,7 @@ py::object evaluate(const Grid<std::uint8_t>& mask, const py::object& truth, con
     if (simulation == nullptr) where = py::str(truth);
     const nlohmann::ordered_json json = unlocked([&] {
         if (!(tolerance >= 0 && tolerance <= 20)) throw Refused{{"the tolerance is out of reason", "tolerance", "give 0 to 20 cells"}};
-        const TruthSet set = simulation != nullptr ? taken(truthOf(*simulation)) : taken(readTruth(where));
+        const lab::TruthSet set = simulation != nullptr ? taken(truthOf(*simulation)) : taken(lab::readTruth(where));
         const Grid<std::uint8_t>& wanted = set.edges.edgeClass;
         if (mask.lines != wanted.lines || mask.beams != wanted.beams)
             throw Refused{{"it has " + std::to_string(mask.lines) + " x " + std::to_string(mask.beams) + " cells and its truth " +
@@ -126,11 +127,11 @@ py::object evaluate(const Grid<std::uint8_t>& mask, const py::object& truth, con
         if (scan != nullptr && (scan->lines() != mask.lines || scan->beams() != mask.beams))
             throw Refused{{"the ranges and the mask have different shapes", scan->path, "give the scan that the mask was made from"}};
         if (scan != nullptr) {
-            taken(checkTruthFits(*scan, set, where));
-            taken(checkMemoryFor(Work::Compare, *scan));
+            taken(lab::checkTruthFits(*scan, set, where));
+            taken(edges::checkMemoryFor(edges::Work::Compare, *scan));
         }
-        const Evaluation found = evaluateMask(mask, set, scan, tolerance);
-        return nlohmann::ordered_json{{"tolerance", tolerance}, {"fixed", evaluationJson(found)}, {"rocks", rocksJson(found)}};
+        const lab::Evaluation found = lab::evaluateMask(mask, set, scan, tolerance);
+        return nlohmann::ordered_json{{"tolerance", tolerance}, {"fixed", lab::evaluationJson(found)}, {"rocks", lab::rocksJson(found)}};
     });
     return objectOf(json);
 }
@@ -149,19 +150,19 @@ py::object evaluateResult(const ResultObject& result, const py::object& truth, d
     return evaluate(*result.detection->mask, truth, &ranges, tolerance);
 }
 
-py::dict timesOf(const Detection& detection) {
+py::dict timesOf(const edges::Detection& detection) {
     py::dict times;
-    for (const StageTime& time : detection.timings) times[py::str(time.stage)] = time.milliseconds;
+    for (const edges::StageTime& time : detection.timings) times[py::str(time.stage)] = time.milliseconds;
     return times;
 }
 
-std::string textOf(const Detection& detection) {
+std::string textOf(const edges::Detection& detection) {
     return "<edgescan.Result " + detection.scan->name + ": " + std::to_string(detection.edges->size()) + " edge cells of " +
            std::to_string(detection.scan->cells()) + ">";
 }
 
 void bindResult(py::module_& module) {
-    using D = std::shared_ptr<const Detection>;
+    using D = std::shared_ptr<const edges::Detection>;
     py::class_<ResultObject> type(module, "Result", "The edges that one run of the method found in one scan.");
     // clang-format off
     const auto property = [&](const char* name, const auto& get, const char* help) {
@@ -176,17 +177,17 @@ void bindResult(py::module_& module) {
              "uint32, ascending: index line * beams + beam of every edge cell. No copy, read only.");
     property("gray", [](const D& d) -> py::object { return d->gray ? gridArray(d->gray->levels, d) : py::object(py::none()); },
              "uint8, lines x beams: gray levels, 0 where there is no range. No copy, read only.");
-    property("settings", [](const D& d) { return objectOf(settingsToJson(d->settings)); }, "Every parameter's value, by its key.");
-    property("threshold", [](const D& d) { return std::string(sweptParameter(d->settings.method).key); },
+    property("settings", [](const D& d) { return objectOf(edges::settingsToJson(d->settings)); }, "Every parameter's value, by its key.");
+    property("threshold", [](const D& d) { return std::string(edges::sweptParameter(d->settings.method).key); },
              "Key of the parameter that `strength` is in units of.");
     property("times_ms", [](const D& d) { return timesOf(*d); }, "Milliseconds of each stage.");
-    property("mask_sha256", [](const D& d) { return maskSha256(*d->mask); }, "SHA-256 of the bytes of `mask`, as the command line prints it.");
+    property("mask_sha256", [](const D& d) { return exports::maskSha256(*d->mask); }, "SHA-256 of the bytes of `mask`, as the command line prints it.");
     // clang-format on
     type.def_property_readonly("strength", &strengthOf,
                                "float64, lines x beams: the highest value of the parameter `threshold` at which the cell is an edge; "
                                "negative: at none, infinite: at all. Worked out when first asked for. No copy, read only.");
     type.def(
-        "report", [](const ResultObject& self) { return objectOf(detectReport(*self.detection, 0.0)); },
+        "report", [](const ResultObject& self) { return objectOf(exports::detectReport(*self.detection, 0.0)); },
         "The JSON of `edgescan-cli detect --json` as a dict.");
     type.def("__repr__", [](const ResultObject& self) { return textOf(*self.detection); });
 }
@@ -201,7 +202,7 @@ void bindDetect(py::module_& module) {
     module.def("evaluate_result", &evaluateResult);
     module.def("evaluate_mask", &evaluateArray, py::arg("mask"), py::arg("truth"), py::arg("ranges").none(true), py::arg("tolerance"));
     module.def("read_mask", [](const std::string& path) {
-        const auto mask = std::make_shared<const Grid<std::uint8_t>>(taken(readPng8(path)));
+        const auto mask = std::make_shared<const Grid<std::uint8_t>>(taken(containers::readPng8(path)));
         return gridArray(*mask, mask);
     });
 }

@@ -17,7 +17,9 @@ void raiseSignal() {
     if (PyErr_Occurred() != nullptr) throw py::error_already_set();
 }
 
-py::object objectOf(const nlohmann::ordered_json& json) { return py::module_::import("json").attr("loads")(reportText(json, false)); }
+py::object objectOf(const nlohmann::ordered_json& json) {
+    return py::module_::import("json").attr("loads")(exports::reportText(json, false));
+}
 
 namespace {
 

@@ -11,11 +11,11 @@
 namespace edgescan::python {
 
 struct ResultObject {
-    std::shared_ptr<const Detection> detection;
+    std::shared_ptr<const edges::Detection> detection;
     /// Computed at the first access.
     struct Strength {
         std::once_flag once;
-        ThresholdMap map;
+        edges::ThresholdMap map;
     };
     std::shared_ptr<Strength> strength = std::make_shared<Strength>();
 };

@@ -12,19 +12,19 @@ namespace {
 
 /// The part that does not depend on the settings.
 struct Pieces {
-    RockLeaves leaves;
-    MergeTree tree;
+    rocks::Segmentation leaves;
+    rocks::MergeTree tree;
 };
 
 struct RocksObject {
     std::shared_ptr<const Pieces> pieces;
-    std::shared_ptr<const RockMap> map;
+    std::shared_ptr<const rocks::RegionMap> map;
     std::shared_ptr<const Grid<std::uint32_t>> labels, regions;
 };
 
-RockSettings settingsOf(const std::map<std::string, double>& numbers, const std::string& region) {
-    RockSettings settings;
-    for (const RockParameter& parameter : rockParameters()) {
+rocks::RockSettings settingsOf(const std::map<std::string, double>& numbers, const std::string& region) {
+    rocks::RockSettings settings;
+    for (const rocks::RockParameter& parameter : rocks::rockParameters()) {
         const auto given = numbers.find(parameter.key);
         if (given == numbers.end()) continue;
         const double value = given->second;
@@ -36,36 +36,37 @@ RockSettings settingsOf(const std::map<std::string, double>& numbers, const std:
         if (parameter.get(settings) != value)
             throw Refused{{shortestText(value) + " is not a whole number", parameter.key, "give a whole number"}};
     }
-    if (!region.empty()) settings.region = taken(parseRegion(region));
+    if (!region.empty()) settings.region = taken(rocks::parseRegion(region));
     return settings;
 }
 
-RocksObject at(std::shared_ptr<const Pieces> pieces, const RockSettings& settings) {
-    auto map = std::make_shared<const RockMap>(rocksAt(pieces->leaves, pieces->tree, settings));
-    auto labels = std::make_shared<const Grid<std::uint32_t>>(rockLabels(pieces->leaves, *map));
-    auto regions = std::make_shared<const Grid<std::uint32_t>>(regionLabels(pieces->leaves, *map));
+RocksObject at(std::shared_ptr<const Pieces> pieces, const rocks::RockSettings& settings) {
+    auto map = std::make_shared<const rocks::RegionMap>(rocks::rocksAt(pieces->leaves, pieces->tree, settings));
+    auto labels = std::make_shared<const Grid<std::uint32_t>>(rocks::rockLabels(pieces->leaves, *map));
+    auto regions = std::make_shared<const Grid<std::uint32_t>>(rocks::regionLabels(pieces->leaves, *map));
     return {std::move(pieces), std::move(map), std::move(labels), std::move(regions)};
 }
 
 RocksObject rocks(const ResultObject& result, const std::map<std::string, double>& numbers, const std::string& region) {
-    const RockSettings settings = settingsOf(numbers, region);
+    const rocks::RockSettings settings = settingsOf(numbers, region);
     return unlocked([&] {
         auto pieces = std::make_shared<Pieces>();
-        pieces->leaves = rockLeaves(rockInputs(*result.detection));
-        pieces->tree = mergeTree(pieces->leaves.count(), pieces->leaves.borders);
+        pieces->leaves = rocks::segmentRocks(rocks::rockInputs(*result.detection));
+        pieces->tree = rocks::mergeTree(pieces->leaves.count(), pieces->leaves.borders);
         return at(std::move(pieces), settings);
     });
 }
 
-py::list tableOf(const RockMap& map) {
+py::list tableOf(const rocks::RegionMap& map) {
     py::list rows;
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
-        const RockRegion& region = map.regions[n];
+        const rocks::Region& region = map.regions[n];
         // NaN for a region without a measured cell
         const Eigen::Vector3d centre = region.sums.sumM / static_cast<double>(region.sums.cells);
-        rows.append(py::dict(py::arg("label") = n, py::arg("kind") = regionKindName(region.kind), py::arg("cells") = region.sums.cells,
-                             py::arg("area_m2") = region.sums.areaM2, py::arg("long_m") = region.longM, py::arg("x_m") = centre.x(),
-                             py::arg("y_m") = centre.y(), py::arg("z_m") = centre.z(), py::arg("evidence") = region.evidence,
+        rows.append(py::dict(py::arg("label") = n, py::arg("kind") = rocks::regionKindName(region.kind),
+                             py::arg("cells") = region.sums.cells, py::arg("area_m2") = region.sums.areaM2,
+                             py::arg("long_m") = region.longM, py::arg("x_m") = centre.x(), py::arg("y_m") = centre.y(),
+                             py::arg("z_m") = centre.z(), py::arg("evidence") = region.evidence,
                              py::arg("confidence") = region.confidence));
     }
     return rows;
@@ -93,12 +94,12 @@ void bindRocks(py::module_& module) {
         "across the beams), long_m (4 "
         "standard deviations along its longest axis), x_m, y_m, z_m (mean, metres from the sensor), evidence, confidence.");
     property(
-        "settings", [](const RocksObject& r) { return objectOf(rockSettingsToJson(r.map->settings)); }, "What it was made with.");
+        "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.map->settings)); }, "What it was made with.");
     type.def(
         "at",
         [](const RocksObject& self, double level) {
-            RockSettings settings = self.map->settings;
-            const RockSettings checked = settingsOf({{"level", level}}, "");
+            rocks::RockSettings settings = self.map->settings;
+            const rocks::RockSettings checked = settingsOf({{"level", level}}, "");
             settings.level = checked.level;
             return unlocked([&] { return at(self.pieces, settings); });
         },
@@ -106,8 +107,8 @@ void bindRocks(py::module_& module) {
     module.def("rocks", &rocks);
     module.def("rock_parameters", [] {
         py::list rows;
-        const RockSettings usual;
-        for (const RockParameter& p : rockParameters())
+        const rocks::RockSettings usual;
+        for (const rocks::RockParameter& p : rocks::rockParameters())
             rows.append(py::dict(py::arg("key") = p.key, py::arg("help") = p.help, py::arg("unit") = p.unit, py::arg("minimum") = p.minimum,
                                  py::arg("maximum") = p.maximum, py::arg("default") = shortestText(p.get(usual))));
         return rows;

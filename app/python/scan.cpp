@@ -23,7 +23,7 @@ ScanObject openFile(const std::string& path, const Typed& typed) {
         option.set(options, text->second);
     }
     options.progress = [](const char*, double) { return noSignal(); };
-    Result<Scan> scan = unlocked([&] { return openAsAsked(path, options); });
+    Result<Scan> scan = unlocked([&] { return files::openAsAsked(path, options); });
     raiseSignal();
     return {std::make_shared<const Scan>(taken(std::move(scan)))};
 }
@@ -114,7 +114,8 @@ void bindScan(py::module_& module) {
         "float64, lines x beams x 3, m: the point of every cell, NaN where the cell has no range.\n\n"
         "frame: 'scanner', 'local' (east, north, up from `origin`) or 'mine' (Easting, Northing, Elevation).");
     type.def(
-        "info", [](const ScanObject& self) { return objectOf(infoReport(*self.scan)); }, "The JSON of `edgescan-cli info` as a dict.");
+        "info", [](const ScanObject& self) { return objectOf(exports::infoReport(*self.scan)); },
+        "The JSON of `edgescan-cli info` as a dict.");
     type.def("__repr__", [](const ScanObject& self) { return textOf(*self.scan); });
     module.def("open", &openFile);
 }

@@ -20,7 +20,7 @@ std::size_t wordOf(const std::string& key, const std::string& text, const std::v
     throw Refused{{"\"" + text + "\" is none of its values", key, "use one of " + all}};
 }
 
-void setNumber(SimulationSettings& settings, const SimulationNumber& number, double value) {
+void setNumber(sim::SimulationSettings& settings, const sim::SimulationNumber& number, double value) {
     if (!number.limits.hold(value))
         throw Refused{{shortestText(value) + " is out of reason", number.key,
                        "give " + shortestText(number.limits.least) + " to " + shortestText(number.limits.most)}};
@@ -28,16 +28,17 @@ void setNumber(SimulationSettings& settings, const SimulationNumber& number, dou
     if (number.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", number.key, "give a whole number"}};
 }
 
-void setWord(SimulationSettings& s, const std::string& key, const std::string& text) {
+void setWord(sim::SimulationSettings& s, const std::string& key, const std::string& text) {
     const auto on = [&] { return wordOf(key, text, {"off", "on"}) == 1; };
     if (key == "scene")
         s.scene = text;
     else if (key == "axis")
         s.axis = wordOf(key, text, {"spin", "sweep"}) == 0 ? Axis::Spin : Axis::Sweep;
     else if (key == "profile")
-        s.profile = wordOf(key, text, {"high", "standard"}) == 0 ? DeviceProfile::HighResolution : DeviceProfile::Standard;
+        s.profile = wordOf(key, text, {"high", "standard"}) == 0 ? sim::DeviceProfile::HighResolution : sim::DeviceProfile::Standard;
     else if (key == "hole")
-        s.hole = std::array{WallHole::None, WallHole::Round, WallHole::Square}[wordOf(key, text, {"none", "round", "square"})];
+        s.hole =
+            std::array{sim::WallHole::None, sim::WallHole::Round, sim::WallHole::Square}[wordOf(key, text, {"none", "round", "square"})];
     else if (key == "footprint")
         s.footprint = on();
     else if (key == "mixed-pixels")
@@ -54,15 +55,15 @@ void setWord(SimulationSettings& s, const std::string& key, const std::string& t
 
 SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& numbers, const Typed& words, const ScanObject* surface) {
     SimulationObject object;
-    SimulationSettings& settings = object.settings;
+    sim::SimulationSettings& settings = object.settings;
     settings.seed = seed;
-    for (const SimulationNumber& number : simulationNumbers()) {
+    for (const sim::SimulationNumber& number : sim::simulationNumbers()) {
         if (const auto given = numbers.find(number.key); given != numbers.end()) setNumber(settings, number, given->second);
     }
     for (const auto& [key, text] : words) setWord(settings, key, text);
     // As on the command line: holes are round by default.
-    if (!words.contains("hole") && (numbers.contains("holes") || numbers.contains("hole-size"))) settings.hole = WallHole::Round;
-    Result<Simulation> made = unlocked([&] {
+    if (!words.contains("hole") && (numbers.contains("holes") || numbers.contains("hole-size"))) settings.hole = sim::WallHole::Round;
+    Result<sim::Simulation> made = unlocked([&] {
         if (surface != nullptr) {
             const CartesianTables tables(*surface->scan);
             for (std::size_t k = 0; k < surface->scan->cells(); ++k) {
@@ -71,10 +72,10 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
             for (const AttachedPoint& point : surface->scan->attached) settings.surface.emplace_back(point.pointM.cast<float>());
             settings.surfaceFile = surface->scan->path;
         }
-        return simulate(settings, [](double) { return noSignal(); });
+        return sim::simulate(settings, [](double) { return noSignal(); });
     });
     raiseSignal();
-    object.simulation = std::make_shared<const Simulation>(taken(std::move(made)));
+    object.simulation = std::make_shared<const sim::Simulation>(taken(std::move(made)));
     object.scan = ScanPtr(object.simulation, &object.simulation->scan);
     return object;
 }
@@ -82,8 +83,8 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
 /// The truth's grids as arrays; the keys are the names of the files that the command line writes.
 py::object truthArrays(const SimulationObject& object) {
     if (!object.simulation->truth) return py::none();
-    const auto set = unlocked([&] { return std::make_shared<const TruthSet>(taken(truthOf(object))); });
-    const SimulationTruth& truth = *object.simulation->truth;
+    const auto set = unlocked([&] { return std::make_shared<const lab::TruthSet>(taken(truthOf(object))); });
+    const sim::SimulationTruth& truth = *object.simulation->truth;
     py::dict arrays;
     arrays["edge_class"] = gridArray(set->edges.edgeClass, set);
     arrays["ignore"] = gridArray(set->edges.ignore, set);
@@ -95,9 +96,9 @@ py::object truthArrays(const SimulationObject& object) {
 
 } // namespace
 
-Result<TruthSet> truthOf(const SimulationObject& object) {
+Result<lab::TruthSet> truthOf(const SimulationObject& object) {
     if (!object.simulation->truth) return Error{"it was made without ground truth", "the simulation", "simulate with truth=True"};
-    return truthSetOf(*object.simulation);
+    return lab::truthSetOf(*object.simulation);
 }
 
 void bindSimulate(py::module_& module) {
@@ -113,7 +114,7 @@ void bindSimulate(py::module_& module) {
             [](const SimulationObject& self, const std::string& folder) {
                 unlocked([&] {
                     if (!self.simulation->truth) taken(truthOf(self));
-                    return taken(writeTruth(*self.simulation, self.settings, folder));
+                    return taken(lab::writeTruth(*self.simulation, self.settings, folder));
                 });
             },
             py::arg("folder"), "Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does.");

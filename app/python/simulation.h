@@ -8,12 +8,12 @@
 namespace edgescan::python {
 
 struct SimulationObject {
-    std::shared_ptr<const Simulation> simulation;
+    std::shared_ptr<const sim::Simulation> simulation;
     ScanPtr scan; ///< the simulated scan
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
 };
 
 /// Error: the simulation was made without truth.
-[[nodiscard]] Result<TruthSet> truthOf(const SimulationObject& object);
+[[nodiscard]] Result<lab::TruthSet> truthOf(const SimulationObject& object);
 
 } // namespace edgescan::python

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 /// The state of a sweep at one moment.
 struct SweepObject {
     ScanPtr scan;
-    SweepProgress progress;
+    scanner::SweepProgress progress;
     bool finished = false; ///< all expected lines arrived, or the next sweep began
 };
 
@@ -45,7 +45,7 @@ public:
         if (!(speed >= 0 && speed <= 1e6)) throw Refused{{"the speed is out of reason", "speed", "give 0 to 1000000"}};
         options_.pose = pose;
         options_.calibration = calibration;
-        replay_.emplace(unlocked([&] { return Replay(taken(Recording::open(path)), options_); }));
+        replay_.emplace(unlocked([&] { return files::Replay(taken(files::Recording::open(path)), options_); }));
         if (replay_->lines() == 0)
             throw Refused{
                 {"this recording holds no scan telegram" + replay_->recording().whatWasLeftOut(), path, "choose another recording"}};
@@ -77,13 +77,13 @@ private:
     void step() {
         const int before = replay_->position();
         replay_->step();
-        SweepAssembler& assembler = replay_->feed().assembler();
-        for (FinishedSweep& sweep : assembler.takeFinished()) add(sweep.scan, std::move(sweep.progress), true);
+        scanner::SweepAssembler& assembler = replay_->feed().assembler();
+        for (scanner::FinishedSweep& sweep : assembler.takeFinished()) add(sweep.scan, std::move(sweep.progress), true);
         if (replay_->position() == before || replay_->position() % every_ != 0 || replay_->atEnd()) return;
         if (const auto scan = replay_->snapshot()) add(scan, replay_->progress(), false);
     }
-    void add(const ScanPtr& scan, SweepProgress progress, bool finished) {
-        Scan described = taken(describedSweep(*scan, replay_->recording(), path_, options_));
+    void add(const ScanPtr& scan, scanner::SweepProgress progress, bool finished) {
+        Scan described = taken(files::describedSweep(*scan, replay_->recording(), path_, options_));
         waiting_.push_back({std::make_shared<const Scan>(std::move(described)), std::move(progress), finished});
     }
 
@@ -91,7 +91,7 @@ private:
     const int every_;
     const double speed_;
     ReadingOptions options_;
-    std::optional<Replay> replay_;
+    std::optional<files::Replay> replay_;
     std::deque<SweepObject> waiting_;
     Clock::time_point started_;
 };
@@ -99,12 +99,12 @@ private:
 /// A live scanner: yields the newest state of the sweep after each change, and each finished sweep.
 class ConnectionObject {
 public:
-    ConnectionObject(const std::string& address, const SweepSettings& sweep, const std::string& record) : address_(address) {
+    ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record) : address_(address) {
         const cli::HostPort typed = taken(cli::hostPort(address));
-        SessionSettings scanner;
+        scanner::SessionSettings scanner;
         scanner.host = typed.host;
         scanner.port = typed.port;
-        feed_ = std::make_unique<LiveFeed>(scanner, sweep, [this] {
+        feed_ = std::make_unique<files::LiveFeed>(scanner, sweep, [this] {
             {
                 const std::lock_guard lock(mutex_);
                 changed_ = true;
@@ -129,16 +129,16 @@ public:
         while (true) {
             if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
             if (stopped_) throw py::stop_iteration();
-            if (Clock::now() >= end) throw Refused{withoutLines(feed_->status().session, address_)};
+            if (Clock::now() >= end) throw Refused{scanner::noLinesError(feed_->status().session, address_)};
             unlocked([&] { return wait(end); });
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         }
     }
 
     void stop() {
-        const Result<RecordingState> closed = unlocked([&]() -> Result<RecordingState> {
+        const Result<files::RecordingState> closed = unlocked([&]() -> Result<files::RecordingState> {
             feed_->stop();
-            return recording_ ? feed_->stopRecording() : Result<RecordingState>(RecordingState{});
+            return recording_ ? feed_->stopRecording() : Result<files::RecordingState>(files::RecordingState{});
         });
         stopped_ = true;
         recording_ = false;
@@ -146,9 +146,9 @@ public:
     }
 
     [[nodiscard]] py::dict status() const {
-        const LiveStatus status = unlocked([&] { return feed_->status(); });
+        const files::LiveStatus status = unlocked([&] { return feed_->status(); });
         py::dict dict;
-        dict["phase"] = sessionPhaseName(status.session.phase);
+        dict["phase"] = scanner::sessionPhaseName(status.session.phase);
         dict["sentence"] = status.session.sentence;
         dict["scanner"] = status.scanner ? py::object(py::str(status.scanner->words())) : py::object(py::none());
         dict["lines"] = status.lines;
@@ -161,7 +161,7 @@ public:
 
 private:
     std::optional<SweepObject> newest() {
-        for (FinishedSweep& sweep : feed_->takeFinished()) {
+        for (scanner::FinishedSweep& sweep : feed_->takeFinished()) {
             const bool yielded = sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received;
             if (!yielded) finished_.push_back({sweep.scan, std::move(sweep.progress), true});
         }
@@ -170,7 +170,7 @@ private:
             object = std::move(finished_.front());
             finished_.pop_front();
         } else {
-            SweepSoFar sweep = feed_->sweep();
+            scanner::SweepState sweep = feed_->sweep();
             if (!sweep.scan || sweep.scan == shown_) return std::nullopt;
             // The feed ends a sweep when the next one begins; a sweep with all its lines is yielded without that wait.
             const bool whole = !sweep.progress.growing;
@@ -197,8 +197,8 @@ private:
     ScanPtr shown_;
     struct {
         int number = -1, received = 0;
-    } yielded_;                      // the last finished sweep that was yielded
-    std::unique_ptr<LiveFeed> feed_; // last member: its thread uses the members above
+    } yielded_;                             // the last finished sweep that was yielded
+    std::unique_ptr<files::LiveFeed> feed_; // last member: its thread uses the members above
 };
 
 std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines,

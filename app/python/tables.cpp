@@ -12,9 +12,9 @@
 namespace edgescan::python {
 namespace {
 
-py::dict rowOf(const Parameter& p) {
+py::dict rowOf(const edges::Parameter& p) {
     py::list choices;
-    for (const Choice& choice : p.choices) choices.append(choice.name);
+    for (const edges::Choice& choice : p.choices) choices.append(choice.name);
     py::dict row;
     row["key"] = p.key;
     row["label"] = p.label;
@@ -22,7 +22,7 @@ py::dict rowOf(const Parameter& p) {
     row["help"] = p.help;
     row["minimum"] = p.minimum;
     row["maximum"] = p.maximum;
-    row["default"] = formatValue(p, p.get(Settings{}));
+    row["default"] = edges::formatValue(p, p.get(edges::Settings{}));
     row["automatic"] = p.automatic != nullptr;
     row["choices"] = choices;
     row["several"] = p.several;
@@ -54,12 +54,12 @@ py::dict rowOf(const ReadingOption& option) {
 void bindTables(py::module_& module) {
     module.def("parameters", [] {
         py::list rows;
-        for (const Parameter& p : edgescan::parameters()) rows.append(rowOf(p));
+        for (const edges::Parameter& p : edgescan::edges::parameters()) rows.append(rowOf(p));
         return rows;
     });
     module.def("presets", [] {
         std::vector<std::string> names;
-        for (const Preset& preset : builtInPresets()) names.push_back(preset.name);
+        for (const edges::Preset& preset : edges::builtInPresets()) names.push_back(preset.name);
         return names;
     });
     module.def("reading_options", [] {
@@ -71,14 +71,14 @@ void bindTables(py::module_& module) {
     });
     module.def("writing_choices", [] {
         py::list rows;
-        for (const WritingChoice& choice : kWritingChoices)
+        for (const files::WritingChoice& choice : files::kWritingChoices)
             rows.append(py::dict(py::arg("key") = choice.key, py::arg("help") = choice.help));
         return rows;
     });
     module.def("simulation_numbers", [] {
         py::list rows;
-        const SimulationSettings usual;
-        for (const SimulationNumber& number : simulationNumbers())
+        const sim::SimulationSettings usual;
+        for (const sim::SimulationNumber& number : sim::simulationNumbers())
             rows.append(py::dict(py::arg("key") = number.key, py::arg("minimum") = number.limits.least,
                                  py::arg("maximum") = number.limits.most, py::arg("default") = number.get(usual)));
         return rows;

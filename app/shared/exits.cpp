@@ -28,23 +28,25 @@ std::string repeated(const std::string& what) {
 
 void setProgramName(const std::string& name) { programName = name; }
 
-void complain(const std::string& sentence) {
+void printError(const std::string& sentence) {
     if (progressLineOpen.exchange(false)) std::cerr << '\n';
     std::cerr << programName << ": " << printable(sentence, 4 * kMostShown) << '\n';
 }
 
-void complain(const Error& error) { complain(error.sentence()); }
+void printError(const Error& error) { printError(error.sentence()); }
 
-void say(const std::string& text) { std::cout << printableLines(text) << '\n' << std::flush; }
+void printResult(const std::string& text) { std::cout << printableLines(text) << '\n' << std::flush; }
 
-void say(const nlohmann::ordered_json& report, bool indented) { std::cout << reportText(report, indented) << '\n' << std::flush; }
+void printResult(const nlohmann::ordered_json& report, bool indented) {
+    std::cout << exports::reportText(report, indented) << '\n' << std::flush;
+}
 
-bool everythingWasSaid() {
+bool stdoutIsComplete() {
     std::cout.flush();
     return std::cout.good();
 }
 
-void tellProgress(const std::string& text, bool last) {
+void showProgress(const std::string& text, bool last) {
     constexpr std::size_t kWidth = 78;
     std::string line = printable(text, kWidth);
     line.resize(std::max(line.size(), kWidth), ' ');
@@ -56,16 +58,16 @@ int guarded(const std::function<int()>& work, int failed) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        complain("there is not enough memory for this; close other programs or use a smaller scan.");
+        printError("there is not enough memory for this; close other programs or use a smaller scan.");
     } catch (const std::length_error&) {
-        complain("this needs more memory than any computer has; use a smaller scan.");
+        printError("this needs more memory than any computer has; use a smaller scan.");
     } catch (const std::filesystem::filesystem_error& error) {
-        complain(
+        printError(
             Error{"the folder or file cannot be used (" + error.code().message() + ")", error.path1().string(), "check it and its rights"});
     } catch (const std::system_error& error) {
-        complain("the system refused what was needed (" + error.code().message() + "); close other programs and try again.");
+        printError("the system refused what was needed (" + error.code().message() + "); close other programs and try again.");
     } catch (const std::exception& error) {
-        complain(repeated(error.what()));
+        printError(repeated(error.what()));
     }
     return failed;
 }

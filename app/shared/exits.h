@@ -20,22 +20,22 @@ inline constexpr int kWrongUsage = 2; ///< the command line itself is wrong
 void setProgramName(const std::string& name);
 
 /// "edgescan-cli: SENTENCE" on stderr.
-void complain(const Error& error);
-void complain(const std::string& sentence);
+void printError(const Error& error);
+void printError(const std::string& sentence);
 
 /// True for outputs that are not a named file: standard output ("-", "-.pcd") or a device.
-[[nodiscard]] inline bool goesToNoFile(const std::string& path) { return path.starts_with("-") || path.starts_with("/dev/"); }
+[[nodiscard]] inline bool isStreamOrDevice(const std::string& path) { return path.starts_with("-") || path.starts_with("/dev/"); }
 
 /// Prints results on stdout, line by line; control characters of foreign text are escaped.
-void say(const std::string& text);
+void printResult(const std::string& text);
 /// Prints a report as JSON, on one line or indented.
-void say(const nlohmann::ordered_json& report, bool indented);
+void printResult(const nlohmann::ordered_json& report, bool indented);
 
 /// False if an earlier write to stdout failed.
-[[nodiscard]] bool everythingWasSaid();
+[[nodiscard]] bool stdoutIsComplete();
 
 /// Prints a progress line on stderr. The next one overwrites it; the `last` one stays and ends the line.
-void tellProgress(const std::string& text, bool last = false);
+void showProgress(const std::string& text, bool last = false);
 
 /// Returns the result of `work`. If an exception ends it (out of memory, or an error without its own message), prints a message and returns
 /// `failed`.

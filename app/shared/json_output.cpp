@@ -19,7 +19,7 @@ Json refusal(const std::string& command, const std::string& input, const Error& 
 }
 
 Result<Done> writeDocument(const std::string& path, const Json& document, bool indented) {
-    return writeWholeFile(path, reportText(document, indented) + "\n");
+    return writeWholeFile(path, exports::reportText(document, indented) + "\n");
 }
 
 } // namespace edgescan::cli

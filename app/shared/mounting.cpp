@@ -16,8 +16,8 @@ void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& 
         ->group(group);
 }
 
-Result<SweepSettings> sweepOf(const Mounting& mounting) {
-    SweepSettings sweep = assumedSweep();
+Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
+    scanner::SweepSettings sweep = scanner::assumedSweep();
     if (!mounting.calibration.empty()) {
         const auto calibration = openCalibration(mounting.calibration);
         if (!calibration) return calibration.error();

@@ -24,6 +24,6 @@ void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& 
 
 /// Flags override the calibration, which gives the axis, the step and the mirror's index angle. Values missing in both are marked as
 /// assumed. Error: the calibration cannot be read.
-[[nodiscard]] Result<SweepSettings> sweepOf(const Mounting& mounting);
+[[nodiscard]] Result<scanner::SweepSettings> sweepOf(const Mounting& mounting);
 
 } // namespace edgescan::cli

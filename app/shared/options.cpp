@@ -15,7 +15,7 @@ namespace edgescan::cli {
 namespace {
 
 // The limits and the default, for --help: "x, 1 to 10, default 3".
-std::string hint(const Parameter& p) {
+std::string hint(const edges::Parameter& p) {
     std::string text = p.help;
     if (std::string_view(p.key) == "lower")
         text += " A depth (0.5m), or with logarithmic gray levels a share of the range (5%), is turned into levels.";
@@ -25,16 +25,16 @@ std::string hint(const Parameter& p) {
         text += shortestText(p.minimum) + " to " + shortestText(p.maximum);
         if (p.automatic != nullptr) text += " or auto";
     } else {
-        for (const Choice& choice : p.choices) text += (&choice == &p.choices.front() ? "" : "|") + std::string(choice.name);
+        for (const edges::Choice& choice : p.choices) text += (&choice == &p.choices.front() ? "" : "|") + std::string(choice.name);
     }
-    return text + "; default " + formatValue(p, p.get(Settings{})) + "]";
+    return text + "; default " + edges::formatValue(p, p.get(edges::Settings{})) + "]";
 }
 
 // One line per stage on stderr, overwritten in place.
 bool showStage(const char* stage, double fraction) {
     std::string line = stage;
     line.resize(std::max<std::size_t>(24, line.size()), ' ');
-    tellProgress(line + " " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
+    showProgress(line + " " + rightAligned(fixedText(fraction * 100, 0), 3) + " %", fraction >= 1.0);
     return true;
 }
 
@@ -96,7 +96,7 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
         .add_flag("--include-attached", flags.includeAttached,
                   "Of a cloud that was projected: also the points that lie behind the nearest of their cell")
         ->group(group);
-    for (const WritingChoice& choice : kWritingChoices)
+    for (const files::WritingChoice& choice : files::kWritingChoices)
         command.add_flag(std::string("--") + choice.key, flags.choices.*choice.member, choice.help)->group(group);
     command.add_option("--operator", flags.operatorName, "Who exports, for the record")->group(group);
     command.add_option("--role", flags.role, "As what, for the record")->group(group);
@@ -114,15 +114,15 @@ ReadingOptions readingOptions(const ReadFlags& flags) {
     return options;
 }
 
-void tellWritten(const std::string& sentence, const ReadFlags& flags) {
-    if (wantsProgress(flags)) complain(sentence);
+void reportWritten(const std::string& sentence, const ReadFlags& flags) {
+    if (wantsProgress(flags)) printError(sentence);
 }
 
-Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags) {
-    Result<Scan> scan = openAsAsked(file, readingOptions(flags));
+Result<Scan> openAndWarn(const std::string& file, const ReadFlags& flags) {
+    Result<Scan> scan = files::openAsAsked(file, readingOptions(flags));
     if (!scan) return scan;
     for (const auto& sentences : {scan->warnings, placeWarnings(*scan)}) {
-        for (const std::string& sentence : sentences) complain(printable(file) + ": " + sentence);
+        for (const std::string& sentence : sentences) printError(printable(file) + ": " + sentence);
     }
     return scan;
 }
@@ -130,14 +130,14 @@ Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags) {
 void addMethodFlags(CLI::App& command, MethodFlags& flags) {
     const char* group = "Method";
     std::string names;
-    for (const Preset& preset : builtInPresets()) names += (names.empty() ? "" : "|") + preset.name;
+    for (const edges::Preset& preset : edges::builtInPresets()) names += (names.empty() ? "" : "|") + preset.name;
     command
         .add_option("--preset", flags.preset,
                     "Settings to start from: " + names +
                         " or a preset file; without one, default, or log where flags of gray levels are given")
         ->group(group);
-    flags = nothingTyped();
-    for (const Parameter& p : parameters()) {
+    flags = noFlags();
+    for (const edges::Parameter& p : edges::parameters()) {
         command.add_option(std::string("--") + p.key, flags.typed[p.key], hint(p))->group(group);
     }
 }

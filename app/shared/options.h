@@ -30,10 +30,10 @@ void addPlaceFlags(CLI::App& command, ReadingOptions& options);
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 
 /// Prints the results and the written files on stderr, if it is a terminal or with --progress.
-void tellWritten(const std::string& sentence, const ReadFlags& flags);
+void reportWritten(const std::string& sentence, const ReadFlags& flags);
 
 /// Opens the scan. Warnings about assumed, repaired or dropped data are printed on stderr.
-[[nodiscard]] Result<Scan> openAndTell(const std::string& file, const ReadFlags& flags);
+[[nodiscard]] Result<Scan> openAndWarn(const std::string& file, const ReadFlags& flags);
 
 /// Adds --frame --ascii --include-attached --operator --role and the options of formats.
 void addWriteFlags(CLI::App& command, WriteFlags& flags);

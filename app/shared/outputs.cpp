@@ -28,7 +28,7 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
         if (!taken.insert(whole(path)).second) return Error{"two results cannot have one file", path, "give each a name of its own"};
     }
     for (const std::string& path : outputs) {
-        if (!path.empty() && !isDevice(path) && taken.contains(whole(sidecarPath(path))))
+        if (!path.empty() && !isDevice(path) && taken.contains(whole(files::sidecarPath(path))))
             return Error{"another result has the name of the record beside this file", path, "give it a name of its own"};
     }
     return Done{};

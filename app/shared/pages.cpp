@@ -31,9 +31,9 @@ std::vector<std::string> wordsOf(const CLI::Option& option) {
     const std::size_t close = type.find('}');
     if (open != std::string::npos && close != std::string::npos) return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
     if (option.get_lnames().empty()) return words;
-    const Parameter* parameter = findParameter(option.get_lnames().front());
+    const edges::Parameter* parameter = edges::findParameter(option.get_lnames().front());
     if (parameter == nullptr || option.get_group() != "Method") return words;
-    for (const Choice& choice : parameter->choices) words.emplace_back(choice.name);
+    for (const edges::Choice& choice : parameter->choices) words.emplace_back(choice.name);
     return words;
 }
 

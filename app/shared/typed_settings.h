@@ -20,27 +20,27 @@ struct MethodFlags {
 };
 
 /// Every parameter is set to kNotTyped.
-[[nodiscard]] MethodFlags nothingTyped();
+[[nodiscard]] MethodFlags noFlags();
 
 /// True if the command line gives a preset or a parameter.
 [[nodiscard]] bool anyTyped(const MethodFlags& flags);
 
 /// The named preset. Without a name: the default preset, or Canny on gray levels if its flags are typed and no method is. Error: the name
 /// is neither a built-in preset nor a preset file.
-[[nodiscard]] Result<Preset> presetOf(const MethodFlags& flags);
+[[nodiscard]] Result<edges::Preset> presetOf(const MethodFlags& flags);
 
 /// "--preset thesis --kernel 5": the typed flags in the order of the table, quoted for a POSIX shell.
 [[nodiscard]] std::string typedFlags(const MethodFlags& flags);
 
 /// Applies the preset first, then the flags. A method without a typed threshold gets the threshold with the same step in depth as the
 /// preset's. Error: a lower threshold typed as a depth, an unknown preset, or values that contradict each other.
-[[nodiscard]] Result<Settings> settingsOf(const MethodFlags& flags);
+[[nodiscard]] Result<edges::Settings> settingsOf(const MethodFlags& flags);
 
 /// Checks the flags as settingsFor() would, before a scan is open. From here on a preset file is an input (core/base/inputs.h).
 [[nodiscard]] Result<Done> checkMethod(const MethodFlags& flags);
 
 /// Like settingsOf(). A lower threshold typed as a depth ("0.5 m", "5 %") is computed for this scan.
-[[nodiscard]] Result<Settings> settingsFor(const MethodFlags& flags, const Scan& scan);
+[[nodiscard]] Result<edges::Settings> settingsFor(const MethodFlags& flags, const Scan& scan);
 
 /// --frame --ascii --include-attached --operator --role: how to write clouds and records.
 struct WriteFlags {
@@ -48,10 +48,10 @@ struct WriteFlags {
     bool ascii = false;
     bool includeAttached = false;
     std::string operatorName, role;
-    WritingChoices choices;
+    files::WritingChoices choices;
 };
 
 /// The export options for one command; `usual` is the frame of "auto".
-[[nodiscard]] ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual);
+[[nodiscard]] exports::ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual);
 
 } // namespace edgescan::cli

@@ -11,7 +11,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
-        complain(std::string(error.what()) + " (--help tells more)");
+        printError(std::string(error.what()) + " (--help tells more)");
         return 2;
     }
 }

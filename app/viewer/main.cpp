@@ -31,31 +31,31 @@ using namespace edgescan::viewer;
 // For --quit-after. If a screenshot was requested too and the window is still open, the screenshot was not written.
 void quitInTime(const std::string& screenshot) {
     if (!screenshot.empty())
-        cli::complain(Error{"no picture was written: the scan was not on screen in time", screenshot, "give --quit-after more seconds"});
+        cli::printError(Error{"no picture was written: the scan was not on screen in time", screenshot, "give --quit-after more seconds"});
     QApplication::exit(screenshot.empty() ? 0 : 1);
 }
 
 // Opens the scans and files of the command line.
-void openWanted(ui::MainWindow& window, ui::Memory& memory, const Wanted& wanted, const Understood& understood) {
+void openWanted(ui::MainWindow& window, ui::Memory& memory, const CommandLine& wanted, const ParsedCommandLine& understood) {
     QStringList files;
     for (const std::string& file : wanted.files) files << QString::fromStdString(file);
     if (!wanted.session.empty())
         window.sessions().openSession(QString::fromStdString(wanted.session));
     else if (wanted.goOn)
-        window.sessions().goOn();
+        window.sessions().continueLast();
     else if (!files.isEmpty())
         window.sessions().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
         window.viewer().files.openDemo();
     else if (!understood.scanner) {
-        window.sessions().offerToGoOn();
+        window.sessions().offerToContinue();
         ui::showStart(window, memory);
     }
     if (const auto& scanner = understood.scanner)
         window.viewer().live.connectTo(QString::fromStdString(scanner->host), scanner->port, understood.sweep);
 }
 
-int runViewer(QApplication& application, const Wanted& wanted, const Understood& understood) {
+int runViewer(QApplication& application, const CommandLine& wanted, const ParsedCommandLine& understood) {
     ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
     ui::useLanguage(wanted.language.empty() ? memory.text("language") : QString::fromStdString(wanted.language));
     ui::MainWindow window(memory);
@@ -77,7 +77,7 @@ int runViewer(QApplication& application, const Wanted& wanted, const Understood&
 } // namespace
 
 int main(int argc, char** argv) {
-    Wanted wanted;
+    CommandLine wanted;
     cli::surviveFileLimit();
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
     addFlags(app, wanted);
@@ -92,14 +92,14 @@ int main(int argc, char** argv) {
     std::vector<char*> qtArguments{argv[0]};
     cli::setProgramName("edgescan");
     if (const auto ended = cli::parsed(app, argc, argv)) return *ended;
-    Understood understood;
-    if (const auto refusal = understand(wanted, understood)) {
-        cli::complain(refusal->error);
+    ParsedCommandLine understood;
+    if (const auto refusal = parse(wanted, understood)) {
+        cli::printError(refusal->error);
         return refusal->code;
     }
     if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
         qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-        cli::complain("there is no display to show a window on; log in to a desktop, or use edgescan-cli.");
+        cli::printError("there is no display to show a window on; log in to a desktop, or use edgescan-cli.");
         return 1;
     }
     int qtArgc = 1;
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(icon);
     QGuiApplication::setDesktopFileName("edgescan"); // names the desktop entry from which the desktop takes the window's icon
     if (const ui::GlCheck gl = ui::checkGl(); !gl.available) {
-        cli::complain(gl.reason.toStdString());
+        cli::printError(gl.reason.toStdString());
         return 1;
     }
     return runViewer(application, wanted, understood);

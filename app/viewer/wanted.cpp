@@ -14,7 +14,7 @@
 namespace edgescan::viewer {
 namespace {
 
-Result<SweepSettings> sweepOf(const Wanted& wanted) {
+Result<scanner::SweepSettings> sweepOf(const CommandLine& wanted) {
     const ReadingOptions options = cli::readingOptions(wanted.read);
     cli::Mounting mounting = wanted.mounting;
     mounting.axis = options.axis;
@@ -38,7 +38,7 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
 }
 
 // Qt stores file names as Unicode: a name with other bytes would open a different file.
-std::optional<Error> unusableName(const Wanted& wanted) {
+std::optional<Error> unusableName(const CommandLine& wanted) {
     std::vector<std::string> names = wanted.files;
     names.push_back(wanted.screenshot);
     names.push_back(wanted.compare);
@@ -53,7 +53,7 @@ std::optional<Error> unusableName(const Wanted& wanted) {
 }
 
 /// Finds flags that contradict each other.
-std::optional<Error> contradiction(const Wanted& wanted) {
+std::optional<Error> contradiction(const CommandLine& wanted) {
     if (!wanted.screenshot.empty() && wanted.files.empty() && !wanted.demo && wanted.live.empty() && wanted.session.empty() && !wanted.goOn)
         return Error{"there is no scan to show", "--screenshot", "give a file, --demo or --live"};
     if (wanted.demo && !wanted.files.empty())
@@ -62,12 +62,12 @@ std::optional<Error> contradiction(const Wanted& wanted) {
     return std::nullopt;
 }
 
-std::optional<Refusal> understandScanner(const Wanted& wanted, Understood& understood) {
+std::optional<Refusal> understandScanner(const CommandLine& wanted, ParsedCommandLine& understood) {
     if (wanted.live.empty()) return std::nullopt;
     const Result<cli::HostPort> scanner = cli::hostPort(wanted.live);
     if (!scanner) return Refusal{scanner.error(), cli::kWrongUsage};
     understood.scanner = *scanner;
-    const Result<SweepSettings> sweep = sweepOf(wanted);
+    const Result<scanner::SweepSettings> sweep = sweepOf(wanted);
     if (!sweep) return Refusal{sweep.error(), cli::kRefused};
     understood.sweep = *sweep;
     return std::nullopt;
@@ -75,7 +75,7 @@ std::optional<Refusal> understandScanner(const Wanted& wanted, Understood& under
 
 } // namespace
 
-void addFlags(CLI::App& app, Wanted& wanted) {
+void addFlags(CLI::App& app, CommandLine& wanted) {
     app.set_version_flag("--version", version());
     app.add_option("FILE", wanted.files, "Scans; the first is shown, Page Down goes to the next");
     app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
@@ -99,7 +99,7 @@ void addFlags(CLI::App& app, Wanted& wanted) {
     cli::addPages(app, {"edgescan", "shows the edges of rocks in a laser scan", {"edgescan --demo"}});
 }
 
-std::optional<Refusal> understand(const Wanted& wanted, Understood& understood) {
+std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood) {
     if (const auto none = unusableName(wanted)) return Refusal{*none, cli::kRefused};
     if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, cli::kWrongUsage};
     if (auto refused = understandScanner(wanted, understood)) return refused;
@@ -107,7 +107,7 @@ std::optional<Refusal> understand(const Wanted& wanted, Understood& understood) 
     if (!pins) return Refusal{pins.error(), cli::kWrongUsage};
     understood.pins = *pins;
     if (!cli::anyTyped(wanted.method)) return std::nullopt;
-    const Result<Settings> settings = cli::settingsOf(wanted.method);
+    const Result<edges::Settings> settings = cli::settingsOf(wanted.method);
     if (!settings) return Refusal{settings.error(), cli::kWrongUsage};
     understood.settings = *settings;
     return std::nullopt;

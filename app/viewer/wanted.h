@@ -13,7 +13,7 @@
 namespace edgescan::viewer {
 
 /// The flags as typed.
-struct Wanted {
+struct CommandLine {
     std::vector<std::string> files;
     cli::MethodFlags method;
     cli::ReadFlags read;
@@ -32,14 +32,14 @@ struct Wanted {
     double quitAfter = 0.0;
 };
 
-void addFlags(CLI::App& app, Wanted& wanted);
+void addFlags(CLI::App& app, CommandLine& wanted);
 
 /// The parsed and checked flags.
-struct Understood {
+struct ParsedCommandLine {
     std::vector<PinnedPlace> pins;
-    std::optional<Settings> settings;
+    std::optional<edges::Settings> settings;
     std::optional<cli::HostPort> scanner;
-    SweepSettings sweep; ///< of the live scanner
+    scanner::SweepSettings sweep; ///< of the live scanner
 };
 
 /// The reason why the viewer does not start, and the exit code.
@@ -49,6 +49,6 @@ struct Refusal {
 };
 
 /// Empty if the flags are valid. Opens nothing.
-[[nodiscard]] std::optional<Refusal> understand(const Wanted& wanted, Understood& understood);
+[[nodiscard]] std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood);
 
 } // namespace edgescan::viewer

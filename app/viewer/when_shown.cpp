@@ -20,7 +20,7 @@ void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places
             if (scan.rangeMm.contains(place.line, place.beam))
                 window.viewer().views.pin(window.viewer().views.cellAt(place.line, place.beam));
             else
-                cli::complain(
+                cli::printError(
                     Error{"the scan has no line " + std::to_string(place.line) + ", beam " + std::to_string(place.beam), "--pin",
                           "give a cell of its " + std::to_string(scan.lines()) + " lines and " + std::to_string(scan.beams()) + " beams"});
         }
@@ -41,9 +41,9 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
     const auto write = [&window, wanted] {
         while (!window.viewer().comparing.settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         const Result<Done> written = window.viewer().exports.saveScreenshot(window.screenshot(), QString::fromStdString(wanted.path));
-        if (!written) cli::complain(written.error());
-        const bool compared = wanted.before.empty() || window.viewer().comparing.kept();
-        if (!compared) cli::complain(Error{"the earlier scan could not be opened", wanted.before, "the picture says why"});
+        if (!written) cli::printError(written.error());
+        const bool compared = wanted.before.empty() || window.viewer().comparing.pictureA();
+        if (!compared) cli::printError(Error{"the earlier scan could not be opened", wanted.before, "the picture says why"});
         QApplication::exit(written && compared ? 0 : 1);
     };
     QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, wanted] {
@@ -51,13 +51,13 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
         if (shown >= wanted.lines) {
             QTimer::singleShot(kRestMs, &window, write);
         } else if (!wanted.live) { // a file has no further lines
-            cli::complain(Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", wanted.path,
-                                "give --screenshot-lines fewer"});
+            cli::printError(Error{"no picture was written: the scan has " + std::to_string(shown) + " lines", wanted.path,
+                                  "give --screenshot-lines fewer"});
             QApplication::exit(1);
         }
     });
     QObject::connect(&window.viewer().engine, &ui::Engine::failed, &window, [](const QString& sentence) {
-        cli::complain(sentence.toStdString());
+        cli::printError(sentence.toStdString());
         QApplication::exit(1);
     });
 }

@@ -141,7 +141,7 @@ void askSecondThread(const std::shared_ptr<Shares>& shares) {
 
 } // namespace
 
-void shareOut(int count, const std::function<void(int)>& work) {
+void runInParallel(int count, const std::function<void(int)>& work) {
     const auto shares = std::make_shared<Shares>(count, work);
     if (count > 1) askSecondThread(shares);
     shares->take();

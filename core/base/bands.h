@@ -20,29 +20,29 @@ namespace edgescan {
 
 /// Calls work(n) for 0 <= n < count on this thread, and on a second one as soon as that one is free; this thread does not wait for it to
 /// begin. Returns when all calls are done. Throws what one of them threw.
-void shareOut(int count, const std::function<void(int)>& work);
+void runInParallel(int count, const std::function<void(int)>& work);
 
 /// Calls each of these functions; on two threads if `threads` is more than 1.
-inline void onThreads(int threads, const std::vector<std::function<void()>>& parts) {
-    if (threads > 1) return shareOut(static_cast<int>(parts.size()), [&](int n) { parts[static_cast<std::size_t>(n)](); });
+inline void runParts(int threads, const std::vector<std::function<void()>>& parts) {
+    if (threads > 1) return runInParallel(static_cast<int>(parts.size()), [&](int n) { parts[static_cast<std::size_t>(n)](); });
     for (const std::function<void()>& part : parts) part();
 }
 
-/// Ends the second thread, which otherwise waits for work until the process ends. Call it before fork(). The next shareOut() starts the
-/// thread again.
+/// Ends the second thread, which otherwise waits for work until the process ends. Call it before fork(). The next runInParallel() starts
+/// the thread again.
 void endSecondThread();
 
 /// The first line of a band. For the band behind the last one: the number of lines.
-[[nodiscard]] inline int firstOfBand(int lines, int bands, int band) {
+[[nodiscard]] inline int firstLineOfBand(int lines, int bands, int band) {
     return static_cast<int>(static_cast<long long>(lines) * band / bands);
 }
 
 /// Calls work(first, last) for bands of lines first <= line < last that cover all lines.
 template <class Work>
-void inBands(int lines, int bands, Work work) {
+void runInBands(int lines, int bands, Work work) {
     bands = std::clamp(bands, 1, std::max(1, lines));
     if (bands == 1) return work(0, lines);
-    shareOut(bands, [&](int band) { work(firstOfBand(lines, bands, band), firstOfBand(lines, bands, band + 1)); });
+    runInParallel(bands, [&](int band) { work(firstLineOfBand(lines, bands, band), firstLineOfBand(lines, bands, band + 1)); });
 }
 
 } // namespace edgescan

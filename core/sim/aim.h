@@ -15,9 +15,9 @@ struct Ray {
 };
 
 /// True angles and mounting. `angles` must outlive this object.
-class Aim {
+class BeamDirections {
 public:
-    Aim(const Scan& angles, const AssemblyErrors& assembly)
+    BeamDirections(const Scan& angles, const AssemblyErrors& assembly)
         : polar_(std::get<PolarGeometry>(angles.geometry)), tables_(angles), mount_(sensorInMover(polar_.axis, assembly)),
           ideal_(assembly == AssemblyErrors{}) {}
 

@@ -83,7 +83,7 @@ void meetRidges(const ConvexBody& body, const RayBundle& bundle, std::size_t lan
 
 } // namespace
 
-Caster::Caster(const Scene& scene, const Footprint& footprint, double leverM) : scene_(&scene) {
+RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, double leverM) : scene_(&scene) {
     for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, footprint, leverM));
     solidTree_ = treeOver(scene.solids, footprint, leverM);
     std::vector<Eigen::AlignedBox3f> boxes;
@@ -92,7 +92,7 @@ Caster::Caster(const Scene& scene, const Footprint& footprint, double leverM) : 
     bodyTree_ = BoxTree(boxes);
 }
 
-BundleHits Caster::cast(const RayBundle& bundle) const {
+BundleHits RayCaster::cast(const RayBundle& bundle) const {
     BundleHits hits;
     for (std::size_t v = 0; v < scene_->voids.size(); ++v) {
         BundleHits wall;

@@ -8,10 +8,10 @@
 namespace edgescan::sim {
 
 /// A scene prepared for ray casting. Immutable, so that several threads may cast rays at once. The scene must outlive this object.
-class Caster {
+class RayCaster {
 public:
     /// @param footprint the widest beam that will be cast @param leverM the largest distance of a beam's start from the origin, metres
-    Caster(const Scene& scene, const Footprint& footprint, double leverM = 0);
+    RayCaster(const Scene& scene, const Footprint& footprint, double leverM = 0);
 
     [[nodiscard]] BundleHits cast(const RayBundle& bundle) const;
 

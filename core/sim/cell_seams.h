@@ -9,7 +9,7 @@ namespace edgescan::sim {
 
 struct SeamSources {
     const Scene& scene;
-    const Caster& caster;                      ///< of the scene
+    const RayCaster& caster;                   ///< of the scene
     std::array<const CartesianTables*, 2> aim; ///< true directions of even and odd beams
     bool measured = false;                     ///< the mesh consists of measured points, so its facets do not count as folds
 };

@@ -14,14 +14,14 @@ namespace {
 constexpr double kMinSizeM = 0.16;
 constexpr double kMaxSizeM = 2.6;
 
-Eigen::Vector3d randomDirection(Dice& dice) {
+Eigen::Vector3d randomDirection(RandomSequence& dice) {
     Eigen::Vector3d d;
     do d = Eigen::Vector3d{dice.normal(), dice.normal(), dice.normal()};
     while (d.norm() < 1e-3);
     return d.normalized();
 }
 
-Eigen::Matrix3d randomTurn(Dice& dice) {
+Eigen::Matrix3d randomTurn(RandomSequence& dice) {
     Eigen::Quaterniond q;
     do q = Eigen::Quaterniond{dice.normal(), dice.normal(), dice.normal(), dice.normal()};
     while (q.norm() < 1e-3);
@@ -29,7 +29,7 @@ Eigen::Matrix3d randomTurn(Dice& dice) {
 }
 
 /// A block between three sets of joints, with corners and edges broken off.
-std::vector<Eigen::Vector3d> blockPlanes(int count, Dice& dice) {
+std::vector<Eigen::Vector3d> blockPlanes(int count, RandomSequence& dice) {
     std::vector<Eigen::Vector3d> planes;
     const double skew = dice.uniform(0.05, 0.30);
     for (int axis = 0; axis < 3; ++axis) {
@@ -75,7 +75,7 @@ void addFacet(Scene& scene, ConvexBody& body, const Eigen::Vector3d& normal, dou
 } // namespace
 
 std::vector<double> rockSizes(int count, std::uint64_t seed) {
-    Dice dice(seed, Purpose::Sizes);
+    RandomSequence dice(seed, Purpose::Sizes);
     std::vector<double> sizes;
     while (static_cast<int>(sizes.size()) < count) {
         const double size = 0.50 * std::exp(0.70 * dice.normal());
@@ -97,7 +97,7 @@ std::vector<double> ballRadii(const std::vector<double>& sizesM) {
     return radii;
 }
 
-std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice) {
+std::vector<Eigen::Vector3d> rockCorners(double sizeM, RandomSequence& dice) {
     const int planes = dice.whole(9, dice.whole(14, 22)); // a body with n planes has at most 2 n - 4 corners: 14-40
     std::vector<Eigen::Vector3d> corners = cornersBetween(blockPlanes(planes, dice));
     const Eigen::Vector3d axes{1.0, dice.uniform(0.55, 1.0), dice.uniform(0.55, 1.0)};

@@ -17,7 +17,7 @@ namespace edgescan::sim {
 [[nodiscard]] std::vector<double> ballRadii(const std::vector<double>& sizesM);
 
 /// Corners of a rock around the origin: 12-40 points, longest axis `sizeM`, the two others 0.55-1 of it, in a random orientation.
-[[nodiscard]] std::vector<Eigen::Vector3d> rockCorners(double sizeM, Dice& dice);
+[[nodiscard]] std::vector<Eigen::Vector3d> rockCorners(double sizeM, RandomSequence& dice);
 
 /// Adds the hull of the corners, moved to `centreM`, as the scene's next rock. Each flat side becomes a face, numbered from 1, then each
 /// rounded ridge. Corners in one plane add nothing. @param rounding radius of its corners and ridges as a share of the largest ball around

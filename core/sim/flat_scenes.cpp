@@ -53,7 +53,7 @@ Result<std::vector<Eigen::Vector2d>> wallHoles(const WallShape& wall, std::uint6
     if (kHoleSpace * wall.holeM > square)
         return Error{"the wall has no room for so many holes of this size", "simulate",
                      "use fewer or smaller holes, or a wall farther away"};
-    Dice dice(seed, Purpose::Holes);
+    RandomSequence dice(seed, Purpose::Holes);
     std::vector<int> squares(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
     std::iota(squares.begin(), squares.end(), 0);
     for (int n = 0; n < wall.holes; ++n)

@@ -55,7 +55,7 @@ std::size_t keystone(const std::vector<Ball>& balls) {
 }
 
 /// A place on the muck for a fallen rock; far below everything if there is no place: then the rock was drawn out.
-Eigen::Vector3d landing(const Bell& bell, std::uint64_t seed, double sizeM, Dice& dice) {
+Eigen::Vector3d landing(const Bell& bell, std::uint64_t seed, double sizeM, RandomSequence& dice) {
     constexpr int kTries = 40;
     for (int n = 0; n < kTries; ++n) {
         const double x = dice.uniform(-4.0, 4.0);
@@ -75,7 +75,7 @@ void blast(std::vector<Ball>& balls, const std::vector<double>& sizes, const Bel
     if (balls.empty()) return;
     const Eigen::Vector3d at = balls[keystone(balls)].centre;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        Dice dice(seed, Purpose::Blast, i);
+        RandomSequence dice(seed, Purpose::Blast, i);
         const double away = (balls[i].centre - at).norm();
         const bool stays = dice.uniform() < 0.5;
         if (away < kBrokenOutM)
@@ -86,12 +86,12 @@ void blast(std::vector<Ball>& balls, const std::vector<double>& sizes, const Bel
 }
 
 void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t seed, bool afterBlast) {
-    Dice places(seed, Purpose::Places);
+    RandomSequence places(seed, Purpose::Places);
     std::vector<double> sizes = rockSizes(rocks.count, seed);
     for (double& size : sizes) size *= rocks.size;
     std::vector<double> hang;
     for (const double size : sizes) hang.push_back(size > 1.2 ? places.uniform(-0.45, 0.35) : places.uniform(0.0, 0.7));
-    const auto place = [&](Dice& dice) {
+    const auto place = [&](RandomSequence& dice) {
         Eigen::Vector3d p;
         do p = Eigen::Vector3d{dice.uniform(-7.0, 7.0), dice.uniform(-6.0, 6.0), vault.crownM};
         while (vault.bell.share(p) > 0.97);
@@ -99,17 +99,17 @@ void addArch(Scene& scene, const Vault& vault, const Rocks& rocks, std::uint64_t
         return p;
     };
     const Confine confine = [&](std::size_t i, Ball& ball) { settle(ball, vault, hang[i]); };
-    std::vector<Ball> balls = jammed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
+    std::vector<Ball> balls = relaxed(scattered(ballRadii(sizes), place, places), confine, 0.88, 140);
     if (afterBlast) blast(balls, sizes, vault.bell, seed);
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        Dice shape(seed, Purpose::Shapes, i);
+        RandomSequence shape(seed, Purpose::Shapes, i);
         addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rocks.rounding);
     }
 }
 
 /// Stones that fell before the hang-up.
 void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t seed) {
-    Dice dice(seed, Purpose::Rubble);
+    RandomSequence dice(seed, Purpose::Rubble);
     for (int i = 0; i < rocks.count / 5;) {
         const double x = dice.uniform(-4.5, 4.5);
         const double y = dice.uniform(-4.5, 2.0);
@@ -119,7 +119,7 @@ void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t
         const bool onSlope = height > kFloorM + 0.6 && bell.share({x, y, height}) < 0.98;
         const bool onPole = y * y + height * height < 0.2 * x * x; // near the axis of a sweep it would appear in every line
         if (!onSlope || onPole) continue;
-        Dice shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
+        RandomSequence shape(seed, Purpose::Shapes, static_cast<std::uint64_t>(1000000 + i));
         addRock(scene, rockCorners(size, shape), {x, y, height + 0.1 * size}, rocks.rounding);
         ++i;
     }
@@ -128,7 +128,7 @@ void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t
 } // namespace
 
 Scene hangupScene(std::uint64_t seed, const Rocks& rocks, bool afterBlast) {
-    Dice dice(seed, Purpose::Bell);
+    RandomSequence dice(seed, Purpose::Bell);
     const Bell bell(mixed(seed));
     const double side = dice.uniform() < 0.5 ? -1.0 : 1.0;
     const Vault vault{bell,

@@ -23,7 +23,7 @@ void pushApart(Ball& a, Ball& b, double touch) {
 
 } // namespace
 
-std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds) {
+std::vector<Ball> relaxed(std::vector<Ball> balls, const Confine& confine, double touch, int rounds) {
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < balls.size(); ++i)
             for (std::size_t j = i + 1; j < balls.size(); ++j) pushApart(balls[i], balls[j], touch);
@@ -32,7 +32,8 @@ std::vector<Ball> jammed(std::vector<Ball> balls, const Confine& confine, double
     return balls;
 }
 
-std::vector<Ball> scattered(const std::vector<double>& radii, const std::function<Eigen::Vector3d(Dice&)>& place, Dice& dice) {
+std::vector<Ball> scattered(const std::vector<double>& radii, const std::function<Eigen::Vector3d(RandomSequence&)>& place,
+                            RandomSequence& dice) {
     constexpr int kCandidates = 12;
     std::vector<Ball> balls;
     for (const double radius : radii) {

@@ -33,20 +33,20 @@ void settle(Ball& ball, const Bell& bell, std::uint64_t seed) {
 }
 
 void addPile(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t seed) {
-    Dice places(seed, Purpose::Places);
+    RandomSequence places(seed, Purpose::Places);
     std::vector<double> sizes = rockSizes(rocks.count, seed);
     for (double& size : sizes) size = rocks.size * size / kLarger;
-    const auto place = [&](Dice& dice) {
+    const auto place = [&](RandomSequence& dice) {
         Eigen::Vector3d p;
         do p = Eigen::Vector3d{dice.uniform(-5.5, 5.5), dice.uniform(-5.5, -0.8), 1.0};
         while (bell.share(p) > 0.97);
         p.z() = slopeHeight(p.x(), p.y(), seed) + dice.uniform(0.2, 1.5);
         return p;
     };
-    const std::vector<Ball> balls = jammed(
+    const std::vector<Ball> balls = relaxed(
         scattered(ballRadii(sizes), place, places), [&](std::size_t, Ball& ball) { settle(ball, bell, seed); }, 0.88, 140);
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        Dice shape(seed, Purpose::Shapes, i);
+        RandomSequence shape(seed, Purpose::Shapes, i);
         addRock(scene, rockCorners(sizes[i], shape), balls[i].centre, rocks.rounding);
     }
 }
@@ -62,7 +62,7 @@ Scene pileScene(std::uint64_t seed, const Rocks& rocks) {
     // The boom leans towards the slope: the middle beam points along -y, 16 degrees up.
     Eigen::Matrix3f lean;
     lean << 1.0F, 0.0F, 0.0F, 0.0F, 0.28F, 0.96F, 0.0F, -0.96F, 0.28F;
-    return turned(scaled(std::move(scene), static_cast<float>(kLarger)), lean);
+    return rotated(scaled(std::move(scene), static_cast<float>(kLarger)), lean);
 }
 
 Scene emptyScene(std::uint64_t seed) {

@@ -53,9 +53,9 @@ constexpr double normalOf(std::uint64_t hash) {
 }
 
 /// A sequence of random numbers for building a scene, on one thread.
-class Dice {
+class RandomSequence {
 public:
-    Dice(std::uint64_t seed, Purpose purpose, std::uint64_t stream = 0) : key_(hashOf(seed, purpose, stream)) {}
+    RandomSequence(std::uint64_t seed, Purpose purpose, std::uint64_t stream = 0) : key_(hashOf(seed, purpose, stream)) {}
 
     double uniform() { return uniformOf(next()); }
     double uniform(double low, double high) { return low + (high - low) * uniform(); }

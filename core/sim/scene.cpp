@@ -69,7 +69,7 @@ Scene scaled(Scene scene, float factor) {
     return scene;
 }
 
-Scene turned(Scene scene, const Eigen::Matrix3f& rotation) {
+Scene rotated(Scene scene, const Eigen::Matrix3f& rotation) {
     for (Surface& surface : scene.surfaces) surface.normal = rotation * surface.normal;
     for (Mesh& mesh : scene.voids) transform(mesh, rotation);
     transform(scene.solids, rotation);

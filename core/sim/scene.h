@@ -90,6 +90,6 @@ void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface&
 [[nodiscard]] Scene scaled(Scene scene, float factor);
 
 /// The scene rotated about the scanner.
-[[nodiscard]] Scene turned(Scene scene, const Eigen::Matrix3f& rotation);
+[[nodiscard]] Scene rotated(Scene scene, const Eigen::Matrix3f& rotation);
 
 } // namespace edgescan::sim

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace edgescan {
+namespace edgescan::sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -92,4 +92,4 @@ Json settingsJson(const SimulationSettings& s) {
     return json;
 }
 
-} // namespace edgescan
+} // namespace edgescan::sim

@@ -5,10 +5,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace edgescan {
+namespace edgescan::sim {
 
 /// Every setting, seed included, and what follows from them where a scene has known measures: centres of the holes of a wall, treads of a
 /// staircase, number of points of a surface.
 [[nodiscard]] nlohmann::ordered_json settingsJson(const SimulationSettings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::sim

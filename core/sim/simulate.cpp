@@ -19,7 +19,7 @@
 #include <thread>
 #include <type_traits>
 
-namespace edgescan {
+namespace edgescan::sim {
 namespace {
 
 using namespace sim;
@@ -157,7 +157,7 @@ PolarGeometry trueGeometry(const SimulationSettings& s, const PolarGeometry& nom
 }
 
 std::vector<Patch> patchesOf(const SimulationSettings& s, const CartesianTables& aim) {
-    Dice dice(s.seed, Purpose::Patches);
+    RandomSequence dice(s.seed, Purpose::Patches);
     std::vector<Patch> patches;
     for (int i = 0; i < s.absorbingPatches; ++i) {
         const double radius = dice.uniform(0.4, 1.0) * std::numbers::pi / 180.0;
@@ -188,7 +188,7 @@ double reliefM(const Sweep& sweep, const Surface& surface, double cosine, const 
     return relief;
 }
 
-void castLine(const Sweep& sweep, const Caster& caster, const std::array<Aim, 2>& aim, int line, Simulation& out) {
+void castLine(const Sweep& sweep, const RayCaster& caster, const std::array<BeamDirections, 2>& aim, int line, Simulation& out) {
     const SimulationSettings& settings = sweep.settings;
     for (int beam = 0; beam < settings.beams; ++beam) {
         const std::size_t k = out.scan.rangeMm.index(line, beam);
@@ -247,8 +247,8 @@ bool forAllLines(const SimulationSettings& settings, const SimulationProgress& p
 /// Returns false if cancelled. A cell depends only on its own index.
 bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
     const AssemblyErrors& assembly = sweep.settings.assembly;
-    const std::array<Aim, 2> aim{Aim(sweep.aim[0], assembly), Aim(sweep.aim[1], assembly)};
-    const Caster caster(sweep.scene, sweep.footprint, aim[0].leverM());
+    const std::array<BeamDirections, 2> aim{BeamDirections(sweep.aim[0], assembly), BeamDirections(sweep.aim[1], assembly)};
+    const RayCaster caster(sweep.scene, sweep.footprint, aim[0].leverM());
     if (!forAllLines(sweep.settings, progress, [&](int line) { castLine(sweep, caster, aim, line, out); })) return false;
     if (out.truth) {
         const SeamSources sources{sweep.scene, caster, {&aim[0].tables(), &aim[1].tables()}, !sweep.settings.surface.empty()};
@@ -329,4 +329,4 @@ Result<Simulation> simulate(const SimulationSettings& settings, const Simulation
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::sim

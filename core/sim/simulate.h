@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::sim {
 
 /// Beam divergence: 4.6 mrad or 11 mrad.
 enum class DeviceProfile : std::uint8_t { HighResolution, Standard };
@@ -131,4 +131,4 @@ struct SimulationNumber {
 /// Casts every beam. Error: an unknown scene, a setting outside its limits, not enough memory, or "cancelled".
 [[nodiscard]] Result<Simulation> simulate(const SimulationSettings& settings, const SimulationProgress& progress = {});
 
-} // namespace edgescan
+} // namespace edgescan::sim

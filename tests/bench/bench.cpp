@@ -108,24 +108,24 @@ Scan enlarged(const Scan& scan, int scale) {
 }
 
 void runPlus(const Scan& scan, int threads) {
-    const DepthEdgeSettings settings;
-    const DepthEdges found =
-        decideDepthEdges(depthResponses(depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
-    (void)edgeCells(found.mask);
+    const edges::DepthEdgeSettings settings;
+    const edges::DepthEdges found = edges::decideDepthEdges(
+        edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
+    (void)edges::edgeCells(found.mask);
 }
 
-Grid<std::uint8_t> thesisMask(const Scan& scan, const Settings& thesis) {
-    return canny(smooth(grayImage(scan, thesis).levels, thesis), thesis);
+Grid<std::uint8_t> thesisMask(const Scan& scan, const edges::Settings& thesis) {
+    return edges::canny(edges::smooth(edges::grayImage(scan, thesis).levels, thesis), thesis);
 }
 
-Grid<std::uint8_t> edgeMapBy(const GrayLoops& loops, const Scan& scan, const Settings& thesis) {
+Grid<std::uint8_t> edgeMapBy(const edges::GrayLoops& loops, const Scan& scan, const edges::Settings& thesis) {
     Grid<std::uint8_t> levels(scan.lines(), scan.beams());
-    loops.levels(scan.rangeMm, scan.state, linearLevels(grayScale(scan, thesis)), levels);
-    return cannyBy(loops, smoothBy(loops, levels, thesis), thesis);
+    loops.levels(scan.rangeMm, scan.state, edges::linearLevels(edges::grayScale(scan, thesis)), levels);
+    return edges::cannyBy(loops, edges::smoothBy(loops, levels, thesis), thesis);
 }
 
 // As few lines of OpenCV as the thesis's recipe takes.
-cv::Mat plainOpenCv(const Scan& scan, const Settings& thesis) {
+cv::Mat plainOpenCv(const Scan& scan, const edges::Settings& thesis) {
     const cv::Mat ranges(scan.lines(), scan.beams(), CV_32F, const_cast<float*>(scan.rangeMm.cells.data()));
     double least = 0, most = 0;
     cv::minMaxLoc(ranges, &least, &most, nullptr, nullptr, ranges > 0);
@@ -136,7 +136,7 @@ cv::Mat plainOpenCv(const Scan& scan, const Settings& thesis) {
     return edges;
 }
 
-cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const Settings& thesis) {
+cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const edges::Settings& thesis) {
     cv::Mat edges;
     cv::Canny(asMat(blurred), edges, thesis.lower, thesis.upper());
     return edges;
@@ -188,7 +188,7 @@ void addLine(LabelledCloud& cloud, const std::vector<float>& xyz, const CellStat
     cloud.points = n;
 }
 
-LabelledCloud labelledCloud(const Scan& scan, const Settings& thesis) {
+LabelledCloud labelledCloud(const Scan& scan, const edges::Settings& thesis) {
     const Grid<std::uint8_t> mask = thesisMask(scan, thesis);
     const CartesianTables tables(scan);
     LabelledCloud cloud(scan.cells() + 1); // a cell that does not count is written behind the last
@@ -211,26 +211,26 @@ double bytesPerMs() {
 
 // Full runs, sliders and the gray path at one size.
 void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
-    const Settings thesis = findPreset("thesis")->settings;
-    const DepthEdgeSettings plus;
-    const DepthSurface surface = depthSurface(scan, true);
-    const DepthResponses responses = depthResponses(surface, plus);
-    const Grid<std::uint8_t> blurred = smooth(grayImage(scan, thesis).levels, thesis);
-    const auto detection = detectEdges(std::make_shared<const Scan>(scan), thesis);
-    const SweptEdges swept(thresholdMapOf(*detection));
+    const edges::Settings thesis = edges::findPreset("thesis")->settings;
+    const edges::DepthEdgeSettings plus;
+    const edges::DepthSurface surface = edges::depthSurface(scan, true);
+    const edges::DepthResponses responses = edges::depthResponses(surface, plus);
+    const Grid<std::uint8_t> blurred = edges::smooth(edges::grayImage(scan, thesis).levels, thesis);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(scan), thesis);
+    const edges::SweptEdges swept(edges::thresholdMapOf(*detection));
     enum { kThesis, kOneThread, kTwo, kMeasure, kDecide, kPlain, kSweptCanny, kSweptOurs, kCloud };
     std::vector<Candidate> runs{
-        {"thesis's recipe, ours", [&] { (void)edgeCells(thesisMask(scan, thesis)); }},
+        {"thesis's recipe, ours", [&] { (void)edges::edgeCells(thesisMask(scan, thesis)); }},
         {"EdgeScan+, one thread", [&] { runPlus(scan, 1); }},
         {"EdgeScan+, two threads", [&] { runPlus(scan, 2); }},
-        {"its slider that measures", [&] { (void)decideDepthEdges(depthResponses(surface, plus, nullptr, 1), plus); }},
-        {"its slider that decides", [&] { (void)decideDepthEdges(responses, plus); }},
+        {"its slider that measures", [&] { (void)edges::decideDepthEdges(edges::depthResponses(surface, plus, nullptr, 1), plus); }},
+        {"its slider that decides", [&] { (void)edges::decideDepthEdges(responses, plus); }},
         {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
         {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
         {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
         {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }}};
     const std::size_t firstLoops = runs.size(); // by each instruction set; the limits of the ranges by the widest
-    for (const GrayLoops& loops : allGrayLoops()) {
+    for (const edges::GrayLoops& loops : edges::allGrayLoops()) {
         if (!loops.isHere()) continue;
         runs.push_back({std::string("edge map, ") + loops.instructions, [&] { (void)edgeMapBy(loops, scan, thesis); }});
     }
@@ -259,20 +259,20 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
 }
 
 void measurePeers(const Scan& scan, Table& table) {
-    ComparisonSettings settings;
+    lab::ComparisonSettings settings;
     settings.only = {"edgescan+"};
-    const auto methods = compareMethods(std::make_shared<const Scan>(scan), nullptr, settings);
+    const auto methods = lab::compareMethods(std::make_shared<const Scan>(scan), nullptr, settings);
     double ours = 0;
-    for (const ComparedMethod& method : methods) {
+    for (const lab::ComparedMethod& method : methods) {
         if (method.key == "edgescan+") ours = method.steps.total();
     }
     table.begin("PCL's detectors on the same scan");
-    for (const ComparedMethod& method : methods) {
+    for (const lab::ComparedMethod& method : methods) {
         if (method.settings || !method.wasRun() || ours == 0) continue;
         const double ratio = method.steps.total() / method.share / ours;
-        if (method.name == peerName(Peer::BoundaryNeighbours))
+        if (method.name == lab::pclMethodName(lab::PclMethod::BoundaryNeighbours))
             table.row(kBoundary, ratio);
-        else if (method.name == peerName(Peer::OrganizedEdge))
+        else if (method.name == lab::pclMethodName(lab::PclMethod::OrganizedEdge))
             table.row(kOrganized, ratio);
         else
             std::printf("| %s / EdgeScan+ | %.2f | | |\n", method.name.c_str(), ratio);
@@ -327,7 +327,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     cv::setNumThreads(0);
-    const auto simulated = simulate(SimulationSettings{});
+    const auto simulated = sim::simulate(sim::SimulationSettings{});
     if (!simulated) {
         std::fprintf(stderr, "edgescan-bench: %s\n", simulated.error().sentence().c_str());
         return 2;

@@ -30,36 +30,36 @@ struct Hash {
     }
 };
 
-std::vector<std::pair<std::string, Settings>> allSettings() {
-    std::vector<std::pair<std::string, Settings>> all;
-    for (const Preset& preset : builtInPresets()) all.emplace_back(preset.name, preset.settings);
-    for (int n = 0; n <= static_cast<int>(Method::Log); ++n) {
-        Settings settings;
-        settings.method = static_cast<Method>(n);
+std::vector<std::pair<std::string, edges::Settings>> allSettings() {
+    std::vector<std::pair<std::string, edges::Settings>> all;
+    for (const edges::Preset& preset : edges::builtInPresets()) all.emplace_back(preset.name, preset.settings);
+    for (int n = 0; n <= static_cast<int>(edges::Method::Log); ++n) {
+        edges::Settings settings;
+        settings.method = static_cast<edges::Method>(n);
         all.emplace_back("method " + std::to_string(n), settings);
     }
-    const auto turned = [&all](const char* name, const std::function<void(Settings&)>& turn) {
-        Settings settings;
+    const auto turned = [&all](const char* name, const std::function<void(edges::Settings&)>& turn) {
+        edges::Settings settings;
         turn(settings);
         all.emplace_back(name, settings);
     };
-    turned("noise 1", [](Settings& s) { s.noiseMm = 1; });
-    turned("noise 20", [](Settings& s) { s.noiseMm = 20; });
-    turned("jump 5", [](Settings& s) { s.jumpMm = 5; });
-    turned("grazing 1", [](Settings& s) { s.grazing = 1; });
-    turned("fold 5", [](Settings& s) { s.creaseDeg = 5; });
-    turned("sensitive", [](Settings& s) { s.sensitivity = 0.3, s.hysteresisPercent = 20, s.minimumLength = 1; });
-    turned("not straightened", [](Settings& s) { s.straighten = false; });
-    turned("concave and border", [](Settings& s) { s.classes = kClassConcave | kClassBorder; });
-    turned("convex", [](Settings& s) { s.classes = kClassConvex; });
-    turned("all", [](Settings& s) { s.classes = kClassRock | kClassBorder; });
+    turned("noise 1", [](edges::Settings& s) { s.noiseMm = 1; });
+    turned("noise 20", [](edges::Settings& s) { s.noiseMm = 20; });
+    turned("jump 5", [](edges::Settings& s) { s.jumpMm = 5; });
+    turned("grazing 1", [](edges::Settings& s) { s.grazing = 1; });
+    turned("fold 5", [](edges::Settings& s) { s.creaseDeg = 5; });
+    turned("sensitive", [](edges::Settings& s) { s.sensitivity = 0.3, s.hysteresisPercent = 20, s.minimumLength = 1; });
+    turned("not straightened", [](edges::Settings& s) { s.straighten = false; });
+    turned("concave and border", [](edges::Settings& s) { s.classes = edges::kClassConcave | edges::kClassBorder; });
+    turned("convex", [](edges::Settings& s) { s.classes = edges::kClassConvex; });
+    turned("all", [](edges::Settings& s) { s.classes = edges::kClassRock | edges::kClassBorder; });
     return all;
 }
 
 void print(const std::string& name, const Scan& scan) {
     const auto shared = std::make_shared<const Scan>(scan);
     for (const auto& [title, settings] : allSettings()) {
-        const auto found = detectEdges(shared, settings, KeepFor::Rocks);
+        const auto found = edges::detectEdges(shared, settings, edges::KeepFor::Rocks);
         Hash mask, rest;
         mask.add(found->mask->cells);
         rest.add(*found->edges);
@@ -68,10 +68,10 @@ void print(const std::string& name, const Scan& scan) {
             rest.add(found->responses->jump.cells);
             rest.add(found->responses->crease.cells);
             rest.add(found->responses->border);
-            rest.add(depthStrength(*found->responses, depthEdgeSettings(settings)).cells);
+            rest.add(edges::requestedStrength(*found->responses, edges::depthEdgeSettings(settings)).cells);
             rest.add(found->surface->inverse.u.cells);
-            rest.add(found->surface->slips.extra[0]);
-            rest.add(found->surface->slips.extra[1]);
+            rest.add(found->surface->slips.remaining[0]);
+            rest.add(found->surface->slips.remaining[1]);
             for (const Grid<float>* grid : {&found->cracks->smoothed, &found->cracks->jumpBeams, &found->cracks->jumpLines,
                                             &found->cracks->foldBeams, &found->cracks->foldLines})
                 rest.add(grid->cells);
@@ -81,12 +81,12 @@ void print(const std::string& name, const Scan& scan) {
     }
 }
 
-void printSimulated(const char* name, const std::function<void(SimulationSettings&)>& set) {
-    SimulationSettings settings;
+void printSimulated(const char* name, const std::function<void(sim::SimulationSettings&)>& set) {
+    sim::SimulationSettings settings;
     settings.lines = 300;
     settings.beams = 571;
     set(settings);
-    const auto simulated = simulate(settings);
+    const auto simulated = sim::simulate(settings);
     if (simulated) print(name, simulated->scan);
 }
 
@@ -113,13 +113,13 @@ Scan noise(int lines, int beams) {
 } // namespace
 
 int main(int argc, char** argv) {
-    printSimulated("full", [](SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
-    printSimulated("fine", [](SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
-    printSimulated("noisy", [](SimulationSettings& s) { s.seed = 3, s.noise = 4; });
-    printSimulated("interlaced", [](SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
-    printSimulated("slipped", [](SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
-    printSimulated("spin", [](SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
-    printSimulated("holes", [](SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
+    printSimulated("full", [](sim::SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
+    printSimulated("fine", [](sim::SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
+    printSimulated("noisy", [](sim::SimulationSettings& s) { s.seed = 3, s.noise = 4; });
+    printSimulated("interlaced", [](sim::SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
+    printSimulated("slipped", [](sim::SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
+    printSimulated("spin", [](sim::SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
+    printSimulated("holes", [](sim::SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
     for (const auto& [lines, beams] : {std::pair{1, 1},
                                        {1, 2},
                                        {2, 1},
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
                                        {200, 40}})
         print("noise of " + std::to_string(lines) + " x " + std::to_string(beams), noise(lines, beams));
     for (int n = 1; n < argc; ++n) {
-        const auto scan = openScan(argv[n]);
+        const auto scan = files::openScan(argv[n]);
         if (scan)
             print(argv[n], *scan);
         else

@@ -29,9 +29,9 @@ constexpr const char* kResponses = "EdgeScan+ responses, from the scan on";
 constexpr const char* kDecision = "EdgeScan+ decision";
 
 Scan scanOf(int argc, char** argv) {
-    auto scan = argc > 1 ? openScan(argv[1]) : Result<Scan>(Scan{});
+    auto scan = argc > 1 ? files::openScan(argv[1]) : Result<Scan>(Scan{});
     if (argc <= 1) {
-        auto simulated = simulate(SimulationSettings{});
+        auto simulated = sim::simulate(sim::SimulationSettings{});
         if (simulated)
             scan = std::move(simulated->scan);
         else
@@ -48,35 +48,36 @@ int main(int argc, char** argv) {
     cv::setNumThreads(0);
     const Scan scan = scanOf(argc, argv);
     const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 15;
-    const Settings thesis = findPreset("thesis")->settings;
-    const DepthEdgeSettings depth;
+    const edges::Settings thesis = edges::findPreset("thesis")->settings;
+    const edges::DepthEdgeSettings depth;
     InverseRange inverse = inverseRange(scan);
-    const DepthSurface surface = depthSurface(scan, true);
-    const DepthResponses responses = depthResponses(surface, depth);
-    const RockInputs inputs = rockInputs(*detectEdges(std::make_shared<const Scan>(scan), Settings{}, KeepFor::Rocks));
-    const RockStudy rocks = studyRocks(inputs, {});
+    const edges::DepthSurface surface = edges::depthSurface(scan, true);
+    const edges::DepthResponses responses = edges::depthResponses(surface, depth);
+    const rocks::Inputs inputs =
+        rocks::rockInputs(*edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{}, edges::KeepFor::Rocks));
+    const rocks::Study rocks = rocks::studyRocks(inputs, {});
     double level = 0;
     const auto moved = [&] {
         level = level == 0 ? 0.5 : 0;
-        RockSettings settings;
+        rocks::RockSettings settings;
         settings.level = level;
         return settings;
     };
     std::vector<Candidate> stages{
-        {kThesis, [&] { (void)canny(smooth(grayImage(scan, thesis).levels, thesis), thesis); }},
-        {kResponses, [&] { (void)depthResponses(depthSurface(scan, true, 1), depth, nullptr, 1); }},
+        {kThesis, [&] { (void)edges::canny(edges::smooth(edges::grayImage(scan, thesis).levels, thesis), thesis); }},
+        {kResponses, [&] { (void)edges::depthResponses(edges::depthSurface(scan, true, 1), depth, nullptr, 1); }},
         {"- cleaned, in inverse range", [&] { inverse = inverseRange(scan); }},
         {"- slips of beams and lines", [&] { (void)straighten(inverse, 1); }},
         {"- noise", [&] { (void)rangeNoise(surface.inverse); }},
-        {"- mixed pixels, jumps, folds (a slider)", [&] { (void)depthResponses(surface, depth, nullptr, 1); }},
-        {"- the same, this thread's half", [&] { (void)depthResponses(surface, depth, nullptr, 2); }},
-        {kDecision, [&] { (void)decideDepthEdges(responses, depth); }},
-        {"rocks from finished edges, rows included", [&] { (void)studyRocks(inputs, {}); }},
-        {"- leaves and their borders", [&] { (void)rockLeaves(inputs); }},
-        {"- tree of merges", [&] { (void)mergeTree(rocks.leaves->count(), rocks.leaves->borders); }},
-        {"- rows", [&] { (void)rockRows(*rocks.leaves, rocks.map); }},
-        {"a move of the rocks' slider: map", [&] { (void)rocksAt(*rocks.leaves, *rocks.tree, moved()); }},
-        {"- map and rows", [&] { (void)studyRocks(inputs, moved(), {}, &rocks); }},
+        {"- mixed pixels, jumps, folds (a slider)", [&] { (void)edges::depthResponses(surface, depth, nullptr, 1); }},
+        {"- the same, this thread's half", [&] { (void)edges::depthResponses(surface, depth, nullptr, 2); }},
+        {kDecision, [&] { (void)edges::decideDepthEdges(responses, depth); }},
+        {"rocks from finished edges, rows included", [&] { (void)rocks::studyRocks(inputs, {}); }},
+        {"- leaves and their borders", [&] { (void)rocks::segmentRocks(inputs); }},
+        {"- tree of merges", [&] { (void)rocks::mergeTree(rocks.segmentation->count(), rocks.segmentation->borders); }},
+        {"- rows", [&] { (void)rocks::rockRows(*rocks.segmentation, rocks.map); }},
+        {"a move of the rocks' slider: map", [&] { (void)rocks::rocksAt(*rocks.segmentation, *rocks.tree, moved()); }},
+        {"- map and rows", [&] { (void)rocks::studyRocks(inputs, moved(), {}, &rocks); }},
     };
     measureInTurn(stages, rounds);
     const auto msOf = [&](const char* stage) { return medianOf(std::ranges::find(stages, stage, &Candidate::name)->cpuMs); };

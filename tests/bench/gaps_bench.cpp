@@ -124,9 +124,9 @@ Ranges ours(const Scan& scan, const Grid<int>& blob) {
 
 // Whether a blob and the cells beside it lie on one surface: one object, torn apart nowhere by 50 mm. Blobs with cells that hit nothing are
 // left out: -1.
-std::vector<int> onOneSurface(const Grid<int>& blob, const SimulationTruth& truth) {
+std::vector<int> onOneSurface(const Grid<int>& blob, const sim::SimulationTruth& truth) {
     constexpr double kTornMm = 50;
-    const Grid<std::uint16_t> tornBeam = wholeTears(truth.toNextBeam), tornLine = wholeTears(truth.toNextLine);
+    const Grid<std::uint16_t> tornBeam = lab::wholeTears(truth.toNextBeam), tornLine = lab::wholeTears(truth.toNextLine);
     std::vector<int> one(kBlobs + 1, 1), object(kBlobs + 1, 0);
     for (int i = 1; i + 1 < blob.lines; ++i) {
         for (int j = 1; j + 1 < blob.beams; ++j) {
@@ -185,7 +185,7 @@ class Methods {
 public:
     explicit Methods(int size) : size_(size), errors_(fillers().size()) {}
 
-    void add(const Simulation& one, std::uint64_t m) {
+    void add(const sim::Simulation& one, std::uint64_t m) {
         Scan scan = one.scan;
         const Grid<int> blob = dropBlobs(scan, size_, 7000 + m);
         const std::vector<int> surface = onOneSurface(blob, *one.truth);
@@ -222,7 +222,7 @@ private:
 
 class Sizes {
 public:
-    void add(const Simulation& one, std::uint64_t m) {
+    void add(const sim::Simulation& one, std::uint64_t m) {
         for (std::size_t n = 0; n < kSizes.size(); ++n) {
             Scan scan = one.scan;
             const Grid<int> blob = dropBlobs(scan, kSizes[n], 8000 + m);
@@ -260,7 +260,7 @@ private:
 struct Voids {
     std::size_t open = 0, filled = 0;
 
-    void add(const Simulation& one) {
+    void add(const sim::Simulation& one) {
         const GapFilling filling = fillGaps(one.scan, kWidest);
         for (std::size_t k = 0; k < one.truth->object.size(); ++k) open += one.truth->object[k] == 0 ? 1 : 0;
         for (const FilledCell& cell : filling.cells) filled += one.truth->object[cell.cell] == 0 ? 1 : 0;
@@ -268,11 +268,11 @@ struct Voids {
     void print() const { std::printf("Of %zu cells whose beam hit nothing, %zu were filled.\n\n", open, filled); }
 };
 
-double fOf(const Scan& scan, const TruthSet& truth, bool fill) {
-    Settings settings;
+double fOf(const Scan& scan, const lab::TruthSet& truth, bool fill) {
+    edges::Settings settings;
     settings.fillCells = fill ? kWidest : 0;
     settings.fillEdges = fill;
-    return evaluateMask(*detectEdges(std::make_shared<const Scan>(scan), settings)->mask, truth, nullptr, 3).score.all.f();
+    return lab::evaluateMask(*edges::detectEdges(std::make_shared<const Scan>(scan), settings)->mask, truth, nullptr, 3).score.all.f();
 }
 
 struct EdgeScores {
@@ -280,8 +280,8 @@ struct EdgeScores {
     double asIs, asIsFilled, holes, holesFilled;
 };
 
-EdgeScores edgeScores(const Simulation& one, std::uint64_t m) {
-    const TruthSet truth = truthSetOf(one);
+EdgeScores edgeScores(const sim::Simulation& one, std::uint64_t m) {
+    const lab::TruthSet truth = lab::truthSetOf(one);
     Scan holes = one.scan;
     dropBlobs(holes, 7, 9000 + m);
     return {one.scan.name, fOf(one.scan, truth, false), fOf(one.scan, truth, true), fOf(holes, truth, false), fOf(holes, truth, true)};
@@ -344,7 +344,7 @@ int main(int argc, char** argv) {
     std::uint64_t m = 0;
     for (const std::uint64_t seed : seeds) {
         for (const char* scene : {"hangup", "pile"}) {
-            const Simulation one = many ? scoredScene(scene, seed, 250, 286) : scoredScene(scene, seed, 500, 571);
+            const sim::Simulation one = many ? scoredScene(scene, seed, 250, 286) : scoredScene(scene, seed, 500, 571);
             methods.add(one, m);
             sizes.add(one, m);
             voids.add(one);

@@ -36,44 +36,46 @@ void tell(const char* what, double seconds) {
 /// Bytes of the lines as an LMS511 sends them.
 std::vector<Bytes> framesOf(const Scan& scan) {
     std::vector<Bytes> frames;
-    const auto telegrams = telegramsOf(scan);
+    const auto telegrams = scanner::telegramsOf(scan);
     if (!telegrams) std::exit(1);
-    for (const ScanTelegram& telegram : *telegrams) frames.push_back(framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B));
+    for (const scanner::ScanTelegram& telegram : *telegrams)
+        frames.push_back(scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B));
     return frames;
 }
 
 double receive(const std::vector<Bytes>& frames, int snapshotEvery) {
-    SweepSettings settings;
+    scanner::SweepSettings settings;
     settings.expectedLines = static_cast<int>(frames.size());
-    ColaStream stream;
-    SweepFeed feed(settings);
+    scanner::ColaStream stream;
+    files::SweepFeed feed(settings);
     std::int64_t ns = 1'700'000'000'000'000'000;
     std::shared_ptr<const Scan> shown;
     const double start = threadSeconds();
     int line = 0;
     for (const Bytes& frame : frames) {
-        for (const ColaFrame& received : stream.push(frame)) feed.frame(received, ns += 10'000'000);
+        for (const scanner::ColaFrame& received : stream.push(frame)) feed.frame(received, ns += 10'000'000);
         if (snapshotEvery > 0 && ++line % snapshotEvery == 0) shown = feed.assembler().snapshot();
     }
     return threadSeconds() - start;
 }
 
 double record(const std::vector<Bytes>& frames) {
-    const RecordingClock clock;
-    RecentMessages recent;
+    const files::RecordingClock clock;
+    files::RecentMessages recent;
     const double start = threadSeconds();
-    for (const Bytes& frame : frames) recent.push(receivedMessage(ColaFrame{Dialect::B, frame, hostNow(), 0, 0}, clock));
+    for (const Bytes& frame : frames)
+        recent.push(files::receivedMessage(scanner::ColaFrame{scanner::Dialect::B, frame, scanner::hostNow(), 0, 0}, clock));
     return threadSeconds() - start;
 }
 
 /// One picture of the whole sweep: while it grows the edges are measured anew for each.
-double pictureSeconds(const std::shared_ptr<const Scan>& scan, Method method) {
-    Settings settings;
+double pictureSeconds(const std::shared_ptr<const Scan>& scan, edges::Method method) {
+    edges::Settings settings;
     settings.method = method;
     double best = 1e9;
     for (int round = 0; round < 5; ++round) {
         const double start = threadSeconds();
-        static_cast<void>(detectEdges(scan, settings));
+        static_cast<void>(edges::detectEdges(scan, settings));
         best = std::min(best, threadSeconds() - start);
     }
     return best;
@@ -82,9 +84,9 @@ double pictureSeconds(const std::shared_ptr<const Scan>& scan, Method method) {
 } // namespace
 
 int main(int argc, char** argv) {
-    SimulationSettings simulation;
+    sim::SimulationSettings simulation;
     if (argc > 1) simulation.lines = std::max(8, std::atoi(argv[1]));
-    const auto simulated = simulate(simulation);
+    const auto simulated = sim::simulate(simulation);
     if (!simulated) {
         std::fprintf(stderr, "edgescan_live_bench: %s\n", simulated.error().sentence().c_str());
         return 1;
@@ -100,7 +102,7 @@ int main(int argc, char** argv) {
     tell("the last minute kept", kept);
     tell("together", received + std::max(0.0, snapshots) + kept);
     const auto whole = std::make_shared<const Scan>(scan);
-    for (const auto& [name, method] : {std::pair{"EdgeScan+", Method::EdgeScanPlus}, std::pair{"Canny", Method::Canny}}) {
+    for (const auto& [name, method] : {std::pair{"EdgeScan+", edges::Method::EdgeScanPlus}, std::pair{"Canny", edges::Method::Canny}}) {
         const double seconds = pictureSeconds(whole, method);
         std::printf("edges of the whole sweep by %-9s %6.0f ms, %5.1f pictures per second at most\n", name, 1e3 * seconds, 1.0 / seconds);
     }

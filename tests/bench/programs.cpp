@@ -64,10 +64,11 @@ std::vector<Task> tasksIn(const fs::path& folder) {
 std::vector<ProgramRow> programRows(const std::string& previous, const std::string& present, const Scan& scan, int rounds) {
     std::string pattern = (fs::temp_directory_path() / "edgescan-bench-XXXXXX").string();
     const fs::path folder = mkdtemp(pattern.data());
-    SaveOptions withGrid;
+    files::SaveOptions withGrid;
     withGrid.choices.comments = true;
     std::vector<ProgramRow> rows;
-    if (saveScan(scan, folder / "scan.json") && saveScan(scan, folder / "whole.pcd") && saveScan(scan, folder / "whole.xyz", withGrid)) {
+    if (files::saveScan(scan, folder / "scan.json") && files::saveScan(scan, folder / "whole.pcd") &&
+        files::saveScan(scan, folder / "whole.xyz", withGrid)) {
         for (Task& task : tasksIn(folder)) {
             std::vector<double> cpu[2], wall[2];
             for (int run = 0; run < 2 * rounds; ++run) {

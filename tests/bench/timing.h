@@ -26,9 +26,9 @@ struct Candidate {
 
 inline void runOnce(Candidate& candidate) {
     const auto start = std::chrono::steady_clock::now();
-    const double cpuStart = threadCpuMilliseconds();
+    const double cpuStart = edges::threadCpuMilliseconds();
     candidate.run();
-    candidate.cpuMs.push_back(threadCpuMilliseconds() - cpuStart);
+    candidate.cpuMs.push_back(edges::threadCpuMilliseconds() - cpuStart);
     candidate.wallMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
 }
 

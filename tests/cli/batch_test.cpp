@@ -30,8 +30,8 @@ void makeArchive(const fs::path& folder, int scans) {
     for (int i = 0; i < scans; ++i) {
         const fs::path place = folder / ("bell" + std::to_string(i % 5));
         fs::create_directories(place);
-        ASSERT_TRUE(
-            saveScan(test::boxesScan(24, 30, static_cast<unsigned>(i)), place / ("scan" + std::to_string(i / 5) + extensions[i % 3])));
+        ASSERT_TRUE(files::saveScan(test::boxesScan(24, 30, static_cast<unsigned>(i)),
+                                    place / ("scan" + std::to_string(i / 5) + extensions[i % 3])));
     }
     std::ofstream(folder / "bell0/empty.pcd");
     std::ofstream(folder / "bell1/page.mcap") << "<html>404</html>";
@@ -107,7 +107,7 @@ TEST(CliBatch, OnlyWhatChangedIsDoneAgain) {
     EXPECT_EQ(worked(), 14);
     fs::remove(folder / "archive/bell3/gone.las");
     EXPECT_EQ(worked(), 0);
-    ASSERT_TRUE(saveScan(test::boxesScan(24, 30, 77), folder / "archive/bell0/scan0.pcd")); // other content
+    ASSERT_TRUE(files::saveScan(test::boxesScan(24, 30, 77), folder / "archive/bell0/scan0.pcd")); // other content
     EXPECT_EQ(worked(), 1);
     const fs::path counts = folder / "archive/bell1/scan0.u16"; // the data file of the named description
     std::string bytes = fileText(counts);
@@ -190,8 +190,8 @@ TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {
     const TemporaryFolder folder;
     fs::create_directories(folder / "archive");
     for (int n = 0; n < 3; ++n)
-        ASSERT_TRUE(saveScan(*test::rockScene("hangup", 70U + static_cast<unsigned>(n), 160, 183).scan,
-                             folder / "archive" / ("bell" + std::to_string(n) + ".json")));
+        ASSERT_TRUE(files::saveScan(*test::rockScene("hangup", 70U + static_cast<unsigned>(n), 160, 183).scan,
+                                    folder / "archive" / ("bell" + std::to_string(n) + ".json")));
     const std::string wanted = "--results rocks,rock-table,rock-labels,rock-outlines.geojson,rock-hulls.obj,rock-cloud.pcd,report ";
     const auto run = runCli(inArchive(folder, "r", wanted + "--min-cells 60 --oversize 0.4"));
     ASSERT_EQ(run.code, 0) << run.err;

@@ -22,7 +22,7 @@ struct Cli : public ::testing::Test {
     test::TemporaryFolder folder;
     std::string scanPath = (folder / "boxes.json").string();
 
-    void SetUp() override { ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), scanPath)); }
+    void SetUp() override { ASSERT_TRUE(files::saveScan(test::boxesScan(40, 60, 3, 0.05), scanPath)); }
 };
 
 bool sharedIsThere() { return std::filesystem::exists(EDGESCAN_SHARED_DIR); }
@@ -65,14 +65,14 @@ TEST_F(Cli, EveryOutputIsWrittenAndBelongsToTheSameMask) {
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.out, "");
     const json report = json::parse(test::fileText(folder / "r.json"));
-    const auto mask = readPng8(folder / "m.png");
+    const auto mask = containers::readPng8(folder / "m.png");
     ASSERT_TRUE(mask) << mask.error().sentence();
-    EXPECT_EQ(maskSha256(*mask), report["edge_mask_sha256"].get<std::string>());
+    EXPECT_EQ(exports::maskSha256(*mask), report["edge_mask_sha256"].get<std::string>());
     const std::string edges = test::fileText(folder / "e.csv");
     const auto rows = std::count(edges.begin(), edges.end(), '\n');
     EXPECT_GE(rows, report["edges"].get<int>());
     EXPECT_LE(rows, report["edges"].get<int>() + 12); // header and comments
-    const auto gray = readPng8(folder / "g.png");
+    const auto gray = containers::readPng8(folder / "g.png");
     ASSERT_TRUE(gray);
     EXPECT_EQ(gray->lines, 40);
     EXPECT_EQ(gray->beams, 60);
@@ -82,7 +82,7 @@ TEST_F(Cli, EveryOutputIsWrittenAndBelongsToTheSameMask) {
 
 TEST_F(Cli, AFolderTakesAllResultsOfSeveralScansAndABadOneDoesNotStopTheRest) {
     const std::string second = (folder / "second.json").string();
-    ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 4), second));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(20, 30, 4), second));
     const auto run =
         runCli("detect " + scanPath + " " + (folder / "missing.pcd").string() + " " + second + " -o " + (folder / "out").string());
     EXPECT_EQ(run.code, 1);
@@ -201,24 +201,24 @@ TEST_F(Cli, SimulateGivesTheSameBytesForTheSameSeed) {
 }
 
 TEST_F(Cli, TheCopiedCommandComputesTheSameMask) {
-    Settings settings = findPreset("window")->settings;
+    edges::Settings settings = edges::findPreset("window")->settings;
     settings.lower = 17.5;
     settings.kernel = 7;
-    settings.norm = Norm::L2;
+    settings.norm = edges::Norm::L2;
     settings.farMm = 6500;
     const auto strange = (folder / "it's a $scan.json").string();
-    ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), strange));
-    const std::string command = detectCommand("edgescan-cli", strange, "--unit mm", settings);
+    ASSERT_TRUE(files::saveScan(test::boxesScan(40, 60, 3, 0.05), strange));
+    const std::string command = edges::detectCommand("edgescan-cli", strange, "--unit mm", settings);
     EXPECT_EQ(command.find("edgescan-cli detect "), 0U);
     const auto run = runCli(command.substr(std::string("edgescan-cli ").size()));
     ASSERT_EQ(run.code, 0) << command << run.err;
-    const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(strange)), settings);
-    EXPECT_EQ(json::parse(run.out)["edge_mask_sha256"], maskSha256(*detection->mask)) << command;
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(strange)), settings);
+    EXPECT_EQ(json::parse(run.out)["edge_mask_sha256"], exports::maskSha256(*detection->mask)) << command;
 }
 
 TEST_F(Cli, NonAsciiPathsWork) {
     const auto strange = folder / "Sprengung Süd 天井.json";
-    ASSERT_TRUE(saveScan(test::boxesScan(10, 12, 1), strange));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(10, 12, 1), strange));
     const auto run = runCli("info '" + strange.string() + "'");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(json::parse(run.out)["lines"], 10);

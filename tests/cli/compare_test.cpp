@@ -20,7 +20,7 @@ struct CliCompare : public ::testing::Test {
     test::TemporaryFolder folder;
     std::string scanPath = (folder / "boxes.json").string();
 
-    void SetUp() override { ASSERT_TRUE(saveScan(test::boxesScan(60, 80, 3, 0.02), scanPath)); }
+    void SetUp() override { ASSERT_TRUE(files::saveScan(test::boxesScan(60, 80, 3, 0.02), scanPath)); }
 };
 
 TEST_F(CliCompare, WhyAnswersForACellAndItsThresholdHolds) {
@@ -76,10 +76,10 @@ TEST_F(CliCompare, EveryMethodAndPeerIsOneRow) {
     EXPECT_EQ(names.count("edgescan+as-measured"), 0U); // this scan has no displaced beams or lines
     EXPECT_EQ(report["table_6_1"]["total"]["thesis_printed_ms"], 297);
     EXPECT_EQ(report["table_6_2"]["pcl_boundary"]["thesis_printed_ms"], 1852880);
-    const auto sheet = readPng8(pictures + "/comparison.png");
+    const auto sheet = containers::readPng8(pictures + "/comparison.png");
     ASSERT_TRUE(sheet) << sheet.error().sentence();
     EXPECT_GT(sheet->beams, 4 * 460);
-    const auto mask = readPng8(pictures + "/sobel.png");
+    const auto mask = containers::readPng8(pictures + "/sobel.png");
     ASSERT_TRUE(mask);
     EXPECT_EQ(mask->lines, 60);
 }
@@ -135,7 +135,7 @@ TEST_F(CliCompare, WithTruthEveryMethodHasAScore) {
     const std::string pictures = (folder / "pictures").string();
     ASSERT_EQ(runCli("compare " + bell + " --truth " + truth + " --only thesis,edgescan+ --best --repeats 1 --pictures " + pictures).code,
               0);
-    const auto found = readPng8(pictures + "/truth.png");
+    const auto found = containers::readPng8(pictures + "/truth.png");
     ASSERT_TRUE(found) << found.error().sentence();
     EXPECT_GT(found->beams, 2 * 1100); // 10 pixels per cell
     EXPECT_EQ(runCli("compare " + bell + " --truth " + truth + " --no-peers --tolerance nan").code, 2);

@@ -30,10 +30,10 @@ struct CliEvaluate : public ::testing::Test {
     // A mask whose edges are the cells of gt_class.png for which `wanted` is true.
     template <class Wanted>
     std::string maskOf(const std::string& name, Wanted wanted) {
-        Grid<std::uint8_t> mask = *readPng8(truth + "/gt_class.png");
+        Grid<std::uint8_t> mask = *containers::readPng8(truth + "/gt_class.png");
         for (std::uint8_t& cell : mask.cells) cell = wanted(cell) ? 255 : 0;
         const std::string path = (folder / name).string();
-        EXPECT_TRUE(savePng8(mask, path));
+        EXPECT_TRUE(containers::savePng8(mask, path));
         return path;
     }
 
@@ -197,7 +197,7 @@ TEST_F(CliEvaluate, RefusesWhatDoesNotBelongTogether) {
     }
     EXPECT_EQ(runCli("evaluate " + scan + " --truth " + (folder / "nowhere").string()).code, 1);
 
-    ASSERT_TRUE(savePng8(Grid<std::uint8_t>(10, 12), folder / "small.png"));
+    ASSERT_TRUE(containers::savePng8(Grid<std::uint8_t>(10, 12), folder / "small.png"));
     const auto small = runCli("evaluate " + (folder / "small.png").string() + " --truth " + truth);
     EXPECT_EQ(small.code, 1);
     EXPECT_NE(small.err.find("10 x 12 cells and its truth 100 x 120"), std::string::npos) << small.err;

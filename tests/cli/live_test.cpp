@@ -154,20 +154,20 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
     const Served served(bell + " --rate 500 --split"); // so slow that the sweep can be observed while it grows
     ASSERT_GT(served.port(), 0);
-    SessionSettings scanner;
+    scanner::SessionSettings scanner;
     scanner.host = "127.0.0.1";
     scanner.port = static_cast<std::uint16_t>(served.port());
-    SweepSettings sweep;
+    scanner::SweepSettings sweep;
     sweep.expectedLines = 1000;
     sweep.firstLineDeg = -90;
     sweep.degPerLine = 0.18;
     sweep.axis = Axis::Sweep;
-    LiveFeed feed(scanner, sweep, [] {});
-    Pipeline pipeline;
-    SteadyWindow window;
-    Settings canny;
-    canny.method = Method::Canny;
-    SweepSoFar now;
+    files::LiveFeed feed(scanner, sweep, [] {});
+    edges::Pipeline pipeline;
+    edges::SteadyWindow window;
+    edges::Settings canny;
+    canny.method = edges::Method::Canny;
+    scanner::SweepState now;
     int looks = 0;
     const bool ended = test::waitUntil([&] {
         now = feed.sweep();
@@ -180,10 +180,11 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     ASSERT_TRUE(ended) << now.progress.text() << ' ' << feed.status().session.sentence;
     EXPECT_TRUE(now.progress.complete()) << now.progress.text();
     EXPECT_GT(looks, 3);
-    EXPECT_EQ(maskSha256(*pipeline.run(now.scan, canny)->mask), hashOf(bell + " --method canny"));
-    EXPECT_EQ(maskSha256(*detectEdges(now.scan, Settings{})->mask), hashOf(bell));
+    EXPECT_EQ(exports::maskSha256(*pipeline.run(now.scan, canny)->mask), hashOf(bell + " --method canny"));
+    EXPECT_EQ(exports::maskSha256(*edges::detectEdges(now.scan, edges::Settings{})->mask), hashOf(bell));
     // Treated as growing until the end, with the gray window of the whole scan: the same result.
-    EXPECT_EQ(maskSha256(*detectEdges(now.scan, SteadyWindow().fix(*now.scan, canny))->mask), hashOf(bell + " --method canny"));
+    EXPECT_EQ(exports::maskSha256(*edges::detectEdges(now.scan, edges::SteadyWindow().fix(*now.scan, canny))->mask),
+              hashOf(bell + " --method canny"));
 }
 
 TEST_F(Live, LostLinesAreTold) {
@@ -260,38 +261,39 @@ Scan scanOfManyStates(unsigned seed) {
 TEST_F(Live, ReplayAndDetectSayTheSameOfEveryRecording) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const std::string states = (folder / ("states" + std::to_string(seed) + ".mcap")).string();
-        ASSERT_TRUE(saveScan(scanOfManyStates(seed), states));
+        ASSERT_TRUE(files::saveScan(scanOfManyStates(seed), states));
         expectReplayAsDetect(states);
         const std::string bell = (folder / ("bell" + std::to_string(seed) + ".mcap")).string();
         ASSERT_EQ(runCli("simulate -o " + bell + " --lines 50 --beams 120 --seed " + std::to_string(seed)).code, 0);
         expectReplayAsDetect(bell);
     }
     // Of two sweeps, the one with more received lines counts, not the one with more rows.
-    std::vector<RecordingMessagePtr> messages;
+    std::vector<files::RecordingMessagePtr> messages;
     for (int n = 0; n < 110; ++n) {
         const bool lost = n < 60 && n % 3 == 1;
         if (!lost) messages.push_back(test::lineMessage(n));
-        messages.push_back(stepperMessage({n, n < 60 ? 0.2 * n : 0.2 * (120 - n), n < 60 ? 5.0 : -5.0, true, test::hostNsOfLine(n)}));
+        messages.push_back(
+            files::stepperMessage({n, n < 60 ? 0.2 * n : 0.2 * (120 - n), n < 60 ? 5.0 : -5.0, true, test::hostNsOfLine(n)}));
     }
     const std::string twoSweeps = (folder / "two-sweeps.mcap").string();
-    ASSERT_TRUE(saveMessages(twoSweeps, metadataOf(SweepSettings{}), messages));
+    ASSERT_TRUE(files::saveMessages(twoSweeps, scanner::metadataOf(scanner::SweepSettings{}), messages));
     EXPECT_EQ(json::parse(runCli("detect --json - " + twoSweeps).out)["lines"], 49);
     expectReplayAsDetect(twoSweeps);
 }
 
 /// Messages of a scanner with faults of all kinds, including wrong counters and clocks; every seed gives another mixture.
-std::vector<RecordingMessagePtr> faultyMessages(unsigned seed) {
+std::vector<files::RecordingMessagePtr> faultyMessages(unsigned seed) {
     std::mt19937 random(seed);
     const auto maybe = [&](int every) { return random() % 2 == 0 ? every : 0; };
-    SimulationSettings bell;
+    sim::SimulationSettings bell;
     bell.lines = 60;
     bell.beams = 90 + static_cast<int>(random() % 60);
     bell.seed = seed;
-    auto simulated = simulate(bell);
-    auto telegrams = telegramsOf(simulated->scan);
+    auto simulated = sim::simulate(bell);
+    auto telegrams = scanner::telegramsOf(simulated->scan);
     EXPECT_TRUE(telegrams);
-    EmulatedScannerSettings settings;
-    settings.atEnd = random() % 2 == 0 ? AtEnd::Again : AtEnd::Reverse;
+    scanner::EmulatedScannerSettings settings;
+    settings.atEnd = random() % 2 == 0 ? scanner::AtEnd::Again : scanner::AtEnd::Reverse;
     settings.contaminationWarning = random() % 4 == 0;
     settings.faults.byChance = true;
     settings.faults.seed = seed;
@@ -301,8 +303,8 @@ std::vector<RecordingMessagePtr> faultyMessages(unsigned seed) {
     settings.faults.corruptEvery = maybe(25);
     settings.faults.garbageEvery = maybe(25);
     const int counterJumps = maybe(30), clockJumps = maybe(30), narrow = maybe(20), late = maybe(20);
-    sim::EmulatedSweep sweep(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
-    std::vector<RecordingMessagePtr> messages;
+    scanner::EmulatedSweep sweep(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
+    std::vector<files::RecordingMessagePtr> messages;
     const auto happens = [&](int every) { return every > 0 && random() % static_cast<unsigned>(every) == 0; };
     for (int n = 0; n < 150; ++n) {
         auto step = sweep.next();
@@ -310,10 +312,10 @@ std::vector<RecordingMessagePtr> faultyMessages(unsigned seed) {
         if (happens(counterJumps)) step->telegram.telegramCounter = static_cast<std::uint16_t>(random());
         if (happens(clockJumps)) step->telegram.sinceStartUs = static_cast<std::uint32_t>(random());
         if (happens(narrow)) step->telegram.channels16.front().values.resize(40);
-        const Bytes frame = framed(encodeScanTelegram(step->telegram, Dialect::B), Dialect::B);
+        const Bytes frame = scanner::framed(scanner::encodeScanTelegram(step->telegram, scanner::Dialect::B), scanner::Dialect::B);
         const auto post = [&](Bytes bytes) {
-            messages.push_back(std::make_shared<const RecordingMessage>(
-                RecordingMessage{RecordingTopic::ColaRx, test::hostNsOfLine(n), std::move(bytes)}));
+            messages.push_back(std::make_shared<const files::RecordingMessage>(
+                files::RecordingMessage{files::RecordingTopic::ColaRx, test::hostNsOfLine(n), std::move(bytes)}));
         };
         if (step->garbage) post(sweep.garbage());
         post(step->corrupt ? sweep.corrupted(frame) : frame);
@@ -325,11 +327,11 @@ std::vector<RecordingMessagePtr> faultyMessages(unsigned seed) {
 
 TEST_F(Live, ReplayAndDetectSayTheSameOfFaultyScanners) {
     for (unsigned seed = 1; seed <= 40; ++seed) {
-        SweepSettings settings;
+        scanner::SweepSettings settings;
         settings.expectedLines = seed % 3 == 0 ? 60 : 0;
         settings.degPerLine = 3.0;
         const std::string path = (folder / ("faulty" + std::to_string(seed) + ".mcap")).string();
-        ASSERT_TRUE(saveMessages(path, metadataOf(settings), faultyMessages(seed)));
+        ASSERT_TRUE(files::saveMessages(path, scanner::metadataOf(settings), faultyMessages(seed)));
         expectReplayAsDetect(path);
     }
 }
@@ -338,29 +340,29 @@ TEST_F(Live, ReplayAndDetectSayTheSameOfFaultyScanners) {
 TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldByEveryCommand) {
     struct Case {
         const char* word;
-        std::function<void(ScanTelegram&, int)> spoil;
+        std::function<void(scanner::ScanTelegram&, int)> spoil;
     };
     const std::vector<Case> cases{
-        {"jumped ahead", [](ScanTelegram& t, int n) { t.telegramCounter = t.scanCounter = static_cast<std::uint16_t>(1000 * n); }},
-        {"clock was set", [](ScanTelegram& t, int n) { t.sinceStartUs = 4'000'000'000U - 40'000U * static_cast<unsigned>(n); }},
+        {"jumped ahead", [](scanner::ScanTelegram& t, int n) { t.telegramCounter = t.scanCounter = static_cast<std::uint16_t>(1000 * n); }},
+        {"clock was set", [](scanner::ScanTelegram& t, int n) { t.sinceStartUs = 4'000'000'000U - 40'000U * static_cast<unsigned>(n); }},
         {"fewer beams",
-         [](ScanTelegram& t, int n) {
+         [](scanner::ScanTelegram& t, int n) {
              if (n % 2 == 1) t.channels16.front().values.resize(30);
          }},
     };
     for (const Case& each : cases) {
         SCOPED_TRACE(each.word);
-        std::vector<ScanTelegram> telegrams;
-        std::vector<RecordingMessagePtr> messages;
+        std::vector<scanner::ScanTelegram> telegrams;
+        std::vector<files::RecordingMessagePtr> messages;
         for (int n = 0; n < 60; ++n) {
-            ScanTelegram telegram = test::telegramOfLine(n);
+            scanner::ScanTelegram telegram = test::telegramOfLine(n);
             each.spoil(telegram, n);
-            const Bytes frame = framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B);
-            messages.push_back(
-                std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, test::hostNsOfLine(n), frame}));
+            const Bytes frame = scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B);
+            messages.push_back(std::make_shared<const files::RecordingMessage>(
+                files::RecordingMessage{files::RecordingTopic::ColaRx, test::hostNsOfLine(n), frame}));
         }
         const std::string path = (folder / (std::string(each.word).substr(0, 5) + ".mcap")).string();
-        ASSERT_TRUE(saveMessages(path, metadataOf(SweepSettings{}), messages));
+        ASSERT_TRUE(files::saveMessages(path, scanner::metadataOf(scanner::SweepSettings{}), messages));
         expectReplayAsDetect(path);
         for (const char* command : {"info ", "detect --json - ", "replay --quiet "})
             EXPECT_NE(runCli(command + path).out.find(each.word), std::string::npos) << command << runCli(command + path).out;

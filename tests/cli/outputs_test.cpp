@@ -26,8 +26,8 @@ TEST(CliOutputs, NoInputIsReplacedByWhateverNameOrLink) {
     const test::TemporaryFolder folder;
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
     const Scan scan = test::boxesScan(20, 30, 3);
-    ASSERT_TRUE(saveScan(scan, folder / "a.pcd"));
-    ASSERT_TRUE(saveScan(scan, folder / "grid.json"));
+    ASSERT_TRUE(files::saveScan(scan, folder / "a.pcd"));
+    ASSERT_TRUE(files::saveScan(scan, folder / "grid.json"));
     std::ofstream(folder / "preset.json") << R"({"format":"edgescan-preset/1","settings":{"method":"canny"}})";
     fs::create_symlink("a.pcd", folder / "link.pcd");
     fs::create_hard_link(folder / "a.pcd", folder / "hard.pcd");
@@ -61,7 +61,7 @@ TEST(CliOutputs, NoInputIsReplacedByWhateverNameOrLink) {
 TEST(CliOutputs, NoResultTakesThePlaceOfAnotherHoweverItIsSpelled) {
     const test::TemporaryFolder folder;
     const std::string scan = (folder / "a.pcd").string(), out = (folder / "x.pcd").string();
-    ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 3), scan));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(20, 30, 3), scan));
     const std::string near = "nowhere-else.pcd"; // in the working directory of the program
     for (const std::string& line : {"detect " + scan + " --edges " + near + " --cloud ./" + near, "detect " + scan + " --edges - --json -",
                                     "detect " + scan + " --edges " + out + " --json " + out + ".provenance.json",
@@ -77,7 +77,7 @@ TEST(CliOutputs, NoResultTakesThePlaceOfAnotherHoweverItIsSpelled) {
 
 TEST(CliOutputs, AFileBeyondItsLimitIsRefusedAndNotTheEndOfTheProgram) {
     const test::TemporaryFolder folder;
-    ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3), folder / "a.json"));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(40, 60, 3), folder / "a.json"));
     rlimit before{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
     rlimit small = before;
@@ -93,7 +93,7 @@ TEST(CliOutputs, AFileBeyondItsLimitIsRefusedAndNotTheEndOfTheProgram) {
 TEST(CliOutputs, XyzIsNumbersAndCsvAHeaderAndNumbers) {
     const test::TemporaryFolder folder;
     Scan scan = test::boxesScan(20, 30, 3, 0.1);
-    ASSERT_TRUE(saveScan(scan, folder / "s.json"));
+    ASSERT_TRUE(files::saveScan(scan, folder / "s.json"));
     const std::size_t valid = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
     for (const char* command : {"convert s.json c.EXT", "detect s.json --cloud c.EXT"}) {
         for (const std::string extension : {"xyz", "csv"}) {
@@ -125,7 +125,7 @@ TEST(CliOutputs, WhatHoldsNoPlaceIsInMineCoordinates) {
     const test::TemporaryFolder folder;
     Scan scan = test::boxesScan(20, 30, 3);
     scan.placement = test::randomPlacement(3, 1, true);
-    ASSERT_TRUE(saveScan(scan, folder / "s.json"));
+    ASSERT_TRUE(files::saveScan(scan, folder / "s.json"));
     for (const std::string extension : {"dxf", "obj", "ptx", "xyz", "csv"}) {
         const auto run = runCli("convert " + (folder / "s.json").string() + " " + (folder / ("c." + extension)).string());
         ASSERT_EQ(run.code, 0) << run.err;

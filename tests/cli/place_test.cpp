@@ -24,7 +24,7 @@ void write(const std::filesystem::path& path, const std::string& text) { std::of
 class CliPlace : public testing::Test {
 protected:
     void SetUp() override {
-        ASSERT_TRUE(saveScan(test::boxesScan(40, 60, 3, 0.05), folder / "boxes.json"));
+        ASSERT_TRUE(files::saveScan(test::boxesScan(40, 60, 3, 0.05), folder / "boxes.json"));
         write(folder / "robot.json", test::calibrationText(robot()));
         write(folder / "pose.json", R"({"format": "edgescan-pose/1", "robot": "example robot", "boom": {"azimuth_deg": 33.5},
             "inclinometer": {"tilt_x_deg": 14.25, "tilt_y_deg": -3.4},
@@ -91,18 +91,18 @@ TEST_F(CliPlace, ConvertLeavesARecordThatVerifies) {
 }
 
 TEST_F(CliPlace, ReplayPlacesTheSweepAsDetectDoes) {
-    SweepMetadata keys = metadataOf(SweepSettings{});
+    scanner::SweepMetadata keys = scanner::metadataOf(scanner::SweepSettings{});
     const std::string pose =
         R"({"easting_m":498765.4,"northing_m":5150123.4,"elevation_m":287.6,"heading_deg":217.4,"pitch_deg":5.7,"roll_deg":-2})";
     const std::string tilt = R"({"tilt_x_deg":14.25,"tilt_y_deg":-3.4})";
     keys["boom_azimuth_deg"] = "33.5";
-    std::vector<RecordingMessagePtr> messages;
+    std::vector<files::RecordingMessagePtr> messages;
     for (int line = 0; line < 40; ++line) messages.push_back(test::lineMessage(line));
-    messages.push_back(std::make_shared<const RecordingMessage>(
-        RecordingMessage{RecordingTopic::Talin, test::kEpochNs + 500'000'000, Bytes(pose.begin(), pose.end())}));
-    messages.push_back(std::make_shared<const RecordingMessage>(
-        RecordingMessage{RecordingTopic::Inclinometer, test::kEpochNs + 500'000'000, Bytes(tilt.begin(), tilt.end())}));
-    ASSERT_TRUE(saveMessages(folder / "s.mcap", keys, messages));
+    messages.push_back(std::make_shared<const files::RecordingMessage>(
+        files::RecordingMessage{files::RecordingTopic::Talin, test::kEpochNs + 500'000'000, Bytes(pose.begin(), pose.end())}));
+    messages.push_back(std::make_shared<const files::RecordingMessage>(
+        files::RecordingMessage{files::RecordingTopic::Inclinometer, test::kEpochNs + 500'000'000, Bytes(tilt.begin(), tilt.end())}));
+    ASSERT_TRUE(files::saveMessages(folder / "s.mcap", keys, messages));
     write(folder / "spin.json", test::calibrationText(test::exampleCalibration()));
     const std::string flags = path("s.mcap") + " --calibration " + path("spin.json");
     const json detected = json::parse(runCli("detect " + flags + " --json -").out);

@@ -32,7 +32,7 @@ std::size_t countOf(const std::string& text, const std::string& part) {
 TEST(CliReport, IsOneFileThatLoadsNothingAndPromisesNothing) {
     const test::TemporaryFolder folder;
     const fs::path scan = folder / "s.pcd", page = folder / "s.html";
-    ASSERT_TRUE(saveScan(test::boxesScan(60, 90, 4, 0.02), scan));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(60, 90, 4, 0.02), scan));
     const auto run = runCli("report " + scan.string() + " -o " + page.string() + " --sensitivity 1.5 --operator 'Ann B.' --role surveyor");
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string text = fileText(page);
@@ -63,35 +63,36 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     const test::TemporaryFolder folder;
     const fs::path now = folder / "now.pcd", before = folder / "before.pcd", page = folder / "s.html", targets = folder / "t.json";
     Scan scan = test::boxesScan(60, 90, 4, 0.0);
-    ASSERT_TRUE(saveScan(scan, now));
+    ASSERT_TRUE(files::saveScan(scan, now));
     for (int line = 20; line < 30; ++line) {
         for (int beam = 30; beam < 45; ++beam) scan.rangeMm.at(line, beam) += 900.0F;
     }
-    ASSERT_TRUE(saveScan(scan, before));
-    const auto opened = openScan(now);
+    ASSERT_TRUE(files::saveScan(scan, before));
+    const auto opened = files::openScan(now);
     ASSERT_TRUE(opened);
-    Notebook notebook;
+    inspect::Notebook notebook;
     notebook.targets.push_back({.number = 3,
                                 .name = "<b>key & stone",
                                 .cell = 25 * 90 + 40,
                                 .pinnedUtc = "2026-11-21T08:00:00Z",
                                 .asPinned = {{"distance", "5.1 m"}}});
-    notebook.measures.push_back({MeasureKind::Distance, {10 * 90 + 20, 40 * 90 + 70}});
-    std::ofstream(targets) << notebookText(notebook, notebookScan(*opened));
+    notebook.measures.push_back({inspect::MeasureKind::Distance, {10 * 90 + 20, 40 * 90 + 70}});
+    std::ofstream(targets) << inspect::notebookText(notebook, inspect::notebookScan(*opened));
     const std::string flags =
         "report " + now.string() + " -o " + page.string() + " --targets " + targets.string() + " --before " + before.string();
     const auto run = runCli(flags);
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string text = fileText(page);
-    const auto detection = detectEdges(std::make_shared<const Scan>(*opened), Settings{});
-    const auto measured = measureCells(*opened, noiseOf(*detection), MeasureKind::Distance, notebook.measures[0].cells);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*opened), edges::Settings{});
+    const auto measured =
+        inspect::measureCells(*opened, inspect::noiseOf(*detection), inspect::MeasureKind::Distance, notebook.measures[0].cells);
     ASSERT_TRUE(measured);
     const auto change = runCli("change " + before.string() + " " + now.string());
     ASSERT_EQ(change.code, 0) << change.err;
     const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
     for (const std::string& told :
-         {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"), measureText(*measured),
-          std::string("Before and after"), std::string("OUT OF SPEC"), largest})
+         {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"),
+          inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})
         EXPECT_NE(text.find(told), std::string::npos) << told;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);
     EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
@@ -107,7 +108,7 @@ TEST(CliReport, TextOfFilesAndNamesStaysText) {
     Scan hostile = test::boxesScan(20, 30, 4);
     hostile.note = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
     const fs::path scan = folder / "a<script>alert(3)<\xe2\x80\xaex'\"&.json";
-    ASSERT_TRUE(saveScan(hostile, scan));
+    ASSERT_TRUE(files::saveScan(hostile, scan));
     const fs::path page = folder / "s.html";
     std::string quoted = "'";
     for (const char c : scan.string()) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -145,7 +146,7 @@ TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
     if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
     const test::TemporaryFolder folder;
     const Scan scan = test::boxesScan(80, 120, 4);
-    ASSERT_TRUE(saveScan(scan, folder / "s.json"));
+    ASSERT_TRUE(files::saveScan(scan, folder / "s.json"));
     ASSERT_EQ(runCli("report " + (folder / "s.json").string() + " -o " + (folder / "s.html").string()).code, 0);
     const std::string found = inBrowser(folder.path(), folder / "s.html", R"JS(
         var view = document.getElementById('view'), found = {};
@@ -185,7 +186,7 @@ TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
 TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
     const test::TemporaryFolder folder;
     const fs::path scan = folder / "bell.json", page = folder / "s.html";
-    ASSERT_TRUE(saveScan(*test::rockScene("hangup", 77, 240, 274).scan, scan));
+    ASSERT_TRUE(files::saveScan(*test::rockScene("hangup", 77, 240, 274).scan, scan));
     const auto run = runCli("report " + scan.string() + " -o " + page.string() + " --rocks --level 0.5 --oversize 0.6");
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string text = fileText(page);
@@ -238,7 +239,7 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
 TEST(CliReport, PrintsOnA4InARealBrowser) {
     if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
     const test::TemporaryFolder folder;
-    ASSERT_TRUE(saveScan(test::boxesScan(80, 120, 4), folder / "s.json"));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(80, 120, 4), folder / "s.json"));
     ASSERT_EQ(runCli("report " + (folder / "s.json").string() + " -o " + (folder / "s.html").string()).code, 0);
     const std::string command = "cd " + folder.path().string() +
                                 " && timeout 90 chromium --headless --no-sandbox --user-data-dir=profile --no-pdf-header-footer "
@@ -257,7 +258,7 @@ TEST(CliReport, OfTheLargestScanItStaysBelowItsBound) {
     Scan scan = test::boxesScan(1300, 1300, 4, 0.3); // more cells than pixels, and noise that PNG cannot compress
     std::uint32_t state = 1;
     for (float& range : scan.rangeMm.cells) range = static_cast<float>(1000 + (state = state * 1664525U + 1013904223U) / 200000U);
-    ASSERT_TRUE(saveScan(scan, folder / "s.mcap"));
+    ASSERT_TRUE(files::saveScan(scan, folder / "s.mcap"));
     ASSERT_EQ(runCli("report " + (folder / "s.mcap").string() + " -o " + (folder / "s.html").string()).code, 0);
     const auto bytes = fs::file_size(folder / "s.html");
     EXPECT_LT(bytes, 14'000'000U); // docs/report.md

@@ -25,7 +25,7 @@ protected:
         folder = new test::TemporaryFolder;
         Scan scan = *test::rockScene("hangup", 77, 240, 274).scan;
         scan.placement = test::randomPlacement(4, 1, true);
-        ASSERT_TRUE(saveScan(scan, *folder / "bell.json"));
+        ASSERT_TRUE(files::saveScan(scan, *folder / "bell.json"));
     }
     static void TearDownTestSuite() {
         delete folder;
@@ -71,7 +71,7 @@ TEST_F(CliRocks, PictureTableAndJsonSayTheSame) {
     EXPECT_EQ(report["schema"], "edgescan-rocks/1");
     EXPECT_EQ(report["note"], "candidate - geometry only, one viewpoint");
     EXPECT_EQ(report["up"]["assumed"], false);
-    const auto picture = pngValues(test::fileText(path("l.png")), "l.png");
+    const auto picture = containers::pngValues(test::fileText(path("l.png")), "l.png");
     ASSERT_TRUE(picture);
     ASSERT_GT(report["rocks"].size(), 10U);
     EXPECT_EQ(report["rock_count"], report["rocks"].size());
@@ -138,7 +138,7 @@ TEST_F(CliRocks, OutlinesArePolygonsOfThePicture) {
     EXPECT_EQ(json::parse(run.out)["type"], "FeatureCollection");
     ASSERT_EQ(runCli("rocks " + path("bell.json") + " --outlines " + path("o.geojson") + " --labels " + path("o.png")).code, 0);
     const json outlines = json::parse(test::fileText(path("o.geojson")));
-    const auto picture = pngValues(test::fileText(path("o.png")), "o.png");
+    const auto picture = containers::pngValues(test::fileText(path("o.png")), "o.png");
     ASSERT_TRUE(picture);
     for (const json& feature : outlines["features"]) {
         double area = 0;

@@ -26,8 +26,8 @@ using nlohmann::json;
 /// edgescan-cli record on a disk that the environment variables describe.
 class Recorder {
 public:
-    Recorder(const EmulatedScanner& scanner, std::string path, const std::string& environment, const std::string& arguments)
-        : path_(std::move(path)), startedNs_(hostNow().utcNs) {
+    Recorder(const scanner::EmulatedScanner& scanner, std::string path, const std::string& environment, const std::string& arguments)
+        : path_(std::move(path)), startedNs_(scanner::hostNow().utcNs) {
         const std::string command = "LD_PRELOAD=" EDGESCAN_SLOW_DISK " " + environment +
                                     " exec " EDGESCAN_BIN_DIR "/edgescan-cli record 127.0.0.1:" + std::to_string(scanner.port()) + " -o " +
                                     path_ + " " + arguments + " >" + path_ + ".out 2>" + path_ + ".err";
@@ -46,7 +46,7 @@ public:
     /// Seconds between the last line in the file and the kill.
     void kill() {
         ::kill(process_, SIGKILL);
-        killedNs_ = hostNow().utcNs;
+        killedNs_ = scanner::hostNow().utcNs;
         ::waitpid(std::exchange(process_, 0), nullptr, 0);
     }
     int wait() {
@@ -55,8 +55,8 @@ public:
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     [[nodiscard]] std::string said(const char* stream) const { return test::fileText(path_ + stream); }
-    [[nodiscard]] std::shared_ptr<const Recording> recording() const {
-        const auto opened = Recording::open(path_);
+    [[nodiscard]] std::shared_ptr<const files::Recording> recording() const {
+        const auto opened = files::Recording::open(path_);
         EXPECT_TRUE(opened) << opened.error().sentence();
         return opened ? *opened : nullptr;
     }
@@ -68,13 +68,13 @@ private:
     pid_t process_ = 0;
 };
 
-std::unique_ptr<EmulatedScanner> scannerOf(double linesPerSecond) {
-    EmulatedScannerSettings settings;
+std::unique_ptr<scanner::EmulatedScanner> scannerOf(double linesPerSecond) {
+    scanner::EmulatedScannerSettings settings;
     settings.linesPerSecond = linesPerSecond;
     return test::served(test::countingScan(100, 381), settings);
 }
 
-int linesOf(const std::shared_ptr<const Recording>& recording) { return recording ? Replay(recording).lines() : 0; }
+int linesOf(const std::shared_ptr<const files::Recording>& recording) { return recording ? files::Replay(recording).lines() : 0; }
 
 } // namespace
 
@@ -82,7 +82,7 @@ TEST(SlowDiskRecord, KilledTwentyTimesWhileEverySyncHangs) {
     EDGESCAN_NEEDS_PRELOAD();
     const test::TemporaryFolder folder;
     std::mt19937 random(11);
-    std::vector<std::unique_ptr<EmulatedScanner>> scanners; // eight clients each
+    std::vector<std::unique_ptr<scanner::EmulatedScanner>> scanners; // eight clients each
     std::vector<std::unique_ptr<Recorder>> recorders;
     constexpr double kRate = 50;
     for (int i = 0; i < 20; ++i) {
@@ -171,7 +171,7 @@ TEST(SlowDiskRecord, FiveFullDisksKeepWhatWasThereAndSaySo) {
         lines += linesOf(recording);
         // Everything except the last chunk is in the file: 64 KiB or 200 ms.
         EXPECT_GE(linesOf(recording) * 900 + 2 * 65'536 + 12'000, bytes);
-        EXPECT_EQ(Replay(recording).feed().torn(), 0);
+        EXPECT_EQ(files::Replay(recording).feed().torn(), 0);
     }
     std::printf("[ measured ] five disks full after 0.02 to 0.5 MB: %d lines there, the last chunk of each lost\n", lines);
     EXPECT_GT(lines, 300);

@@ -21,7 +21,7 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     Scan scan = test::boxesScan(40, 60, 3, 0.05);
     scan.placement = test::randomPlacement(3, 1, true);
     const std::string scanPath = (folder / "boxes.json").string();
-    ASSERT_TRUE(saveScan(scan, scanPath));
+    ASSERT_TRUE(files::saveScan(scan, scanPath));
     const auto path = [&](const char* name) { return (folder / name).string(); };
     const auto detect = runCli("detect " + scanPath + " --preset log --lower 11 --mask " + path("m.png") + " --gray " + path("g.png") +
                                " --range " + path("r.png") + " --edges " + path("e.ply") + " --cloud " + path("c.csv"));
@@ -59,7 +59,7 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
 
 TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
     const test::TemporaryFolder folder;
-    ASSERT_TRUE(saveScan(test::boxesScan(20, 30, 3), folder / "boxes.json"));
+    ASSERT_TRUE(files::saveScan(test::boxesScan(20, 30, 3), folder / "boxes.json"));
     const std::string exported = (folder / "e.pcd").string();
     const std::filesystem::path sidecar = exported + ".provenance.json";
     ASSERT_EQ(runCli("detect " + (folder / "boxes.json").string() + " --edges " + exported).code, 0);

@@ -9,21 +9,22 @@ using namespace edgescan;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     if (size < 2) return 0;
     // The first byte chooses the dialect, the second how long the pieces are.
-    std::optional<Dialect> only;
-    if (bytes[0] % 3 != 0) only = bytes[0] % 3 == 1 ? Dialect::A : Dialect::B;
+    std::optional<scanner::Dialect> only;
+    if (bytes[0] % 3 != 0) only = bytes[0] % 3 == 1 ? scanner::Dialect::A : scanner::Dialect::B;
     const std::size_t piece = std::size_t{bytes[1]} + 1;
     const ByteView input(bytes + 2, size - 2);
-    ColaStream whole(only), pieces(only);
-    const std::vector<ColaFrame> expected = whole.push(input);
-    std::vector<ColaFrame> found;
+    scanner::ColaStream whole(only), pieces(only);
+    const std::vector<scanner::ColaFrame> expected = whole.push(input);
+    std::vector<scanner::ColaFrame> found;
     for (std::size_t at = 0; at < input.size(); at += piece) {
-        for (ColaFrame& frame : pieces.push(input.subspan(at, std::min(piece, input.size() - at)))) found.push_back(std::move(frame));
-        if (pieces.waiting() > kLongestFrame) std::abort();
+        for (scanner::ColaFrame& frame : pieces.push(input.subspan(at, std::min(piece, input.size() - at))))
+            found.push_back(std::move(frame));
+        if (pieces.waiting() > scanner::kLongestFrame) std::abort();
     }
     std::uint64_t inFrames = 0;
-    for (const ColaFrame& frame : expected) {
+    for (const scanner::ColaFrame& frame : expected) {
         inFrames += frame.bytes.size();
-        if (framed(frame.payload(), frame.dialect) != frame.bytes) std::abort();
+        if (scanner::framed(frame.payload(), frame.dialect) != frame.bytes) std::abort();
         if (!std::equal(frame.bytes.begin(), frame.bytes.end(), input.begin() + static_cast<std::ptrdiff_t>(frame.offset))) std::abort();
     }
     if (found != expected || !(pieces.counts() == whole.counts())) std::abort();

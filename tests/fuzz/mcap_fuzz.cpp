@@ -8,11 +8,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace edgescan;
     // The magic is given, so that the fuzzer need not find it.
-    Bytes file(kMcapMagic.begin(), kMcapMagic.end());
+    Bytes file(containers::kMcapMagic.begin(), containers::kMcapMagic.end());
     file.insert(file.end(), bytes, bytes + size);
-    const auto recording = Recording::fromBytes(std::move(file), "fuzz");
+    const auto recording = files::Recording::fromBytes(std::move(file), "fuzz");
     if (!recording) return 0;
-    const auto scan = scanOf(*recording, "fuzz");
+    const auto scan = files::scanOf(*recording, "fuzz");
     if (!scan) return 0;
     std::size_t cells = 0;
     for (const std::size_t count : countCells(*scan)) cells += count;

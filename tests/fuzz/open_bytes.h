@@ -24,7 +24,7 @@ inline int openBytes(const std::uint8_t* bytes, std::size_t size, const char* ex
     const bool ranges = std::string(extension) == ".png" || std::string(extension) == ".tif" || std::string(extension) == ".csv" ||
                         std::string(extension) == ".npy";
     if (ranges) options.axis = Axis::Sweep; // elsewhere it would keep clouds from being projected
-    const auto scan = readScanBytes(std::as_bytes(std::span(bytes, size)), extension, options);
+    const auto scan = files::readScanBytes(std::as_bytes(std::span(bytes, size)), extension, options);
     if (!scan) {
         const std::string sentence = scan.error().sentence();
         hold(sentence.ends_with(".") && sentence.find('\n') == std::string::npos);

@@ -11,24 +11,24 @@ namespace {
 
 constexpr std::string_view kStart = "sSN LMDscandata ";
 
-void check(ByteView payload, Dialect dialect) {
-    const auto telegram = decodeScanTelegram(payload, dialect);
+void check(ByteView payload, scanner::Dialect dialect) {
+    const auto telegram = scanner::decodeScanTelegram(payload, dialect);
     if (!telegram) {
         if (telegram.error().sentence().empty()) std::abort();
         return;
     }
-    for (const ScanChannel& channel : telegram->channels16) {
-        const ChannelRanges ranges = rangesMm(channel);
+    for (const scanner::ScanChannel& channel : telegram->channels16) {
+        const scanner::ChannelRanges ranges = scanner::rangesMm(channel);
         for (const float range : ranges.rangeMm) {
             if (!std::isfinite(range) || range < 0.0F) std::abort();
         }
-        (void)beamAnglesDeg(beamGrid(channel));
+        (void)beamAnglesDeg(scanner::beamGrid(channel));
     }
-    for (const Dialect target : {Dialect::A, Dialect::B}) {
-        const Bytes once = encodeScanTelegram(*telegram, target);
-        const auto back = decodeScanTelegram(once, target);
+    for (const scanner::Dialect target : {scanner::Dialect::A, scanner::Dialect::B}) {
+        const Bytes once = scanner::encodeScanTelegram(*telegram, target);
+        const auto back = scanner::decodeScanTelegram(once, target);
         // Compared as bytes: a scale may be "not a number", which is unequal to itself.
-        if (!back || encodeScanTelegram(*back, target) != once) std::abort();
+        if (!back || scanner::encodeScanTelegram(*back, target) != once) std::abort();
     }
 }
 
@@ -36,9 +36,9 @@ void check(ByteView payload, Dialect dialect) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     if (size < 1) return 0;
-    const Dialect dialect = bytes[0] % 2 == 0 ? Dialect::A : Dialect::B;
+    const scanner::Dialect dialect = bytes[0] % 2 == 0 ? scanner::Dialect::A : scanner::Dialect::B;
     const ByteView input(bytes + 1, size - 1);
-    if (isScanTelegram(input)) {
+    if (scanner::isScanTelegram(input)) {
         check(input, dialect);
         return 0;
     }

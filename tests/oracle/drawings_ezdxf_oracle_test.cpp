@@ -45,11 +45,11 @@ TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
     const Folder folder;
     Scan scan = makeScan({.lines = 24, .beams = 31});
     scan.placement = randomPlacement(3, 1, true);
-    const auto detection = detectEdges(std::make_shared<const Scan>(scan), Settings{});
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{});
     ASSERT_GT(detection->edges->size(), 10U);
     for (const bool release2000 : {false, true}) {
         const CoordinateFrame coordinates = release2000 ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
-        const WritingChoices choices{.dxf2000 = release2000, .shortLines = release2000};
+        const files::WritingChoices choices{.dxf2000 = release2000, .shortLines = release2000};
         ASSERT_TRUE(saveCloud(scan, folder / "cloud.dxf", detection->mask.get(),
                               {.frame = coordinates, .record = "{\"a\":1}", .choices = choices}));
         const json read = readByEzdxf(folder, "cloud.dxf");
@@ -58,7 +58,7 @@ TEST(EzdxfOracle, ReadsPointsLayersAndLines) {
         EXPECT_EQ(read["fixes"], json::array());
         EXPECT_EQ(read["errors"], json::array());
         for (const char* layer : {"CLOUD", "EDGE_POINTS", "EDGE_LINES"}) EXPECT_NE(read["layers"].dump().find(layer), std::string::npos);
-        const CloudColumns expected = validPoints(scan, detection->mask.get(), coordinates);
+        const files::CloudColumns expected = files::validPoints(scan, detection->mask.get(), coordinates);
         ASSERT_EQ(read["points"].size(), expected.width);
         std::size_t edges = 0;
         for (std::size_t n = 0; n < expected.width; ++n) {

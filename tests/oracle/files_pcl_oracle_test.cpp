@@ -38,8 +38,8 @@ TEST(PclOracle, ReadsOurPcdAndPly) {
     const Folder folder;
     const Scan scan = makeScan({.lines = 11, .beams = 17});
     for (const bool ascii : {false, true}) {
-        ASSERT_TRUE(saveScan(scan, folder / "scan.pcd", {ascii}));
-        ASSERT_TRUE(saveScan(scan, folder / "scan.ply", {ascii}));
+        ASSERT_TRUE(files::saveScan(scan, folder / "scan.pcd", {ascii}));
+        ASSERT_TRUE(files::saveScan(scan, folder / "scan.ply", {ascii}));
         pcl::PCLPointCloud2 pcd;
         ASSERT_EQ(pcl::PCDReader().read((folder / "scan.pcd").string(), pcd), 0);
         EXPECT_EQ(pcd.width, 17U);
@@ -113,7 +113,7 @@ TEST(PclOracle, OurReaderReadsWhatPclWrites) {
             file = (folder / "pcl.ply").string();
             pcl::PLYWriter().write<pcl::PointXYZI>(file, cloud, true, false);
         }
-        const auto opened = openScan(file);
+        const auto opened = files::openScan(file);
         ASSERT_TRUE(opened) << opened.error().sentence();
         EXPECT_EQ(opened->rangeMm, scan.rangeMm);
         EXPECT_EQ(opened->state, scan.state);

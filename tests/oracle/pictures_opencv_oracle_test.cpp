@@ -15,9 +15,9 @@ using namespace edgescan::test;
 
 namespace {
 
-std::shared_ptr<const Detection> detectionOf(unsigned seed) {
+std::shared_ptr<const edges::Detection> detectionOf(unsigned seed) {
     Scan scan = makeScan({.lines = 37, .beams = 53, .noReturns = 0.2, .seed = seed});
-    return detectEdges(std::make_shared<const Scan>(std::move(scan)), Settings{});
+    return edges::detectEdges(std::make_shared<const Scan>(std::move(scan)), edges::Settings{});
 }
 
 /// Angles that a picture cannot say.
@@ -37,9 +37,9 @@ TEST(OpenCvOracle, ReadsOurMaskGrayAndRanges) {
     const Folder folder;
     const auto detection = detectionOf(3);
     ASSERT_GT(detection->edges->size(), 0U);
-    ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeImage, *detection, folder / "mask.png"));
-    ASSERT_TRUE(exportWithProvenance(ExportContent::GrayImage, *detection, folder / "gray.png"));
-    ASSERT_TRUE(exportWithProvenance(ExportContent::RangeImage, *detection, folder / "range.png"));
+    ASSERT_TRUE(exports::exportWithProvenance(exports::ExportContent::EdgeImage, *detection, folder / "mask.png"));
+    ASSERT_TRUE(exports::exportWithProvenance(exports::ExportContent::GrayImage, *detection, folder / "gray.png"));
+    ASSERT_TRUE(exports::exportWithProvenance(exports::ExportContent::RangeImage, *detection, folder / "range.png"));
     const cv::Mat mask = cv::imread((folder / "mask.png").string(), cv::IMREAD_UNCHANGED);
     const cv::Mat gray = cv::imread((folder / "gray.png").string(), cv::IMREAD_UNCHANGED);
     const cv::Mat range = cv::imread((folder / "range.png").string(), cv::IMREAD_UNCHANGED);
@@ -76,7 +76,7 @@ TEST(OpenCvOracle, WeReadItsRangePicturesAndMasks) {
          {std::tuple("cv.png", &whole, 0.0F), std::tuple("cv.tiff", &whole, 0.0F), std::tuple("float.tiff", &broken, 0.25F)}) {
         SCOPED_TRACE(name);
         ASSERT_TRUE(cv::imwrite((folder / name).string(), *picture));
-        const auto opened = openScan(folder / name, angles());
+        const auto opened = files::openScan(folder / name, angles());
         ASSERT_TRUE(opened) << opened.error().sentence();
         EXPECT_EQ(opened->state, scan.state);
         for (std::size_t k = 0; k < scan.cells(); ++k) {
@@ -86,7 +86,7 @@ TEST(OpenCvOracle, WeReadItsRangePicturesAndMasks) {
     }
     const cv::Mat mask(detection->mask->lines, detection->mask->beams, CV_8U, const_cast<std::uint8_t*>(detection->mask->cells.data()));
     ASSERT_TRUE(cv::imwrite((folder / "mask.png").string(), mask));
-    EXPECT_EQ(*readPng8(folder / "mask.png"), *detection->mask);
+    EXPECT_EQ(*containers::readPng8(folder / "mask.png"), *detection->mask);
 }
 
 TEST(OpenCvOracle, ReadsOurColours) {
@@ -94,7 +94,7 @@ TEST(OpenCvOracle, ReadsOurColours) {
     Grid<Rgb> picture(5, 7);
     for (std::size_t k = 0; k < picture.size(); ++k)
         picture[k] = {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(255 - k), static_cast<std::uint8_t>(7 * k)};
-    ASSERT_TRUE(savePngRgb(picture, folder / "colours.png"));
+    ASSERT_TRUE(containers::savePngRgb(picture, folder / "colours.png"));
     const cv::Mat read = cv::imread((folder / "colours.png").string(), cv::IMREAD_UNCHANGED);
     ASSERT_EQ(read.type(), CV_8UC3);
     ASSERT_EQ(read.rows, 5);
@@ -105,5 +105,5 @@ TEST(OpenCvOracle, ReadsOurColours) {
             EXPECT_EQ(picture.at(i, j), (Rgb{pixel[2], pixel[1], pixel[0]}));
         }
     }
-    EXPECT_FALSE(savePngRgb({}, folder / "empty.png"));
+    EXPECT_FALSE(containers::savePngRgb({}, folder / "empty.png"));
 }

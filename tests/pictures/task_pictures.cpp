@@ -22,8 +22,8 @@ namespace edgescan::ui {
 namespace {
 
 struct Bell {
-    std::string before, after, turned;                  ///< the last one: 200 degrees of a scanner that sits askew
-    mutable std::unique_ptr<EmulatedScanner> scanner{}; // sends until the picture is made
+    std::string before, after, turned;                           ///< the last one: 200 degrees of a scanner that sits askew
+    mutable std::unique_ptr<scanner::EmulatedScanner> scanner{}; // sends until the picture is made
 };
 
 struct Done {
@@ -42,16 +42,16 @@ bool rocksShown(WindowFixture& on) {
 }
 
 // The largest rock about the middle of the picture: the one that an operator asks about.
-const Rock& rockInTheMiddle(WindowFixture& on) {
+const rocks::Rock& rockInTheMiddle(WindowFixture& on) {
     const RockPicture& shown = *on.viewer.rocks.picture();
-    const auto away = [&](const Rock& rock) {
+    const auto away = [&](const rocks::Rock& rock) {
         const QPoint at = on.viewer.views.placeOf(rock.cell);
         return std::hypot(at.y() - shown.labels.lines * 0.5, at.x() - shown.labels.beams * 0.5);
     };
     const auto middle = 0.15 * shown.labels.beams;
-    const Rock* best = nullptr;
-    for (const Rock& rock : shown.study.rocks) {
-        if (away(rock) < middle && (best == nullptr || rock.longM > best->longM)) best = &rock;
+    const rocks::Rock* best = nullptr;
+    for (const rocks::Rock& rock : shown.study.rocks) {
+        if (away(rock) < middle && (best == nullptr || rock.longestCaliperM > best->longestCaliperM)) best = &rock;
     }
     if (best == nullptr) best = &shown.study.rocks.front();
     return *best;
@@ -90,7 +90,7 @@ std::pair<int, int> acrossRock(WindowFixture& on, std::uint32_t label, QPoint at
 
 bool measured(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell) || !rocksShown(on)) return false;
-    const Rock& rock = rockInTheMiddle(on);
+    const rocks::Rock& rock = rockInTheMiddle(on);
     const QPoint at = on.viewer.views.placeOf(rock.cell);
     const auto [from, to] = acrossRock(on, rock.label, at);
     QTest::keyClick(&on.window, Qt::Key_U);
@@ -117,16 +117,16 @@ bool compared(WindowFixture& on, const Bell& bell) {
 }
 
 bool live(WindowFixture& on, const Bell& bell) {
-    const auto scan = openScan(bell.before);
-    auto telegrams = scan ? telegramsOf(*scan) : Result<std::vector<ScanTelegram>>(scan.error());
+    const auto scan = files::openScan(bell.before);
+    auto telegrams = scan ? scanner::telegramsOf(*scan) : Result<std::vector<scanner::ScanTelegram>>(scan.error());
     if (!telegrams) return false;
-    EmulatedScannerSettings fast;
+    scanner::EmulatedScannerSettings fast;
     fast.linesPerSecond = 100;
     fast.faults.loseEvery = 83;
-    auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), fast);
+    auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), fast);
     if (!made) return false;
     bell.scanner = std::move(*made);
-    SweepSettings sweep;
+    scanner::SweepSettings sweep;
     sweep.expectedLines = scan->lines();
     sweep.degPerLine = 180.0 / scan->lines();
     sweep.firstLineDeg = -90;
@@ -165,22 +165,22 @@ constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked}
 
 int makePictures(const QString& folder, const QString& wanted) {
     const test::TemporaryFolder made;
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.seed = 101;
     settings.lines = 600;
     settings.beams = 685;
     const Bell bell{(made / "bell.json").string(), (made / "bell after the blast.json").string(), (made / "turned 200.json").string()};
-    bool well = bool(saveScan(simulate(settings)->scan, bell.before));
+    bool well = bool(files::saveScan(sim::simulate(settings)->scan, bell.before));
     settings.afterBlast = true;
-    well = well && bool(saveScan(simulate(settings)->scan, bell.after));
-    SimulationSettings askew;
+    well = well && bool(files::saveScan(sim::simulate(settings)->scan, bell.after));
+    sim::SimulationSettings askew;
     askew.seed = 101;
     askew.axis = Axis::Spin;
     askew.turnDeg = 200;
     askew.lines = 667;
     askew.beams = 685;
     askew.assembly = {{9.0, -14.0, 0.5, -0.6, 0.3}};
-    well = well && bool(saveScan(simulate(askew)->scan, bell.turned));
+    well = well && bool(files::saveScan(sim::simulate(askew)->scan, bell.turned));
     const QSize size = QGuiApplication::primaryScreen()->size();
     for (const Task& task : kTasks) {
         if (!well) break;

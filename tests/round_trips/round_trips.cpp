@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
             "cells with another range | none of these | mask cells that differ, of edge cells (share of all cells) | by rounding alone |\n"
             "|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const std::string& file : files) {
-        auto scan = openScan(file);
+        auto scan = files::openScan(file);
         if (!scan) {
             std::fprintf(stderr, "%s\n", scan.error().sentence().c_str());
             return 1;

@@ -8,7 +8,7 @@
 
 namespace edgescan {
 
-inline std::vector<double> beamAnglesDeg(const BeamGrid& grid) {
+inline std::vector<double> beamAnglesDeg(const scanner::BeamGrid& grid) {
     std::vector<double> angles;
     angles.reserve(static_cast<std::size_t>(std::max(grid.beams, 0)));
     for (int beam = 0; beam < grid.beams; ++beam) angles.push_back(grid.startDeg + beam * grid.stepDeg);

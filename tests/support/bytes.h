@@ -10,7 +10,7 @@
 namespace edgescan::test {
 
 inline Result<Scan> readBytes(const std::string& bytes, const std::string& extension, const ReadingOptions& options = {}) {
-    return readScanBytes(std::as_bytes(std::span(bytes)), extension, options);
+    return files::readScanBytes(std::as_bytes(std::span(bytes)), extension, options);
 }
 
 template <class T>

@@ -40,7 +40,7 @@ inline std::string crc32Text(ByteView bytes) {
 }
 
 /// Over the values as 16-bit numbers, whatever their width on the wire: as the tables have it.
-inline std::string crc32Text(const ScanChannel& channel) {
+inline std::string crc32Text(const scanner::ScanChannel& channel) {
     Bytes bytes;
     for (const std::uint16_t value : channel.values) {
         bytes.push_back(static_cast<std::uint8_t>(value >> 8U));
@@ -50,14 +50,14 @@ inline std::string crc32Text(const ScanChannel& channel) {
 }
 
 /// All frames of a file.
-inline std::vector<ColaFrame> framesOf(const std::filesystem::path& path, std::optional<Dialect> only = std::nullopt) {
-    ColaStream stream(only);
+inline std::vector<scanner::ColaFrame> framesOf(const std::filesystem::path& path, std::optional<scanner::Dialect> only = std::nullopt) {
+    scanner::ColaStream stream(only);
     return stream.push(fileBytes(path));
 }
 /// All scan telegrams of a file, undecoded.
-inline std::vector<ColaFrame> scanFramesOf(const std::filesystem::path& path) {
-    std::vector<ColaFrame> frames = framesOf(path);
-    std::erase_if(frames, [](const ColaFrame& frame) { return !isScanTelegram(frame.payload()); });
+inline std::vector<scanner::ColaFrame> scanFramesOf(const std::filesystem::path& path) {
+    std::vector<scanner::ColaFrame> frames = framesOf(path);
+    std::erase_if(frames, [](const scanner::ColaFrame& frame) { return !scanner::isScanTelegram(frame.payload()); });
     return frames;
 }
 

@@ -74,8 +74,9 @@ inline std::string bitPoints(std::size_t bytes, bool farApart) {
 inline std::string colaTelegrams(std::size_t count, int jump = 0) {
     std::string stream;
     for (std::size_t n = 0; n < count; ++n) {
-        const Bytes frame =
-            framed(encodeScanTelegram(telegramOfLine(static_cast<int>(n) * (1 + jump), {.beams = 3}), Dialect::B), Dialect::B);
+        const Bytes frame = scanner::framed(
+            scanner::encodeScanTelegram(telegramOfLine(static_cast<int>(n) * (1 + jump), {.beams = 3}), scanner::Dialect::B),
+            scanner::Dialect::B);
         stream.append(frame.begin(), frame.end());
     }
     return stream;
@@ -97,20 +98,20 @@ inline std::string lzf(std::size_t bytes) { // back references of 264 bytes
     return file + packed;
 }
 
-inline std::string recordingText(const SweepMetadata& metadata, const std::vector<RecordingMessagePtr>& messages) {
-    const Bytes bytes = recordingBytes(metadata, messages);
-    return {bytes.begin() + static_cast<std::ptrdiff_t>(kMcapMagic.size()), bytes.end()};
+inline std::string recordingText(const scanner::SweepMetadata& metadata, const std::vector<files::RecordingMessagePtr>& messages) {
+    const Bytes bytes = files::recordingBytes(metadata, messages);
+    return {bytes.begin() + static_cast<std::ptrdiff_t>(containers::kMcapMagic.size()), bytes.end()};
 }
 
 /// Lines whose counters, beams or both change in ways that make sweeps of lost lines.
 inline std::string strangeLines(std::size_t bytes, int jump, bool alternate, int expected) {
-    std::vector<RecordingMessagePtr> messages;
+    std::vector<files::RecordingMessagePtr> messages;
     std::size_t made = 0;
     for (int n = 0; made < bytes; ++n) {
         messages.push_back(lineMessage(n * jump, {.beams = alternate && n % 2 == 1 ? 301 : 300}));
         made += messages.back()->payload.size() + 70;
     }
-    SweepMetadata metadata{{"sweep.reversal_deg", "0"}};
+    scanner::SweepMetadata metadata{{"sweep.reversal_deg", "0"}};
     if (expected > 0) metadata["sweep.lines"] = std::to_string(expected);
     return recordingText(metadata, messages);
 }
@@ -141,7 +142,7 @@ inline void addSoundChunk(std::string& file) {
     const std::string plain = "\5" + std::string(8, '\0'); // an empty message
     std::string chunk(16, '\1');
     putAt(chunk, 16, std::uint64_t{plain.size()});
-    putAt(chunk, 24, crc32(Bytes(plain.begin(), plain.end())));
+    putAt(chunk, 24, containers::crc32(Bytes(plain.begin(), plain.end())));
     putAt(chunk, 28, std::uint32_t{0});
     putAt(chunk, 32, std::uint64_t{plain.size()});
     addRecord(file, 6, chunk + plain);
@@ -176,7 +177,7 @@ inline std::string namedOverAndOver(std::size_t bytes) {
     addRecord(file, 0x0F, std::string(4, '\0'));
     for (std::size_t n = 0; file.size() < bytes; ++n) {
         std::string index;
-        putAt(index, 0, std::uint64_t{kMcapMagic.size()});
+        putAt(index, 0, std::uint64_t{containers::kMcapMagic.size()});
         putAt(index, 8, std::uint64_t{content.size() + 9});
         addText(index, std::to_string(n)); // never the record's own name
         addRecord(file, 0x0D, index);
@@ -194,7 +195,7 @@ inline std::string smallRecords(std::size_t bytes, int opcode, const std::string
 inline std::string blackPng(std::size_t bytes) {
     std::string png;
     for (int side = 512; png.size() < bytes && side <= 8192; side *= 2) {
-        const auto larger = png16Bytes(Grid<std::uint16_t>(side, side), "");
+        const auto larger = containers::png16Bytes(Grid<std::uint16_t>(side, side), "");
         if (larger) png = *larger;
     }
     return png;
@@ -207,7 +208,7 @@ inline std::string foxgloveCloud(std::size_t bytes) {
         R"({"timestamp":{"sec":1,"nsec":0},"frame_id":"scanner","point_stride":12,"fields":[{"name":"x","offset":0,"type":7},)"
         R"({"name":"y","offset":4,"type":7},{"name":"z","offset":8,"type":7}],"data":")" +
         base64(looseFloats(points)) + "\"}";
-    McapEncoder encoder("edgescan-foxglove/1");
+    containers::McapEncoder encoder("edgescan-foxglove/1");
     encoder.schema({1, "foxglove.PointCloud", "jsonschema", "{}"});
     encoder.channel({1, 1, "/edgescan/cloud", "json", {}});
     encoder.message({1, 0, 1, 1, {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()}});
@@ -310,12 +311,12 @@ inline std::vector<CostlyKind> costlyKinds() {
         {"mcap", "", "leaping counters", [](std::size_t b) { return strangeLines(b, 2100, false, 20000); }},
         {"mcap", "", "readings",
          [](std::size_t b) {
-             std::vector<RecordingMessagePtr> messages{lineMessage(0), lineMessage(1)};
+             std::vector<files::RecordingMessagePtr> messages{lineMessage(0), lineMessage(1)};
              const std::string reading = R"({"phi_deg":1})";
              for (std::size_t n = 0; n * 60 < b; ++n)
-                 messages.push_back(
-                     std::make_shared<const RecordingMessage>(RecordingMessage{n % 2 == 0 ? RecordingTopic::Stepper : RecordingTopic::Talin,
-                                                                               hostNsOfLine(1), Bytes(reading.begin(), reading.end())}));
+                 messages.push_back(std::make_shared<const files::RecordingMessage>(
+                     files::RecordingMessage{n % 2 == 0 ? files::RecordingTopic::Stepper : files::RecordingTopic::Talin, hostNsOfLine(1),
+                                             Bytes(reading.begin(), reading.end())}));
              return recordingText({}, messages);
          }},
         {"packed", ".xyz.gz", "zeros", [](std::size_t b) { return gzipBytes(std::string(b * 1000, '\0')); }},

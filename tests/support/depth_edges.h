@@ -5,12 +5,12 @@
 
 namespace edgescan::test {
 
-inline DepthResponses depthResponses(const Scan& scan, const DepthEdgeSettings& settings) {
-    return edgescan::depthResponses(depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
+inline edges::DepthResponses depthResponses(const Scan& scan, const edges::DepthEdgeSettings& settings) {
+    return edgescan::edges::depthResponses(edges::depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
 }
 
-inline DepthEdges depthEdges(const Scan& scan, const DepthEdgeSettings& settings) {
-    return decideDepthEdges(depthResponses(scan, settings), settings);
+inline edges::DepthEdges depthEdges(const Scan& scan, const edges::DepthEdgeSettings& settings) {
+    return edges::decideDepthEdges(depthResponses(scan, settings), settings);
 }
 
 } // namespace edgescan::test

@@ -9,8 +9,8 @@
 namespace edgescan::test {
 
 /// Of a scan of 100 x 1200 cells at `path`.
-inline ViewerState exampleSession(const std::filesystem::path& path) {
-    ViewerState state;
+inline inspect::ViewerState exampleSession(const std::filesystem::path& path) {
+    inspect::ViewerState state;
     state.scan.path = path;
     state.scan.identity = {std::string(64, 'a'), "bell", 100, 1200};
     state.scan.reading.unitMm = 2.5;
@@ -18,7 +18,7 @@ inline ViewerState exampleSession(const std::filesystem::path& path) {
     state.scan.reading.pose = path.parent_path() / "pose.json";
     state.tuning.preset = "thesis";
     state.tuning.settings.classes = 3;
-    PinnedTarget target;
+    inspect::PinnedTarget target;
     target.number = 4;
     target.name = "keystone";
     target.cell = 77;
@@ -26,18 +26,18 @@ inline ViewerState exampleSession(const std::filesystem::path& path) {
     target.pinnedUtc = "2026-11-21T07:00:00Z";
     target.asPinned = {{"Cell", "line 0, beam 77"}};
     state.targets.notebook.targets.push_back(target);
-    state.targets.notebook.measures.push_back({MeasureKind::Distance, {77, 1277}});
+    state.targets.notebook.measures.push_back({inspect::MeasureKind::Distance, {77, 1277}});
     state.targets.active = 77;
     state.selection.selected = {{5, 3}, {2000, 1}};
     state.selection.hidden = {{0, 2}, {119999, 1}};
-    RockSettings rocks;
+    rocks::RockSettings rocks;
     rocks.level = 1.5;
-    state.rocks = RockPreset{rocks, {{RockEditKind::Join, {10, 20}}, {RockEditKind::NotRock, {30}}}, state.scan.identity.sha256};
+    state.rocks = rocks::Preset{rocks, {{rocks::EditKind::Join, {10, 20}}, {rocks::EditKind::NotRock, {30}}}, state.scan.identity.sha256};
     state.marks = {{9, 3}, {12}};
-    state.earlier = EarlierScan{state.scan, cannySettings()};
+    state.earlier = inspect::EarlierScan{state.scan, edges::cannySettings()};
     state.earlier->scan.path = path.parent_path() / "before.json";
-    state.view.camera = SessionCamera{{1, 2, 3}, {4, 5, 6}, {0, -1, 0}, 40.0, true};
-    state.view.images = SessionImages{600.5, 50.25, 3.5};
+    state.view.camera = inspect::SessionCamera{{1, 2, 3}, {4, 5, 6}, {0, -1, 0}, 40.0, true};
+    state.view.images = inspect::SessionImages{600.5, 50.25, 3.5};
     state.switches = {{"rocks/shown", true}, {"view/overlay", false}};
     state.looks = {{"cloud-colour", "range"}, {"range-window-m", "2.5 9 locked"}};
     state.layout = {{"window", std::string("AAAA/wAAAAD9")}};

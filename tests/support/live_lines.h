@@ -29,8 +29,8 @@ struct LineStyle {
 inline std::uint16_t rawOf(int line, int beam) { return static_cast<std::uint16_t>(1000 + (line * 131 + beam * 17) % 9000); }
 
 /// Line `n` as the scanner sends it.
-inline ScanTelegram telegramOfLine(int n, const LineStyle& style = {}) {
-    ScanTelegram telegram;
+inline scanner::ScanTelegram telegramOfLine(int n, const LineStyle& style = {}) {
+    scanner::ScanTelegram telegram;
     telegram.serialNumber = 18110550;
     telegram.telegramCounter = static_cast<std::uint16_t>(style.firstTelegram + n);
     telegram.scanCounter = static_cast<std::uint16_t>(style.firstScan + n);
@@ -39,7 +39,7 @@ inline ScanTelegram telegramOfLine(int n, const LineStyle& style = {}) {
     telegram.transmittedUs = telegram.sinceStartUs + 40'600;
     telegram.scanFrequency = style.frequency;
     telegram.measurementFrequency = 540;
-    ScanChannel channel;
+    scanner::ScanChannel channel;
     channel.content = "DIST1";
     channel.startAngle = style.startAngle;
     channel.step = static_cast<std::uint16_t>(style.step);
@@ -70,16 +70,17 @@ inline bool sameScan(const Scan& a, const Scan& b) {
 }
 
 /// States add up to lines x beams, in the scan and in the progress.
-inline bool addsUp(const Scan& scan, const SweepProgress& progress) {
+inline bool addsUp(const Scan& scan, const scanner::SweepProgress& progress) {
     std::size_t sum = 0;
     for (const std::size_t count : progress.cells) sum += count;
     return sum == scan.cells() && countCells(scan) == progress.cells && progress.lines == scan.lines() &&
            progress.received + static_cast<int>(progress.lost.size()) == progress.lines;
 }
 
-inline RecordingMessagePtr lineMessage(int n, const LineStyle& style = {}, Dialect dialect = Dialect::B) {
-    return std::make_shared<const RecordingMessage>(
-        RecordingMessage{RecordingTopic::ColaRx, hostNsOfLine(n), framed(encodeScanTelegram(telegramOfLine(n, style), dialect), dialect)});
+inline files::RecordingMessagePtr lineMessage(int n, const LineStyle& style = {}, scanner::Dialect dialect = scanner::Dialect::B) {
+    return std::make_shared<const files::RecordingMessage>(
+        files::RecordingMessage{files::RecordingTopic::ColaRx, hostNsOfLine(n),
+                                scanner::framed(scanner::encodeScanTelegram(telegramOfLine(n, style), dialect), dialect)});
 }
 
 } // namespace edgescan::test

@@ -20,8 +20,8 @@ namespace edgescan::test {
 using namespace std::chrono_literals;
 
 /// Short waits, so that a test of failures is quick.
-inline ScannerTimeouts hasty() {
-    ScannerTimeouts timeouts;
+inline scanner::ScannerTimeouts hasty() {
+    scanner::ScannerTimeouts timeouts;
     timeouts.connect = 1s;
     timeouts.detect = 150ms;
     timeouts.answer = 1s;
@@ -34,9 +34,11 @@ inline ScannerTimeouts hasty() {
 /// Everything that a session told. Destroy the session first.
 class Listener {
 public:
-    [[nodiscard]] SessionEvents events() {
-        return {[this](const SessionState& state) { add(states_, state); }, [this](const ScannerIdentity& who) { add(identities_, who); },
-                [this](const ColaFrame& frame) { add(frames_, frame); }, [this](const ColaFrame& frame) { add(sent_, frame); }};
+    [[nodiscard]] scanner::SessionEvents events() {
+        return {[this](const scanner::SessionState& state) { add(states_, state); },
+                [this](const scanner::ScannerIdentity& who) { add(identities_, who); },
+                [this](const scanner::ColaFrame& frame) { add(frames_, frame); },
+                [this](const scanner::ColaFrame& frame) { add(sent_, frame); }};
     }
 
     /// True as soon as `done` is, which sees this listener locked.
@@ -45,7 +47,7 @@ public:
         std::unique_lock lock(mutex_);
         return changed_.wait_for(lock, timeout, [&] { return done(*this); });
     }
-    [[nodiscard]] bool waitForPhase(SessionPhase phase, std::chrono::milliseconds timeout = 20s) {
+    [[nodiscard]] bool waitForPhase(scanner::SessionPhase phase, std::chrono::milliseconds timeout = 20s) {
         return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; }, timeout);
     }
     [[nodiscard]] bool waitForScans(std::size_t count, std::chrono::milliseconds timeout = 20s) {
@@ -53,32 +55,32 @@ public:
     }
 
     // After the session is gone, or inside waitFor.
-    [[nodiscard]] const std::vector<SessionState>& states() const { return states_; }
-    [[nodiscard]] const std::vector<ScannerIdentity>& identities() const { return identities_; }
-    [[nodiscard]] const std::vector<ColaFrame>& frames() const { return frames_; }
-    [[nodiscard]] const std::vector<ColaFrame>& sent() const { return sent_; }
-    [[nodiscard]] long entered(SessionPhase phase) const {
-        return std::count_if(states_.begin(), states_.end(), [phase](const SessionState& state) { return state.phase == phase; });
+    [[nodiscard]] const std::vector<scanner::SessionState>& states() const { return states_; }
+    [[nodiscard]] const std::vector<scanner::ScannerIdentity>& identities() const { return identities_; }
+    [[nodiscard]] const std::vector<scanner::ColaFrame>& frames() const { return frames_; }
+    [[nodiscard]] const std::vector<scanner::ColaFrame>& sent() const { return sent_; }
+    [[nodiscard]] long entered(scanner::SessionPhase phase) const {
+        return std::count_if(states_.begin(), states_.end(), [phase](const scanner::SessionState& state) { return state.phase == phase; });
     }
-    [[nodiscard]] std::vector<ScanTelegram> telegrams() const {
-        std::vector<ScanTelegram> telegrams;
-        for (const ColaFrame& frame : frames_) {
-            if (auto telegram = decodeScanTelegram(frame)) telegrams.push_back(std::move(*telegram));
+    [[nodiscard]] std::vector<scanner::ScanTelegram> telegrams() const {
+        std::vector<scanner::ScanTelegram> telegrams;
+        for (const scanner::ColaFrame& frame : frames_) {
+            if (auto telegram = scanner::decodeScanTelegram(frame)) telegrams.push_back(std::move(*telegram));
         }
         return telegrams;
     }
     /// "CONNECTING IDENTIFYING LIVE".
     [[nodiscard]] std::string story() const {
         std::string story;
-        for (const SessionState& state : states_) {
+        for (const scanner::SessionState& state : states_) {
             if (!story.empty()) story += ' ';
-            story += sessionPhaseName(state.phase);
+            story += scanner::sessionPhaseName(state.phase);
         }
         return story;
     }
     [[nodiscard]] std::vector<std::string> sentCommands() const {
         std::vector<std::string> commands;
-        for (const ColaFrame& frame : sent_) {
+        for (const scanner::ColaFrame& frame : sent_) {
             const ByteView payload = frame.payload();
             std::string text(payload.begin(), payload.end());
             commands.push_back(text.substr(0, text.find(' ', 4)));
@@ -92,8 +94,8 @@ private:
         {
             const std::lock_guard lock(mutex_);
             list.push_back(item);
-            if constexpr (std::is_same_v<T, ColaFrame>) {
-                if (&list == &frames_ && isScanTelegram(item.payload())) ++scans_;
+            if constexpr (std::is_same_v<T, scanner::ColaFrame>) {
+                if (&list == &frames_ && scanner::isScanTelegram(item.payload())) ++scans_;
             }
         }
         changed_.notify_all();
@@ -101,10 +103,10 @@ private:
 
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<SessionState> states_;
-    std::vector<ScannerIdentity> identities_;
-    std::vector<ColaFrame> frames_;
-    std::vector<ColaFrame> sent_;
+    std::vector<scanner::SessionState> states_;
+    std::vector<scanner::ScannerIdentity> identities_;
+    std::vector<scanner::ColaFrame> frames_;
+    std::vector<scanner::ColaFrame> sent_;
     std::size_t scans_ = 0;
 };
 
@@ -113,16 +115,17 @@ inline Scan countingScan(int lines, int beams) {
     return makeScan(lines, beams, [](int i, int j) { return (i + j) % 17 == 0 ? 0 : 1000 + i * 10 + j; });
 }
 
-inline std::unique_ptr<EmulatedScanner> served(const Scan& scan, const EmulatedScannerSettings& settings, const TelegramStyle& style = {}) {
-    auto telegrams = telegramsOf(scan, style);
+inline std::unique_ptr<scanner::EmulatedScanner> served(const Scan& scan, const scanner::EmulatedScannerSettings& settings,
+                                                        const scanner::TelegramStyle& style = {}) {
+    auto telegrams = scanner::telegramsOf(scan, style);
     EXPECT_TRUE(telegrams);
-    auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+    auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
     EXPECT_TRUE(scanner) << scanner.error().sentence();
     return std::move(*scanner);
 }
 
-inline SessionSettings settingsFor(const EmulatedScanner& scanner) {
-    SessionSettings settings;
+inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner) {
+    scanner::SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
     settings.timeouts = hasty();
@@ -137,18 +140,18 @@ struct Account {
     std::int64_t restarts = 0;
     std::int64_t span = 0; ///< from the first counter to the last
 };
-inline Account accountOf(const std::vector<ScanTelegram>& telegrams) {
+inline Account accountOf(const std::vector<scanner::ScanTelegram>& telegrams) {
     Account account;
-    LineCounter counter;
+    scanner::LineCounter counter;
     std::int64_t first = 0;
-    for (const ScanTelegram& telegram : telegrams) {
-        const LineStamp stamp = counter.stamp(telegram, 0);
-        if (stamp.step == LineStep::First) first = stamp.telegram;
-        if (stamp.step == LineStep::Duplicate) {
+    for (const scanner::ScanTelegram& telegram : telegrams) {
+        const scanner::LineStamp stamp = counter.stamp(telegram, 0);
+        if (stamp.step == scanner::LineStep::First) first = stamp.telegram;
+        if (stamp.step == scanner::LineStep::Duplicate) {
             ++account.duplicates;
             continue;
         }
-        if (stamp.step == LineStep::Restart) ++account.restarts;
+        if (stamp.step == scanner::LineStep::Restart) ++account.restarts;
         ++account.received;
         account.lost += stamp.lost;
         account.span = stamp.telegram - first + 1;

@@ -117,7 +117,7 @@ inline Alignment alignmentOf(const Scan& original, const Scan& found, double tol
 }
 
 inline std::shared_ptr<const Grid<std::uint8_t>> maskOf(const Scan& scan) {
-    return detectEdges(std::make_shared<const Scan>(scan), Settings{})->mask;
+    return edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{})->mask;
 }
 
 /// The original with the cells that were not written as no returns.
@@ -228,7 +228,7 @@ inline CameBack roundTrip(const Scan& scan, const RoundTrip& trip) {
     const auto start = std::chrono::steady_clock::now();
     ReadingOptions options;
     if (!trip.sensorM.isZero(0.0)) options.sensorM = trip.sensorM;
-    const auto found = readScanBytes(std::as_bytes(std::span(bytes)), std::string(".") + trip.format, options);
+    const auto found = files::readScanBytes(std::as_bytes(std::span(bytes)), std::string(".") + trip.format, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!found) {
         CameBack back;

@@ -17,18 +17,18 @@ namespace edgescan::test {
 
 struct RockScene {
     std::shared_ptr<const Scan> scan;
-    SimulationTruth truth;
+    sim::SimulationTruth truth;
 };
 
 inline RockScene rockScene(const std::string& name, std::uint64_t seed, int lines, int beams) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.scene = name;
     settings.seed = seed;
     settings.lines = lines;
     settings.beams = beams;
     settings.truth = true;
     settings.threads = 1;
-    auto simulated = simulate(settings);
+    auto simulated = sim::simulate(settings);
     if (!simulated) {
         ADD_FAILURE() << simulated.error().sentence();
         return {};
@@ -36,14 +36,15 @@ inline RockScene rockScene(const std::string& name, std::uint64_t seed, int line
     return {std::make_shared<const Scan>(std::move(simulated->scan)), std::move(*simulated->truth)};
 }
 
-inline RockLeaves rockLeavesOf(const std::shared_ptr<const Scan>& scan) {
-    return rockLeaves(rockInputs(*detectEdges(scan, Settings{}, KeepFor::Rocks)));
+inline rocks::Segmentation rockLeavesOf(const std::shared_ptr<const Scan>& scan) {
+    return rocks::segmentRocks(rocks::rockInputs(*edges::detectEdges(scan, edges::Settings{}, edges::KeepFor::Rocks)));
 }
 
 /// Panoptic quality of the regions against true rocks of `fewest` measured cells and more; what lies on walls is left out, as is what lies
 /// on smaller rocks.
-inline double panopticQuality(const RockLeaves& leaves, const RockMap& map, const SimulationTruth& truth, std::uint32_t fewest) {
-    const Grid<std::uint32_t> labels = regionLabels(leaves, map);
+inline double panopticQuality(const rocks::Segmentation& leaves, const rocks::RegionMap& map, const sim::SimulationTruth& truth,
+                              std::uint32_t fewest) {
+    const Grid<std::uint32_t> labels = rocks::regionLabels(leaves, map);
     std::map<std::uint32_t, std::uint32_t> ofRock, ofRegion, onCounted;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> both;
     const auto counts = [&](std::size_t k) { return leaves.inputs.surface->inverse.support[k] == Support::Measured; };

@@ -11,15 +11,15 @@ namespace edgescan {
 
 /// All valid points, with field `edge`: 0 or 255 as in `edgeMask` (lines x beams; null = all 0).
 inline Result<Done> saveCloud(const Scan& scan, const std::filesystem::path& path, const Grid<std::uint8_t>* edgeMask,
-                              const SaveOptions& options = {}) {
-    const Result<std::string> bytes = cloudBytes(scan, path, edgeMask, options);
+                              const files::SaveOptions& options = {}) {
+    const Result<std::string> bytes = files::cloudBytes(scan, path, edgeMask, options);
     return bytes ? writeWholeFile(path, *bytes) : bytes.error();
 }
 
 /// Only the valid points whose mask is not 0.
 inline Result<Done> saveEdges(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
-                              const SaveOptions& options = {}) {
-    const Result<std::string> bytes = edgeBytes(scan, edgeMask, path, options);
+                              const files::SaveOptions& options = {}) {
+    const Result<std::string> bytes = files::edgeBytes(scan, edgeMask, path, options);
     return bytes ? writeWholeFile(path, *bytes) : bytes.error();
 }
 

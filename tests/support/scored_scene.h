@@ -5,14 +5,14 @@
 
 namespace edgescan::test {
 
-inline Simulation scoredScene(const char* scene, std::uint64_t seed, int lines, int beams) {
-    SimulationSettings settings;
+inline sim::Simulation scoredScene(const char* scene, std::uint64_t seed, int lines, int beams) {
+    sim::SimulationSettings settings;
     settings.scene = scene;
     settings.seed = seed;
     settings.lines = lines;
     settings.beams = beams;
     settings.truth = true;
-    return *simulate(settings);
+    return *sim::simulate(settings);
 }
 
 } // namespace edgescan::test

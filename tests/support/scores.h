@@ -5,8 +5,8 @@
 
 namespace edgescan::test {
 
-inline EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
-    return scoreMatches(matchWithTruth(mask, truth, tolerance), truth);
+inline lab::EdgeScore scoreEdges(const Grid<std::uint8_t>& mask, const lab::EdgeTruth& truth, double tolerance) {
+    return lab::scoreMatches(lab::matchWithTruth(mask, truth, tolerance), truth);
 }
 
 } // namespace edgescan::test

@@ -111,7 +111,8 @@ inline std::vector<SeedFile> smallArrays(const Scan& scan) {
 inline std::vector<SeedFile> smallCaptures(int lines, int beams) {
     std::string stream;
     for (int line = 0; line < lines; ++line) {
-        const Bytes frame = framed(encodeScanTelegram(telegramOfLine(line, {.beams = beams}), Dialect::B), Dialect::B);
+        const Bytes frame =
+            scanner::framed(scanner::encodeScanTelegram(telegramOfLine(line, {.beams = beams}), scanner::Dialect::B), scanner::Dialect::B);
         stream.append(frame.begin(), frame.end());
     }
     std::vector<TcpPart> parts{{99, "", true, kEpochNs}};
@@ -130,11 +131,11 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     std::vector<SeedFile> seeds;
     const Folder folder;
     const auto saved = [&](const char* reader, const char* extension, bool ascii = false) {
-        SaveOptions options;
+        files::SaveOptions options;
         options.ascii = ascii;
         const auto path = folder / (std::string("seed") + extension);
-        if (saveScan(scan, path, options)) seeds.push_back({reader, extension, readText(path)});
-        if (const auto cloud = cloudBytes(scan, path, &mask, options)) seeds.push_back({reader, extension, *cloud});
+        if (files::saveScan(scan, path, options)) seeds.push_back({reader, extension, readText(path)});
+        if (const auto cloud = files::cloudBytes(scan, path, &mask, options)) seeds.push_back({reader, extension, *cloud});
     };
     for (const bool ascii : {false, true}) {
         saved("pcd", ".pcd", ascii);
@@ -159,9 +160,10 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
                  numberText("%.3f", n * 37 % 300 * 0.011) + "\n";
     seeds.push_back({"text", ".xyz", cloud}); // no grid: projected
     seeds.push_back({"range_csv", ".csv", "1200,1300,1400,0,1500,1600\n1210,1310,,0,1510,1610\n1205,1305,1400,7,1505,1605\n"});
-    if (saveScan(scan, folder / "grid.json"))
+    if (files::saveScan(scan, folder / "grid.json"))
         seeds.push_back({"raw_grid", ".json", readText(folder / "grid.json") + '\0' + readText(folder / "grid.u16")});
-    if (savePng16(rangePicture(scan), folder / "range.png")) seeds.push_back({"picture", ".png", readText(folder / "range.png")});
+    if (containers::savePng16(rangePicture(scan), folder / "range.png"))
+        seeds.push_back({"picture", ".png", readText(folder / "range.png")});
     seeds.push_back({"picture", ".tif", smallTiff(scan)});
     seeds.push_back({"e57", ".e57", smallE57(scan)});
     for (SeedFile& seed : smallArrays(scan)) seeds.push_back(std::move(seed));
@@ -175,11 +177,12 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     std::vector<SeedFile> seeds = seedFiles(lines, beams);
     const auto text = [](const auto& bytes) { return std::string(bytes.begin(), bytes.end()); };
     const Scan scan = makeScan({.lines = lines, .beams = beams, .beamStart = 20});
-    if (const auto recording = recordingOf(scan, "seed")) seeds.push_back({"mcap", "", text(*recording).substr(kMcapMagic.size())});
-    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
-        const Bytes telegram = encodeScanTelegram(telegramOfLine(3, {.beams = 9}), dialect);
-        seeds.push_back({"scan_telegram", "", (dialect == Dialect::A ? '\0' : '\1') + text(telegram)});
-        const Bytes frame = framed(telegram, dialect);
+    if (const auto recording = files::recordingOf(scan, "seed"))
+        seeds.push_back({"mcap", "", text(*recording).substr(containers::kMcapMagic.size())});
+    for (const scanner::Dialect dialect : {scanner::Dialect::A, scanner::Dialect::B}) {
+        const Bytes telegram = scanner::encodeScanTelegram(telegramOfLine(3, {.beams = 9}), dialect);
+        seeds.push_back({"scan_telegram", "", (dialect == scanner::Dialect::A ? '\0' : '\1') + text(telegram)});
+        const Bytes frame = scanner::framed(telegram, dialect);
         seeds.push_back({"cola_stream", "", std::string("\0\x10", 2) + text(frame) + text(frame)});
     }
     seeds.push_back({"place", "", calibrationText(exampleCalibration())});
@@ -188,7 +191,7 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     poses.inclinometer = {{1.7e9, 14.25, -3.4}, {1.7e9 + 1, 14.3, -3.4}};
     poses.talin = {{1.7e9, {498765.432, 5150123.456, 287.654}, 217.4, true, 5.75, -2.1}};
     seeds.push_back({"place", "", posesText(poses)});
-    seeds.push_back({"session", "", sessionText(exampleSession("/scans/bell.json"), "/sessions", "2026-11-21T08:00:00Z")});
+    seeds.push_back({"session", "", inspect::sessionText(exampleSession("/scans/bell.json"), "/sessions", "2026-11-21T08:00:00Z")});
     return seeds;
 }
 

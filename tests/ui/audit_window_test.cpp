@@ -34,9 +34,9 @@ class AuditWindowTest : public QObject {
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
         scan_ = (folder_ / "boxes.json").string();
-        QVERIFY(saveScan(test::boxesScan(60, 90, 4, 0.02), scan_));
+        QVERIFY(files::saveScan(test::boxesScan(60, 90, 4, 0.02), scan_));
     }
 
     void whatIsDoneIsNotedAndTheChainHolds() {
@@ -46,11 +46,11 @@ private slots:
             WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
             QVERIFY(on.showWith(scan_));
             on.viewer.views.pin(45U * 90U + 20U);
-            Settings settings;
+            edges::Settings settings;
             settings.sensitivity = 1.5;
             QVERIFY(on.use(settings));
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
-            on.viewer.engine.save(ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
+            on.viewer.engine.save(exports::ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
             QVERIFY(saved.wait(10000));
             QSignalSpy reported(&on.viewer.report, &ScanReport::ended);
             on.viewer.report.writeTo(QString::fromStdString((place / "report.html").string()));

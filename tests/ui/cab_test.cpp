@@ -60,7 +60,7 @@ private slots:
     void initTestCase() {
         useTheme(*qApp);
         scan_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(200, 240, 3, 0.02), scan_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(200, 240, 3, 0.02), scan_)));
         touch_ = QTest::createTouchDevice();
     }
     void cleanup() { useTheme(*qApp); }
@@ -100,16 +100,16 @@ private slots:
         QVERIFY(side != nullptr);
         for (const QSize size : {QSize(1280, 775), QSize(853, 533), QSize(1920, 1040)}) {
             resizeTo(on.window, size);
-            LargeNumbers numbers{"Cible 12",
-                                 "sur 34",
-                                 "104.911 m",
-                                 "± 0.009",
-                                 "Rocher 104, partie visible",
-                                 "12.43 × 11.72 m",
-                                 "± 0.10 m · candidat – géométrie seule, un seul point de vue",
-                                 {{"E", "498,700.123"}, {"N", "6,203,700.123"}},
-                                 "▲ pas de pose",
-                                 {{"Surface", "37° ± 12 par rapport au faisceau"}, {"Pendage / direction", "aucun plan ne convient"}}};
+            TargetNumbers numbers{"Cible 12",
+                                  "sur 34",
+                                  "104.911 m",
+                                  "± 0.009",
+                                  "Rocher 104, partie visible",
+                                  "12.43 × 11.72 m",
+                                  "± 0.10 m · candidat – géométrie seule, un seul point de vue",
+                                  {{"E", "498,700.123"}, {"N", "6,203,700.123"}},
+                                  "▲ pas de pose",
+                                  {{"Surface", "37° ± 12 par rapport au faisceau"}, {"Pendage / direction", "aucun plan ne convient"}}};
             side->showNumbers(numbers);
             QApplication::processEvents();
             int seen = 0;
@@ -248,7 +248,7 @@ private slots:
         QVERIFY(menu != nullptr);
         QVERIFY(menu->actionGeometry(menu->actions().front()).height() >= kGlovePx);
         QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions().front()).center());
-        QTRY_VERIFY(on.viewer.measures.kind() == MeasureKind::Distance);
+        QTRY_VERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Distance);
         QVERIFY(tool(on.window, "cab-measure")->isChecked() && !tool(on.window, "cab-pin")->isChecked());
         press(on.window, "cab-pin");
         QVERIFY(!on.viewer.measures.kind());
@@ -311,15 +311,17 @@ private slots:
         QTRY_VERIFY2(side.distanceShown().endsWith(" m"), qPrintable(side.distanceShown()));
         auto* large = side.findChild<QLabel*>("cab-distance");
         QVERIFY(large->isVisible() && QFontInfo(large->font()).pixelSize() >= 40);
-        const CellTarget& known = on.viewer.targets.known().targets.begin()->second;
+        const inspect::CellTarget& known = on.viewer.targets.known().targets.begin()->second;
         QCOMPARE(side.distanceShown(), QString("%1 m").arg(known.distanceM, 0, 'f', 3));
         // The second number belongs to the rock, once rocks are shown.
         QCOMPARE(side.sizeShown(), QString("–"));
         press(on.window, "cab-rocks");
         QTRY_VERIFY_WITH_TIMEOUT(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind(), 20000);
         for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) QVERIFY(dock->isHidden());
-        const Rock* rock = on.viewer.rocks.picture()->rockAt(known.probe.line * 240 + known.probe.beam);
-        const QString size = rock == nullptr ? QString("–") : QString("%1 × %2 m").arg(rock->longM, 0, 'f', 2).arg(rock->wideM, 0, 'f', 2);
+        const rocks::Rock* rock = on.viewer.rocks.picture()->rockAt(known.probe.line * 240 + known.probe.beam);
+        const QString size = rock == nullptr
+                                 ? QString("–")
+                                 : QString("%1 × %2 m").arg(rock->longestCaliperM, 0, 'f', 2).arg(rock->shortestCaliperM, 0, 'f', 2);
         QTRY_COMPARE(side.sizeShown(), size);
         // The undo button is visible, and works.
         QToolButton* undo = tool(on.window, "cab-undo");
@@ -334,7 +336,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         Stepper* stepper = on.window.cab().frame().side().mainStepper();
-        const Settings before = on.viewer.engine.settings();
+        const edges::Settings before = on.viewer.engine.settings();
         QTest::mouseClick(stepper->more(), Qt::LeftButton);
         QVERIFY(on.viewer.engine.settings().sensitivity > before.sensitivity);
         QCOMPARE(on.viewer.undo.count(), 1);

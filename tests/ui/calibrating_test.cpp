@@ -37,14 +37,14 @@ constexpr int kFoundWithinMs = 60000;
 const AssemblyErrors kBuiltIn{{12.0, -8.0, 0.4, -0.3, 0.2}};
 
 bool turned(const std::string& path, double turnDeg, Axis axis = Axis::Spin, std::uint64_t seed = 31) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.axis = axis;
     settings.seed = seed;
     settings.turnDeg = turnDeg;
     settings.lines = static_cast<int>(turnDeg * 2);
     settings.beams = 381;
     settings.assembly = kBuiltIn;
-    return bool(saveScan(simulate(settings)->scan, path));
+    return bool(files::saveScan(sim::simulate(settings)->scan, path));
 }
 
 QAction* calibrateAction(MainWindow& window) {
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(!save->isEnabled() && !apply->isEnabled());
         on.click("calibration-start");
         QVERIFY(on.found());
-        const SelfCalibration& found = *on.calibrating->found();
+        const inspect::SelfCalibration& found = *on.calibrating->found();
         for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n)
             QVERIFY2(std::abs(found.errors.values[n] - kBuiltIn.values[n]) < std::max(4 * found.sd.values[n], 1e-3),
                      std::to_string(n).c_str());

@@ -31,7 +31,7 @@ class ComparingTest : public QObject {
         return on.settled() && QTest::qWaitFor(
                                    [&] {
                                        const Comparing& comparing = on.viewer.comparing;
-                                       return comparing.settled() && (!comparing.kept() || comparing.comparison() != nullptr);
+                                       return comparing.settled() && (!comparing.pictureA() || comparing.comparison() != nullptr);
                                    },
                                    30000);
     }
@@ -47,7 +47,7 @@ class ComparingTest : public QObject {
     }
     static bool keepByKey(WindowFixture& on) {
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        return on.viewer.comparing.kept() == on.viewer.engine.picture();
+        return on.viewer.comparing.pictureA() == on.viewer.engine.picture();
     }
     // Pixels of the edge map by colour.
     static std::size_t painted(const ImageView& view, const QColor& colour) {
@@ -57,33 +57,33 @@ class ComparingTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = 200;
         settings.beams = 260;
         const auto save = [&](const Scan& scan, const char* name) {
             const std::string path = (folder_ / name).string();
-            if (!saveScan(scan, path)) qFatal("%s cannot be written", path.c_str());
+            if (!files::saveScan(scan, path)) qFatal("%s cannot be written", path.c_str());
             return path;
         };
-        Scan before = simulate(settings)->scan;
+        Scan before = sim::simulate(settings)->scan;
         before_ = save(before, "before.json");
         before.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
         placed_ = save(before, "placed.json");
         settings.afterBlast = true;
-        after_ = save(simulate(settings)->scan, "after.json");
+        after_ = save(sim::simulate(settings)->scan, "after.json");
         other_ = save(test::boxesScan(60, 80, 3, 0.02), "boxes.json");
     }
 
     void twoSettingsOfOneScanAreGainedLostAndKept() {
         WindowFixture on;
         QVERIFY(showWith(on, before_));
-        const Detection& a = *on.picture().detection;
+        const edges::Detection& a = *on.picture().detection;
         const Grid<std::uint8_t> maskA = *a.mask;
         QVERIFY(keepByKey(on));
         QVERIFY(on.viewer.changeLegend.isVisible());
         QVERIFY(!on.viewer.views.edgesInstead());
-        Settings other = on.viewer.engine.settings();
-        other.method = Method::Canny;
+        edges::Settings other = on.viewer.engine.settings();
+        other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
         const Grid<std::uint8_t>& maskB = *on.picture().detection->mask;
@@ -96,7 +96,7 @@ private slots:
         }
         QVERIFY(kept > 0 && gained > 0 && lost > 0);
         const ChangeLegend& legend = on.viewer.changeLegend;
-        QCOMPARE(numberIn(legend.counted(ChangeRow::Kept)), kept);
+        QCOMPARE(numberIn(legend.counted(ChangeRow::Unchanged)), kept);
         QVERIFY(numberIn(legend.counted(ChangeRow::Gained)) >= gained);
         QVERIFY(numberIn(legend.counted(ChangeRow::Lost)) >= lost);
         QVERIFY(legend.row(ChangeRow::Gained)->text().startsWith("+"));
@@ -105,15 +105,15 @@ private slots:
         QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible());
         // The colours of the legend appear in the edge map, over the range image and in the cloud.
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
-        QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Kept)), kept);
+        QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)), kept);
         QVERIFY(on.viewer.views.gray().overlay() == on.viewer.views.edgesInstead()->overlay);
         QVERIFY(on.viewer.views.cloud().edgeColours() == changeColours());
         QVERIFY(on.viewer.views.cloud().edgesByClass());
         QVERIFY2(!on.viewer.legend.isVisible(), "the legend of the edges tells of other colours");
         // A row of the legend is a switch.
-        QTest::mouseClick(legend.row(ChangeRow::Kept), Qt::LeftButton, Qt::NoModifier,
-                          QPoint(8, legend.row(ChangeRow::Kept)->height() / 2));
-        QVERIFY(QTest::qWaitFor([&] { return painted(on.viewer.views.edges(), changeColour(ChangeRow::Kept)) == 0; }, 10000));
+        QTest::mouseClick(legend.row(ChangeRow::Unchanged), Qt::LeftButton, Qt::NoModifier,
+                          QPoint(8, legend.row(ChangeRow::Unchanged)->height() / 2));
+        QVERIFY(QTest::qWaitFor([&] { return painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)) == 0; }, 10000));
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         // With the settings of A the difference is empty; without A the picture is normal.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
@@ -169,8 +169,8 @@ private slots:
         // A new picture ends a flip even while the key is pressed.
         QTest::keyPress(&views.gray(), Qt::Key_Backslash);
         QVERIFY(views.flipped());
-        Settings other = on.viewer.engine.settings();
-        other.method = Method::Canny;
+        edges::Settings other = on.viewer.engine.settings();
+        other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(!views.flipped() && known(on));
         QVERIFY(cloud.scan() == b->detection->scan);
@@ -209,18 +209,19 @@ private slots:
         QVERIFY2(legend.regionText().startsWith("region 2 of "), qPrintable(legend.regionText()));
         // At this size both legends fit. A picture with another setting keeps the known surfaces.
         QTRY_VERIFY(on.viewer.views.cloud().rect().contains(on.viewer.changeLegend.geometry()));
-        Settings other = on.viewer.engine.settings();
-        other.method = Method::Canny;
+        edges::Settings other = on.viewer.engine.settings();
+        other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
         QCOMPARE(on.viewer.comparing.comparison()->change.ranges.nearer, nearer);
         // A changed slider is not a blast: A is computed with the current settings.
-        const auto earlier = detectEdges(on.viewer.comparing.kept()->detection->scan, other);
-        const auto expected = sceneChange({on.picture().detection->scan, on.picture().detection->mask}, {earlier->scan, earlier->mask});
+        const auto earlier = edges::detectEdges(on.viewer.comparing.pictureA()->detection->scan, other);
+        const auto expected =
+            inspect::sceneChange({on.picture().detection->scan, on.picture().detection->mask}, {earlier->scan, earlier->mask});
         QVERIFY(expected);
         QCOMPARE(on.viewer.comparing.comparison()->change.edges.lost, expected->edges.lost);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Lost)), expected->edges.lost);
-        QVERIFY(on.viewer.comparing.kept()->asked != other);
+        QVERIFY(on.viewer.comparing.pictureA()->asked != other);
         // Rocks over the cloud hide the change there; the legend says so.
         const auto* covered = legend.findChild<QLabel*>("change-covered");
         QVERIFY(covered->isHidden());
@@ -267,11 +268,11 @@ private slots:
     void flippingTheFullGridIsQuick() {
         WindowFixture on;
         const auto save = [&](bool after) {
-            SimulationSettings settings;
+            sim::SimulationSettings settings;
             settings.afterBlast = after;
             settings.footprint = false;
             const std::string path = (folder_ / (after ? "full-after.json" : "full.json")).string();
-            if (!saveScan(simulate(settings)->scan, path)) qFatal("%s cannot be written", path.c_str());
+            if (!files::saveScan(sim::simulate(settings)->scan, path)) qFatal("%s cannot be written", path.c_str());
             return path;
         };
         QVERIFY(showWith(on, save(false)));
@@ -284,14 +285,14 @@ private slots:
             for (const auto press : {true, false}) { // waits until the cloud is drawn
                 QElapsedTimer timer;
                 timer.start();
-                const double before = threadCpuMilliseconds();
+                const double before = edges::threadCpuMilliseconds();
                 const int frames = cloud.framesDrawn();
                 press ? QTest::keyPress(&on.viewer.views.gray(), Qt::Key_Backslash)
                       : QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
                 QCOMPARE(on.viewer.views.flipped(), press);
                 QVERIFY(QTest::qWaitFor([&] { return cloud.framesDrawn() > frames; }, 10000));
                 if (n == 0) continue; // the first flip uploads a cloud
-                times.push_back(threadCpuMilliseconds() - before);
+                times.push_back(edges::threadCpuMilliseconds() - before);
                 waits.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
             }
         }

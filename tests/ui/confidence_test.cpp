@@ -39,11 +39,11 @@ class ConfidenceTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = 120;
         settings.beams = 160;
         scan_ = (folder_ / "bell.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, scan_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, scan_)));
     }
 
     void aKeyShowsItInAllViewsAndTheSliderLeavesEdgesOut() {
@@ -53,15 +53,15 @@ private slots:
         QVERIFY(!on.viewer.confidenceLegend.isVisible());
         QVERIFY(showByKey(on));
         const ConfidencePicture& made = *on.viewer.confidence.made();
-        const Detection& detection = *on.picture().detection;
-        const auto truth = edgeConfidence(detection);
+        const edges::Detection& detection = *on.picture().detection;
+        const auto truth = edges::edgeConfidence(detection);
         QVERIFY(truth && truth->percent == made.confidence->percent);
         const ConfidenceLegend& legend = on.viewer.confidenceLegend;
         QVERIFY(legend.isVisible() && !on.viewer.legend.isVisible());
         QVERIFY2(legend.words().contains(QString::number(truth->settings)), qPrintable(legend.words()));
         // The counts of the legend equal those of the cells, and each edge is in one band.
         std::array<std::size_t, kBands> counts{};
-        for (const std::uint32_t k : *detection.edges) ++counts[confidenceBand(truth->percent[k])];
+        for (const std::uint32_t k : *detection.edges) ++counts[edges::confidenceBand(truth->percent[k])];
         std::size_t sum = 0;
         for (std::size_t band = 0; band < kBands; ++band) {
             QCOMPARE(numberIn(legend.counted(band)), counts[band]);
@@ -73,7 +73,7 @@ private slots:
         const QImage& map = *on.viewer.views.edges().image();
         for (const std::uint32_t k : *detection.edges) {
             const QPoint at = on.viewer.views.placeOf(k);
-            const QColor colour = bandColours(false)[confidenceBand(truth->percent[k])];
+            const QColor colour = bandColours(false)[edges::confidenceBand(truth->percent[k])];
             const QRgb pixel = map.pixel(at);
             QVERIFY(pixel == colour.rgba() || pixel == colour.darker(250).rgba());
         }
@@ -104,8 +104,8 @@ private slots:
         QVERIFY(showByKey(on));
         const auto first = on.viewer.confidence.made();
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        Settings other = on.viewer.engine.settings();
-        other.method = Method::Canny;
+        edges::Settings other = on.viewer.engine.settings();
+        other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY2(on.viewer.confidence.made() != first, "what was known of the picture before is still shown");
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }, 30000));
@@ -128,8 +128,8 @@ private slots:
             WindowFixture on(kept);
             on.window.resize(1280, 800);
             QVERIFY(on.showWith(scan_) && on.activate());
-            const Detection first = *on.picture().detection;
-            const auto truth = edgeConfidence(first);
+            const edges::Detection first = *on.picture().detection;
+            const auto truth = edges::edgeConfidence(first);
             // An edge that a lower threshold finds too, and that some settings miss.
             const auto doubtful = std::ranges::find_if(*first.edges, [&](std::uint32_t k) { return truth->percent[k] < 90; });
             QVERIFY(doubtful != first.edges->end());
@@ -144,7 +144,7 @@ private slots:
             const auto card = [&] { return on.viewer.targetsPanel.card().text(); };
             QTRY_VERIFY(card().contains("Edge: "));
             QVERIFY2(card().contains(QString::fromUtf8("Confidence: …")), qPrintable(card()));
-            const auto figure = [](const EdgeConfidence& of, std::uint32_t k) {
+            const auto figure = [](const edges::EdgeConfidence& of, std::uint32_t k) {
                 return QString("%1 % of %2 settings").arg(of.percent[k]).arg(of.settings);
             };
             QTRY_VERIFY2_WITH_TIMEOUT(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()), 60000);
@@ -160,10 +160,10 @@ private slots:
             slider->setFocus();
             QTest::keyClick(slider, Qt::Key_Left);
             QVERIFY(on.settled());
-            const Detection second = *on.picture().detection;
+            const edges::Detection second = *on.picture().detection;
             QVERIFY(*second.mask != *first.mask && (*second.mask)[cell] != 0);
             QTRY_VERIFY(card().contains(QString::fromUtf8("Confidence: …\nwas ") + figure(*truth, cell)));
-            const auto then = edgeConfidence(second);
+            const auto then = edges::edgeConfidence(second);
             const QString now = "Confidence: " + figure(*then, cell);
             QTRY_VERIFY2_WITH_TIMEOUT(card().contains(now), qPrintable(card()), 60000);
             QVERIFY(then->percent[cell] == truth->percent[cell] || card().contains(now + "\nwas " + figure(*truth, cell)));

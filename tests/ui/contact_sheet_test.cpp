@@ -18,7 +18,7 @@ class ContactSheetTest : public QObject {
 private slots:
     void initTestCase() {
         scan_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(150, 170, 3, 0.02), scan_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(150, 170, 3, 0.02), scan_)));
     }
 
     void aClickTakesAValueAndUndoBringsTheOldOneBack() {
@@ -54,9 +54,9 @@ private slots:
     void theSliderThatWasTurnedLastIsTheOneOfTheSheet() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
-        on.viewer.tuning.turn("crease", 40);
+        on.viewer.tuning.setParameter("crease", 40);
         QVERIFY(on.settled());
-        QCOMPARE(QString(on.viewer.tuning.lastTurned().key), QString("crease"));
+        QCOMPARE(QString(on.viewer.tuning.lastChanged().key), QString("crease"));
         auto* sheets = on.window.findChild<ContactSheets*>();
         sheets->show();
         QTRY_VERIFY_WITH_TIMEOUT(!sheets->card()->working(), 20000);

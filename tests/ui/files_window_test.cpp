@@ -71,13 +71,13 @@ private slots:
     }
 
     void beamsThatLieElsewhereAreToldAndStraightened() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = 250;
         settings.beams = 286;
         settings.seed = 3;
         settings.interlaceDeg = 0.36;
         const std::string path = (folder_ / "interlaced.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, path)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, path)));
         WindowFixture on;
         MainWindow& window = on.window;
         window.resize(1300, 800);
@@ -112,7 +112,7 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        using Export = ExportContent;
+        using Export = exports::ExportContent;
         const std::vector<std::tuple<Export, const char*, const char*>> exports{
             {Export::EdgeCloud, "edges.pcd", "--edges"}, {Export::EdgeCloud, "edges.ply", "--edges"},
             {Export::EdgeCloud, "edges.csv", "--edges"}, {Export::FullCloud, "cloud.pcd", "--cloud"},
@@ -138,8 +138,8 @@ private slots:
     void aSmallerScanUnderTheMouseIsShown() {
         const std::string large = (folder_ / "large.json").string();
         const std::string small = (folder_ / "small.json").string();
-        QVERIFY(saveScan(test::boxesScan(1500, 1500, 1), large));
-        QVERIFY(saveScan(test::boxesScan(4, 4, 1), small));
+        QVERIFY(files::saveScan(test::boxesScan(1500, 1500, 1), large));
+        QVERIFY(files::saveScan(test::boxesScan(4, 4, 1), small));
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(large));
@@ -154,7 +154,7 @@ private slots:
     void aSeriesGoesOnBehindABadFile() {
         const std::string second = (folder_ / "series2.json").string();
         const std::string bad = (folder_ / "series-bad.json").string();
-        QVERIFY(saveScan(test::boxesScan(30, 40, 8), second));
+        QVERIFY(files::saveScan(test::boxesScan(30, 40, 8), second));
         std::ofstream(bad) << "no scan";
         WindowFixture on;
         MainWindow& window = on.window;
@@ -176,7 +176,7 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
         QSignalSpy failures(&window.viewer().engine, &Engine::failed);
-        window.viewer().engine.save(ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
+        window.viewer().engine.save(exports::ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
         window.viewer().files.open({QString::fromStdString(real_)});
         QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.viewer().engine.working(); }, 10000));
     }

@@ -20,7 +20,7 @@ class GapsWindowTest : public QObject {
 private slots:
     void theSliderFillsGapsThatSayTheyAreNotMeasured() {
         const std::string path = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
         WindowFixture on;
         MainWindow& window = on.window;
         window.resize(1500, 950);
@@ -43,18 +43,18 @@ private slots:
             const QRgb seen = image->pixel(static_cast<int>(cell.cell % 160), static_cast<int>(cell.cell / 160));
             QVERIFY(qGreen(seen) > qRed(seen) && qGreen(seen) > qBlue(seen));
         }
-        const Probe probe = probeCell(*on.picture().detection, filling.cells.front().cell);
+        const edges::Probe probe = edges::probeCell(*on.picture().detection, filling.cells.front().cell);
         QVERIFY(probeWords(probe).verdict.startsWith("filled, not measured: "));
         // The dialog before an export shows the number of points that the export writes.
-        for (const ExportContent content : {ExportContent::FullCloud, ExportContent::EdgeCloud}) {
+        for (const exports::ExportContent content : {exports::ExportContent::FullCloud, exports::ExportContent::EdgeCloud}) {
             ExportDialog dialog(on.picture().detection, content);
             const std::size_t measured = dialog.count();
             dialog.findChild<QCheckBox*>("with-filled")->setChecked(true);
             const auto written =
-                exportWithProvenance(content, *on.picture().detection, (folder_ / "filled.ply").string(), dialog.options());
+                exports::exportWithProvenance(content, *on.picture().detection, (folder_ / "filled.ply").string(), dialog.options());
             QVERIFY2(bool(written), written ? "" : written.error().sentence().c_str());
             QCOMPARE(dialog.count(), *written);
-            if (content == ExportContent::FullCloud) QCOMPARE(dialog.count(), measured + filling.cells.size());
+            if (content == exports::ExportContent::FullCloud) QCOMPARE(dialog.count(), measured + filling.cells.size());
             QVERIFY(dialog.findChild<QLabel*>("count")->text().remove(',').startsWith(QString::number(*written) + " "));
         }
 

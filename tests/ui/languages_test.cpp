@@ -98,7 +98,7 @@ bool laidOut(WindowFixture& on, const std::string& scan) {
     on.viewer.confidence.setOn(true);
     on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
     on.viewer.live.panel().show();
-    Settings other = on.viewer.engine.settings();
+    edges::Settings other = on.viewer.engine.settings();
     other.sensitivity = 1.4;
     return on.use(other) && QTest::qWaitFor(
                                 [&] {
@@ -119,7 +119,7 @@ class LanguagesTest : public QObject {
 private slots:
     void initTestCase() {
         scan_ = (folder_ / "boxes.json").string();
-        QVERIFY(saveScan(test::boxesScan(40, 60, 3, 0.05), scan_));
+        QVERIFY(files::saveScan(test::boxesScan(40, 60, 3, 0.05), scan_));
     }
     void cleanup() { useLanguage("en"); }
 
@@ -147,10 +147,10 @@ private slots:
         const auto expectSentence = [&](const std::string& text) {
             QVERIFY2(catalogue.texts().contains(QString::fromStdString(text)), text.c_str());
         };
-        for (const Parameter& parameter : parameters()) expectSentence(parameter.help);
-        for (const RockParameter& parameter : rockParameters()) expectSentence(parameter.help);
-        for (const Preset& preset : builtInPresets()) expectSentence(preset.help);
-        for (const WritingChoice& choice : kWritingChoices) expectSentence(choice.help);
+        for (const edges::Parameter& parameter : edges::parameters()) expectSentence(parameter.help);
+        for (const rocks::RockParameter& parameter : rocks::rockParameters()) expectSentence(parameter.help);
+        for (const edges::Preset& preset : edges::builtInPresets()) expectSentence(preset.help);
+        for (const files::WritingChoice& choice : files::kWritingChoices) expectSentence(choice.help);
     }
 
     void theFilesAreUpToDateWithTheSources() {
@@ -261,7 +261,7 @@ private slots:
             const QUndoStack& undo = on.viewer.undo;
             QCOMPARE(undo.text(undo.index() - 1), QString("Mark of an Edge"));
             QCOMPARE(undo.undoText(), QString("Marque d’arête"));
-            on.viewer.tuning.turn("classes", kClassConvex);
+            on.viewer.tuning.setParameter("classes", edges::kClassConvex);
             QVERIFY(undo.text(undo.index() - 1) != undo.undoText());
         }
         QVERIFY(useLanguage("es", kTexts));

@@ -44,7 +44,7 @@ private slots:
     void initTestCase() {
         useTheme(*qApp);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(boxesToShow(), bare_)));
+        QVERIFY(bool(files::saveScan(boxesToShow(), bare_)));
     }
 
     void theWindowFitsItsScreen() {
@@ -76,7 +76,7 @@ private slots:
             const QRect room(number(-2000, 2000), number(0, 60), number(900, 3000), number(600, 2000));
             const QMargins frame(number(0, 8), number(0, 40), number(0, 8), number(0, 8));
             const QRect window(number(-3000, 3000), number(-500, 2500), number(300, 3500), number(300, 2500));
-            const QRect fits = insideScreen(window, frame, room);
+            const QRect fits = fittedInScreen(window, frame, room);
             QVERIFY(room.contains(fits.marginsAdded(frame)));
             if (room.contains(window.marginsAdded(frame))) QCOMPARE(fits, window); // a window that fits does not move
             const QRect most = room.marginsRemoved(frame);
@@ -114,8 +114,8 @@ private slots:
         resizeTo(on.window, {1280, 800});
         auto* scroll = on.viewer.panel.findChild<QScrollArea*>();
         const int width = dock(on.window)->width();
-        for (const MethodTraits& method : methodTraits()) {
-            Settings settings = cannySettings();
+        for (const edges::MethodTraits& method : edges::methodTraits()) {
+            edges::Settings settings = edges::cannySettings();
             settings.method = method.method;
             settings.ratio = 2.5; // unlocked: its row is visible too
             QVERIFY(on.use(settings));

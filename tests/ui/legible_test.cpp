@@ -26,12 +26,12 @@ private slots:
         useTheme(*qApp);
         Scan scan = boxesToShow();
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(scan, bare_)));
+        QVERIFY(bool(files::saveScan(scan, bare_)));
         Placement placement = *test::randomPlacement(3, 1, true);
         placement.outOfSpec = true;
         scan.placement = std::make_shared<const Placement>(placement);
         placed_ = (folder_ / "placed.json").string();
-        QVERIFY(bool(saveScan(scan, placed_)));
+        QVERIFY(bool(files::saveScan(scan, placed_)));
     }
 
     void theStatusLineCoversNothingThatMustBeRead() {
@@ -43,7 +43,7 @@ private slots:
         const QPoint cell = on.viewer.views.placeOf(static_cast<std::size_t>(valid));
         for (const int width : {853, 1280, 1366, 1600, 1920}) {
             resizeTo(on.window, {width, 800});
-            on.viewer.views.letGo();
+            on.viewer.views.clearPin();
             emit on.viewer.views.gray().clicked(cell.y(), cell.x());
             QApplication::processEvents();
             const QString text = probe->text();
@@ -83,7 +83,7 @@ private slots:
             auto* probe = on.window.findChild<QLabel*>("probe");
             for (const int width : {1280, 1366, 1920}) {
                 resizeTo(on.window, {width, 800});
-                on.viewer.views.letGo();
+                on.viewer.views.clearPin();
                 emit on.viewer.views.gray().clicked(cell.y(), cell.x());
                 QApplication::processEvents();
                 QVERIFY2(!probe->text().contains("…"), qPrintable(QString("%1 %2: %3").arg(code).arg(width).arg(probe->text())));
@@ -129,7 +129,7 @@ private slots:
         QVERIFY(on.viewer.rocks.shown());
         auto* measure = on.window.findChild<QToolButton*>("tool-measure");
         QVERIFY(!measure->isChecked());
-        on.viewer.measures.start(MeasureKind::Distance);
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
         QVERIFY(measure->isChecked());
         pressed("Pin");
         QVERIFY(!measure->isChecked() && on.viewer.views.tool() == Tool::Pin);

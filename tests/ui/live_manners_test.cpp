@@ -28,20 +28,20 @@ class LiveMannersTest : public QObject {
     std::string bell_;
     Scan scan_;
 
-    static SweepSettings sweep(Axis axis = Axis::Sweep) {
-        SweepSettings settings;
+    static scanner::SweepSettings sweep(Axis axis = Axis::Sweep) {
+        scanner::SweepSettings settings;
         settings.expectedLines = kLines;
         settings.degPerLine = 180.0 / kLines;
         settings.firstLineDeg = -90;
         settings.axis = axis;
         return settings;
     }
-    [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner(double linesPerSecond) const {
-        auto telegrams = telegramsOf(scan_);
+    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner(double linesPerSecond) const {
+        auto telegrams = scanner::telegramsOf(scan_);
         if (!telegrams) return nullptr;
-        EmulatedScannerSettings settings;
+        scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = linesPerSecond;
-        auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+        auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
         return made ? std::move(*made) : nullptr;
     }
     static void press(MainWindow& window, const char* name) {
@@ -53,14 +53,14 @@ class LiveMannersTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = kLines;
         settings.beams = 381;
-        auto simulation = simulate(settings);
+        auto simulation = sim::simulate(settings);
         QVERIFY(simulation);
         scan_ = simulation->scan;
         bell_ = (folder_ / "bell.json").string();
-        QVERIFY(bool(saveScan(scan_, bell_)));
+        QVERIFY(bool(files::saveScan(scan_, bell_)));
     }
 
     void onlyAPictureThatGrowsIsCalledLive() {
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(!window.viewer().live.scanner().recording());
         const QStringList files = QDir(folder).entryList({"sweep_*.mcap"});
         QCOMPARE(files.size(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(bool(openScan(QDir(folder).filePath(files.front()).toStdString())), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(bool(files::openScan(QDir(folder).filePath(files.front()).toStdString())), 10000);
     }
 
     void aLostScannerPromisesNoEnd() {
@@ -184,7 +184,7 @@ private slots:
         const HealthStrip& strip = window.viewer().live.panel().strip();
         QTRY_VERIFY_WITH_TIMEOUT(strip.shown().end.starts_with("ends in "), 20000);
         emulated.reset();
-        QTRY_VERIFY_WITH_TIMEOUT(strip.shown().liveness == Liveness::Lost, 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(strip.shown().liveness == files::Liveness::Lost, 10000);
         QCOMPARE(strip.shown().end, std::string());
     }
 

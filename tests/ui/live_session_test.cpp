@@ -23,12 +23,12 @@ class LiveSessionTest : public QObject {
     test::TemporaryFolder folder_;
     Scan scan_;
 
-    [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner() const {
-        auto telegrams = telegramsOf(scan_);
+    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner() const {
+        auto telegrams = scanner::telegramsOf(scan_);
         if (!telegrams) return nullptr;
-        EmulatedScannerSettings settings;
+        scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 40;
-        auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+        auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
         return made ? std::move(*made) : nullptr;
     }
     static int lines(WindowFixture& on) {
@@ -47,19 +47,19 @@ class LiveSessionTest : public QObject {
         std::error_code none;
         for (const auto& entry : std::filesystem::directory_iterator(sessions, none)) {
             const std::string name = entry.path().filename().string();
-            if (name.starts_with("running-") && name.ends_with(kSessionEnding)) return entry.path();
+            if (name.starts_with("running-") && name.ends_with(inspect::kSessionEnding)) return entry.path();
         }
         return std::nullopt;
     }
-    [[nodiscard]] static std::optional<ViewerState> saved(const std::filesystem::path& sessions) {
+    [[nodiscard]] static std::optional<inspect::ViewerState> saved(const std::filesystem::path& sessions) {
         const auto path = savedIn(sessions);
-        auto read = path ? readSession(*path) : Result<ReadSession>(Error{});
+        auto read = path ? inspect::readSession(*path) : Result<inspect::ReadSession>(Error{});
         return read ? std::optional(read->state) : std::nullopt;
     }
-    bool connectAndRecord(WindowFixture& on, const EmulatedScanner& scanner, const std::filesystem::path& home) {
+    bool connectAndRecord(WindowFixture& on, const scanner::EmulatedScanner& scanner, const std::filesystem::path& home) {
         on.viewer.live.setRecordingFolder(QString::fromStdString((home / "recordings").string()));
         if (!on.show() || !on.activate()) return false;
-        SweepSettings sweep;
+        scanner::SweepSettings sweep;
         sweep.expectedLines = kLines;
         sweep.degPerLine = 180.0 / kLines;
         sweep.firstLineDeg = -90;
@@ -71,10 +71,10 @@ class LiveSessionTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = kLines;
         settings.beams = kBeams;
-        scan_ = simulate(settings)->scan;
+        scan_ = sim::simulate(settings)->scan;
     }
 
     void afterAKillInTheMiddleOfASweepItsRecordingOpensWithItsPins() {
@@ -92,7 +92,7 @@ private slots:
             QVERIFY(QTest::qWaitFor(
                 [&] {
                     const auto now = saved(home / "sessions");
-                    return now && now->targets.notebook.targets.size() == 2 && now->scan.kind == SessionScan::Kind::Recording;
+                    return now && now->targets.notebook.targets.size() == 2 && now->scan.kind == inspect::SessionScan::Kind::Recording;
                 },
                 20000));
             QVERIFY(lines(on) < kLines);
@@ -107,7 +107,7 @@ private slots:
                     return now && now->scan.identity.sha256.size() == 64;
                 },
                 20000));
-            on.viewer.live.scanner().hangUp();
+            on.viewer.live.scanner().disconnectScanner();
         }
         WindowFixture on(QString::fromStdString((folder_ / "later.ini").string()));
         QVERIFY(on.show());
@@ -148,13 +148,13 @@ private slots:
                     return now && now->targets.notebook.targets.size() == 1;
                 },
                 20000));
-            ViewerState other = *saved(home / "sessions");
+            inspect::ViewerState other = *saved(home / "sessions");
             other.scan.head.sha256 = std::string(64, '0');
-            session = home / "sessions" / (std::string("other") + kSessionEnding);
-            QVERIFY(bool(writeWholeFile(session, sessionText(other, session.parent_path(), ""))));
+            session = home / "sessions" / (std::string("other") + inspect::kSessionEnding);
+            QVERIFY(bool(writeWholeFile(session, inspect::sessionText(other, session.parent_path(), ""))));
             press(on, "live-record");
             QVERIFY(QTest::qWaitFor([&] { return on.viewer.live.scanner().recordingClosed(); }, 20000));
-            on.viewer.live.scanner().hangUp();
+            on.viewer.live.scanner().disconnectScanner();
         }
         WindowFixture on;
         QVERIFY(on.show());

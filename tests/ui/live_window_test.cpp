@@ -38,8 +38,8 @@ class LiveWindowTest : public QObject {
     std::string bell_;
     Scan scan_;
 
-    static SweepSettings sweep(int expected = kLines) {
-        SweepSettings settings;
+    static scanner::SweepSettings sweep(int expected = kLines) {
+        scanner::SweepSettings settings;
         settings.expectedLines = expected;
         settings.degPerLine = 180.0 / kLines;
         settings.firstLineDeg = -90;
@@ -48,10 +48,10 @@ class LiveWindowTest : public QObject {
     }
 
     // An emulated scanner in this process, so that the test can cause faults.
-    [[nodiscard]] std::unique_ptr<EmulatedScanner> scanner(const EmulatedScannerSettings& settings) const {
-        auto telegrams = telegramsOf(scan_);
+    [[nodiscard]] std::unique_ptr<scanner::EmulatedScanner> scanner(const scanner::EmulatedScannerSettings& settings) const {
+        auto telegrams = scanner::telegramsOf(scan_);
         if (!telegrams) return nullptr;
-        auto made = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(std::move(*telegrams)), settings);
+        auto made = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
         return made ? std::move(*made) : nullptr;
     }
 
@@ -65,7 +65,7 @@ class LiveWindowTest : public QObject {
     static bool waitForBadge(MainWindow& window, StateBadge::Sign sign, int ms) {
         return QTest::qWaitFor([&] { return window.viewer().live.panel().strip().badge().sign() == sign; }, ms);
     }
-    static std::string shownMask(MainWindow& window) { return maskSha256(*window.viewer().engine.picture()->detection->mask); }
+    static std::string shownMask(MainWindow& window) { return exports::maskSha256(*window.viewer().engine.picture()->detection->mask); }
     [[nodiscard]] static std::string maskOf(const std::string& file) {
         const auto run = test::runCli("detect " + file + " --json -");
         return run.code == 0 ? nlohmann::json::parse(run.out)["edge_mask_sha256"].get<std::string>() : run.err;
@@ -80,16 +80,16 @@ private slots:
     // S2: irregularities of counters, beams and clock are on the screen while they occur.
     void whatIsWrongWithTheTelegramsIsTold() {
         struct Case {
-            ScannerFaults faults;
+            scanner::ScannerFaults faults;
             QString lines, remark;
         };
-        ScannerFaults counters, narrow, clock;
+        scanner::ScannerFaults counters, narrow, clock;
         counters.counterStep = 1000;
         narrow.narrowEvery = 2;
         clock.clockRate = -1;
         for (const Case& each :
              {Case{counters, "COUNTERS IN DOUBT", "COUNTERS IN DOUBT"}, Case{narrow, "INCOMPLETE", ""}, Case{clock, "lines", "1 remark"}}) {
-            EmulatedScannerSettings settings;
+            scanner::EmulatedScannerSettings settings;
             settings.linesPerSecond = 100;
             settings.faults = each.faults;
             const auto scanner = this->scanner(settings);
@@ -105,19 +105,19 @@ private slots:
             };
             QVERIFY2(QTest::qWaitFor(told, 5000), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
             QCOMPARE(on.viewer.statusLine.recordedShown(), QString()); // the picture is live
-            on.viewer.live.scanner().hangUp();
+            on.viewer.live.scanner().disconnectScanner();
         }
     }
 
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = kLines;
         settings.beams = kBeams;
-        auto simulation = simulate(settings);
+        auto simulation = sim::simulate(settings);
         QVERIFY(simulation);
         scan_ = simulation->scan;
         bell_ = (folder_ / "bell.json").string();
-        QVERIFY(saveScan(scan_, bell_));
+        QVERIFY(files::saveScan(scan_, bell_));
     }
 
     void theSweepGrowsWhileSlidersWorkAndEndsAsTheFile() {
@@ -155,7 +155,7 @@ private slots:
         // Every picture is consistent, and equals the complete method with the settings that it names.
         const auto growing = window.viewer().engine.picture();
         QVERIFY(growing->source.growth.growing);
-        QCOMPARE(*growing->detection->mask, *detectEdges(growing->detection->scan, growing->detection->settings)->mask);
+        QCOMPARE(*growing->detection->mask, *edges::detectEdges(growing->detection->scan, growing->detection->settings)->mask);
         QCOMPARE(static_cast<int>(window.viewer().views.cloud().geometryOfCloud()->cells()),
                  static_cast<int>(window.viewer().views.cloud().scan()->cells()));
 
@@ -212,7 +212,7 @@ private slots:
     }
 
     void aStallIsGreyedWithinTwoSeconds() {
-        EmulatedScannerSettings settings;
+        scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 60;
         settings.faults.stallEvery = 70;
         settings.faults.stallS = 4;
@@ -246,7 +246,7 @@ private slots:
     }
 
     void aDroppedConnectionIsLostAndComesBack() {
-        EmulatedScannerSettings settings;
+        scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 60;
         settings.keepTurning = true; // lines pass meanwhile: they are lost, and reported as lost
         const auto emulated = scanner(settings);
@@ -324,7 +324,7 @@ private slots:
         QTest::keyClick(&window, Qt::Key_Left);
         QVERIFY(at(kLines - 11));
         const Picture& part = *window.viewer().engine.picture();
-        QCOMPARE(*part.detection->mask, *detectEdges(part.detection->scan, part.detection->settings)->mask);
+        QCOMPARE(*part.detection->mask, *edges::detectEdges(part.detection->scan, part.detection->settings)->mask);
         QTest::keyClick(&window, Qt::Key_Right);
         QVERIFY(at(kLines - 10));
         window.findChild<QSlider*>("timeline-slider")->setValue(40);
@@ -370,13 +370,13 @@ private slots:
         QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
         QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
         const std::string opened = shownMask(window);
-        const auto recording = Recording::open(path);
+        const auto recording = files::Recording::open(path);
         QVERIFY(recording);
         std::mt19937 random(4);
         for (int i = 0; i < 12; ++i) {
             const int line = 1 + static_cast<int>(random() % static_cast<unsigned>(timeline.lines()));
             timeline.goTo(line);
-            Replay fresh(*recording);
+            files::Replay fresh(*recording);
             fresh.seek(line);
             const auto expected = fresh.snapshot();
             QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == expected->lines() && !window.viewer().engine.behind(); }, 5000));

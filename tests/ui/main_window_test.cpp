@@ -45,21 +45,21 @@ QPoint sliderHandle(QSlider* slider) {
 // All widgets show the same frame, and this frame equals the result of edgescan-cli.
 void compareWithCommandLine(WindowFixture& on) {
     MainWindow& window = on.window;
-    const Detection& detection = *on.picture().detection;
+    const edges::Detection& detection = *on.picture().detection;
     QCOMPARE(window.viewer().views.edges().image(), window.viewer().engine.picture()->edges);
     QCOMPARE(countPixels(*window.viewer().views.edges().image(), [](QRgb p) { return p == qRgb(255, 255, 255); }),
              static_cast<int>(detection.edges->size()));
     QVERIFY(window.viewer().statusLine.countsShown().contains(
         QLocale(QLocale::English).toString(static_cast<qulonglong>(detection.edges->size())) + " edges"));
     std::string flags;
-    const nlohmann::json settings = settingsToJson(detection.settings);
+    const nlohmann::json settings = edges::settingsToJson(detection.settings);
     for (const auto& [key, value] : settings.items())
         flags += " --" + key + " " + (value.is_string() ? value.get<std::string>() : value.dump());
     const auto run = test::runCli("detect '" + detection.scan->path + "' --json -" + flags);
     QCOMPARE(run.code, 0);
     const auto report = nlohmann::json::parse(run.out);
     QCOMPARE(report["edges"].get<std::size_t>(), detection.edges->size());
-    QCOMPARE(report["edge_mask_sha256"].get<std::string>(), maskSha256(*detection.mask));
+    QCOMPARE(report["edge_mask_sha256"].get<std::string>(), exports::maskSha256(*detection.mask));
 }
 
 } // namespace
@@ -76,7 +76,7 @@ private slots:
     void aDraggedSliderChangesImageCloudAndNumbersTogether() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.viewer().tuning.usePreset(*findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         compareWithCommandLine(on);
         const QImage edgesBefore = *window.viewer().views.edges().image();
@@ -117,7 +117,7 @@ private slots:
     void twoHundredRandomMovesEndOnTheLastValue() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.viewer().tuning.usePreset(*findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         std::mt19937 random(5);
         QSlider* slider = on.slider("lower");
@@ -125,7 +125,7 @@ private slots:
             slider->setValue(static_cast<int>(random() % 1001));
             QCoreApplication::processEvents();
         }
-        const double last = sliderValue(window.viewer().panel.row("lower")->parameter(), slider->value());
+        const double last = edges::sliderValue(window.viewer().panel.row("lower")->parameter(), slider->value());
         QVERIFY(on.settled());
         QCOMPARE(window.viewer().engine.settings().lower, last);
         QCOMPARE(window.viewer().engine.picture()->detection->settings.lower, last);
@@ -137,7 +137,7 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        const Detection& detection = *on.picture().detection;
+        const edges::Detection& detection = *on.picture().detection;
         const std::uint32_t k = (*detection.edges)[detection.edges->size() / 2];
         const QPoint cell(static_cast<int>(k) % detection.scan->beams(), static_cast<int>(k) / detection.scan->beams());
         ImageView& gray = window.viewer().views.gray();
@@ -183,13 +183,13 @@ private slots:
             killed = QString("%1.%2").arg(ini).arg(++copies);
             QFile::copy(ini, killed);
             const Memory there(killed);
-            return there.bytes("window/geometry") == window.saveGeometry() && there.settings(Settings{}).ratio == 2.5;
+            return there.bytes("window/geometry") == window.saveGeometry() && there.settings(edges::Settings{}).ratio == 2.5;
         };
         QTRY_VERIFY(copied());
 
         WindowFixture again(killed);
         QVERIFY(again.show());
-        const Settings& settings = again.window.viewer().engine.settings();
+        const edges::Settings& settings = again.window.viewer().engine.settings();
         QCOMPARE(settings.lower, 42.0);
         QCOMPARE(settings.kernel, 5);
         QCOMPARE(settings.ratio, 2.5);
@@ -200,19 +200,19 @@ private slots:
 
     void whatTheCommandLineAskedForIsNotRemembered() {
         const QString ini = QString::fromStdString((folder_ / "asked.ini").string());
-        Settings own;
+        edges::Settings own;
         own.creaseDeg = 50;
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
             window.viewer().tuning.useSettings(own);
         }
-        const Preset thesis = *findPreset("thesis");
+        const edges::Preset thesis = *edges::findPreset("thesis");
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
             QVERIFY(window.viewer().engine.settings() == own);
-            Settings asked = thesis.settings;
+            edges::Settings asked = thesis.settings;
             asked.lower = 33;
             window.viewer().tuning.startWith(thesis, asked);
             QVERIFY(window.viewer().engine.settings() == asked);
@@ -241,7 +241,7 @@ private slots:
     void aSingleEditIsAStepOfItsOwn() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.viewer().tuning.usePreset(*findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.show());
         window.viewer().panel.row("kernel")->choice()->setCurrentIndex(3); // 7 cells
         QSlider* slider = on.slider("lower");
@@ -253,10 +253,10 @@ private slots:
         QCOMPARE(window.viewer().engine.settings().kernel, 7);
         QUndoStack& undo = window.viewer().tuning.undoStack();
         undo.undo();
-        QCOMPARE(window.viewer().engine.settings().lower, Settings{}.lower);
+        QCOMPARE(window.viewer().engine.settings().lower, edges::Settings{}.lower);
         QCOMPARE(window.viewer().engine.settings().kernel, 7);
         undo.undo();
-        QCOMPARE(window.viewer().engine.settings().kernel, Settings{}.kernel);
+        QCOMPARE(window.viewer().engine.settings().kernel, edges::Settings{}.kernel);
     }
 
     void theCloudIsCompleteOnceItRests() {
@@ -264,7 +264,7 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         const std::string large = (folder_ / "complete.json").string();
-        QVERIFY(saveScan(test::boxesScan(800, 900, 1), large));
+        QVERIFY(files::saveScan(test::boxesScan(800, 900, 1), large));
         QVERIFY(on.open(large));
         QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.cloud().drawnFraction() < 1.0; }, 15000)); // coarse first
         QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.cloud().drawnFraction() >= 1.0; }, 15000));
@@ -285,14 +285,14 @@ private slots:
     void aPresetIsOneClickAndItsChangesAreMarked() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.viewer().tuning.usePreset(*findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         auto* presets = window.viewer().panel.findChild<QComboBox*>("presets");
         QVERIFY(presets != nullptr);
         presets->setCurrentText("thesis");
         emit presets->activated(presets->currentIndex());
         QVERIFY(on.settled());
-        QVERIFY(window.viewer().engine.picture()->detection->settings == findPreset("thesis")->settings);
+        QVERIFY(window.viewer().engine.picture()->detection->settings == edges::findPreset("thesis")->settings);
         QVERIFY(!window.viewer().panel.modified());
         compareWithCommandLine(on);
         window.viewer().panel.row("lower")->number()->setValue(33);

@@ -49,20 +49,20 @@ class MannersTest : public QObject {
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
         Scan scan = test::boxesScan(60, 80, 3, 0.05);
         scan.note = kMarkup;
         Placement placement = *test::randomPlacement(3, 1, true);
         placement.originEnhM = {498700, 6200000, 250};
         scan.placement = std::make_shared<const Placement>(placement);
         placed_ = (folder_ / "placed.json").string();
-        QVERIFY(saveScan(scan, placed_));
+        QVERIFY(files::saveScan(scan, placed_));
         placement.grid = kMarkup;
         placement.source = kMarkup;
         placement.warnings = {kMarkup, std::string(100000, 'x'), "one\ntwo"};
         scan.placement = std::make_shared<const Placement>(placement);
         hostile_ = (folder_ / "<h1>name & \x1b[31m\n\u202e.json").string();
-        QVERIFY(saveScan(scan, hostile_));
+        QVERIFY(files::saveScan(scan, hostile_));
     }
 
     // If two commands have the same key, Qt runs neither and shows no message.
@@ -152,12 +152,12 @@ private slots:
         for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz", "e.las", "e.dxf", "e.obj", "e.ptx"}) {
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             const std::string path = (folder_ / name).string();
-            on.viewer.engine.save(ExportContent::EdgeCloud, exactText(path),
-                                  ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
+            on.viewer.engine.save(exports::ExportContent::EdgeCloud, exactText(path),
+                                  exports::ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
             QVERIFY2(saved.wait(20000), name);
-            const auto verified = verifyExport(path);
+            const auto verified = exports::verifyExport(path);
             QVERIFY2(bool(verified), name);
-            QVERIFY2(verified->identical, verificationText(*verified).c_str());
+            QVERIFY2(verified->identical, exports::verificationText(*verified).c_str());
             if (std::string(name) == "e.ply")
                 QVERIFY2(test::fileText(path).find("origin E 498700.000 N 6200000.000 El 250.000") != std::string::npos, name);
         }
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(on.viewer.notice.text().contains("The pose carries no time"));
         on.viewer.notice.hide();
         // Another setting does not show it as new again, another scan does.
-        QVERIFY(on.use(cannySettings()));
+        QVERIFY(on.use(edges::cannySettings()));
         QVERIFY(warnings.acknowledged() && warnings.isVisible());
         QVERIFY(on.open(hostile_));
         QVERIFY(!warnings.acknowledged());
@@ -200,7 +200,7 @@ private slots:
         QVERIFY(countPixels(below, [](QRgb p) { return qRed(p) > 220 && qGreen(p) > 220 && qBlue(p) > 200; }) > 100);
         Scan bare = test::boxesScan(60, 80, 3, 0.05);
         const std::string quiet = (folder_ / "quiet.json").string();
-        QVERIFY(saveScan(bare, quiet));
+        QVERIFY(files::saveScan(bare, quiet));
         QVERIFY(on.open(quiet));
         if (on.picture().detection->scan->warnings.empty()) {
             QVERIFY(!on.viewer.warnings.isVisible());
@@ -235,10 +235,10 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
         QVERIFY(on.activate());
-        const QString usual = QString("settings: %1 %2").arg(kDefaultSet.name).arg(kDefaultSet.version);
-        QVERIFY(on.use(Settings{}));
+        const QString usual = QString("settings: %1 %2").arg(edges::kDefaultSet.name).arg(edges::kDefaultSet.version);
+        QVERIFY(on.use(edges::Settings{}));
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
-        Settings turned;
+        edges::Settings turned;
         turned.creaseDeg += 7;
         turned.growthPercent += 1;
         QVERIFY(on.use(turned));
@@ -249,7 +249,7 @@ private slots:
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
-        QVERIFY(on.viewer.engine.settings() == Settings{});
+        QVERIFY(on.viewer.engine.settings() == edges::Settings{});
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.viewer.engine.settings() == turned);
     }

@@ -45,13 +45,13 @@ class MarkedEdgesTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = 150;
         settings.beams = 190;
         bell_ = (folder_ / "bell.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, bell_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell_)));
         settings.scene = "wall";
-        settings.hole = WallHole::Square;
+        settings.hole = sim::WallHole::Square;
         settings.holeM = 1.5;
         settings.distanceM = 5.0;
         settings.noise = 0.0;
@@ -59,13 +59,13 @@ private slots:
         settings.absorbingPatches = 0;
         settings.lines = settings.beams = 400;
         slot_ = (folder_ / "slot.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, slot_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, slot_)));
     }
 
     void marksBecomeSettingsThatAgree() {
         WindowFixture on;
         QVERIFY(showWith(on, bell_));
-        Settings loose = on.viewer.engine.settings();
+        edges::Settings loose = on.viewer.engine.settings();
         loose.sensitivity = 0.4;
         const Grid<std::uint8_t> usual = *on.picture().detection->mask;
         QVERIFY(on.use(loose));
@@ -128,7 +128,7 @@ private slots:
         action(on, "Settings for These Marks…")->trigger();
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled() && card->isVisible(); }, 60000));
         QVERIFY(choose(0));
-        const Settings previewed = on.viewer.engine.settings();
+        const edges::Settings previewed = on.viewer.engine.settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
         QVERIFY(on.settled() && on.viewer.engine.settings() == previewed && !card->isVisible());
         on.viewer.undo.undo();
@@ -142,7 +142,7 @@ private slots:
         WindowFixture on;
         QVERIFY(showWith(on, bell_));
         const Scan& scan = *on.picture().detection->scan;
-        const CellSet beyond = cellsBeyond(scan, 4.0, 6.0);
+        const inspect::CellSet beyond = inspect::cellsBeyond(scan, 4.0, 6.0);
         QVERIFY(beyond.size() > 100);
         const auto edges = on.picture().detection->edges->size();
         QTimer::singleShot(0, this, [] {
@@ -160,16 +160,16 @@ private slots:
         on.viewer.undo.undo();
         QVERIFY(on.viewer.selection.hidden().empty());
         // The box around the selection.
-        const CellSet some{14000, 14010, 15900};
+        const inspect::CellSet some{14000, 14010, 15900};
         on.viewer.selection.select(some);
         action(on, "Clip to Box round Selected")->trigger();
-        QVERIFY(on.viewer.selection.hidden() == cellsOutsideBoxOf(scan, some));
+        QVERIFY(on.viewer.selection.hidden() == inspect::cellsOutsideBoxOf(scan, some));
         QVERIFY(!on.viewer.selection.hidden().empty());
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
         QVERIFY(on.viewer.selection.hidden().empty());
         on.viewer.views.pin(14000);
         action(on, "Hide Farther than This Cell")->trigger();
-        QVERIFY(on.viewer.selection.hidden() == cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
+        QVERIFY(on.viewer.selection.hidden() == inspect::cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
     }
 
     void tapeAndThroatAreMeasuredByClicks() {
@@ -186,9 +186,9 @@ private slots:
         click(on.viewer.views.gray(), line, first - 3);
         click(on.viewer.views.gray(), line, last + 3);
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 1; }, 20000));
-        const KeptMeasure& throat = on.viewer.targets.notebook().measures.front();
-        QVERIFY(throat.kind == MeasureKind::Throat);
-        const auto told = measureCells(scan, {}, MeasureKind::Throat, throat.cells);
+        const inspect::StoredMeasure& throat = on.viewer.targets.notebook().measures.front();
+        QVERIFY(throat.kind == inspect::MeasureKind::Throat);
+        const auto told = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
         const CartesianTables tables(scan);
         const double spacing = (tables.point(line, first - 1) - tables.point(line, first - 2)).norm();
         QVERIFY2(std::abs(told->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
@@ -197,7 +197,7 @@ private slots:
         click(on.viewer.views.gray(), line, first - 60);
         click(on.viewer.views.gray(), line, first - 10);
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 2; }, 20000));
-        QVERIFY(on.viewer.targets.notebook().measures.back().kind == MeasureKind::Path);
+        QVERIFY(on.viewer.targets.notebook().measures.back().kind == inspect::MeasureKind::Path);
         // Two cells of the plain wall enclose no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
         click(on.viewer.views.gray(), line, first - 60);

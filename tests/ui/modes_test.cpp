@@ -68,7 +68,7 @@ class ModesTest : public QObject {
                         QTest::qWaitFor(
                             [&] {
                                 return on.viewer.targets.around(on.viewer.targets.active()->cell).confidence.state ==
-                                       ToldConfidence::State::Known;
+                                       ShownConfidence::State::Known;
                             },
                             60000);
              },
@@ -127,16 +127,16 @@ class ModesTest : public QObject {
 private slots:
     void initTestCase() {
         useTheme(*qApp);
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.seed = 101;
         settings.lines = 300;
         settings.beams = 343;
         bell_ = (folder_ / "bell.json").string();
-        Scan scan = simulate(settings)->scan;
-        QVERIFY(bool(saveScan(scan, bell_)));
+        Scan scan = sim::simulate(settings)->scan;
+        QVERIFY(bool(files::saveScan(scan, bell_)));
         settings.afterBlast = true;
         after_ = (folder_ / "after.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, after_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, after_)));
     }
     void cleanup() { useLanguage("en"); }
 

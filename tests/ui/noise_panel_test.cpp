@@ -16,11 +16,11 @@ class NoisePanelTest : public QObject {
 
 private slots:
     void theNoiseInUseIsToldAndAnotherKindCanBeChosen() {
-        SimulationSettings simulated;
+        sim::SimulationSettings simulated;
         simulated.lines = 200;
         simulated.beams = 220;
         const std::string path = (folder_ / "bell.json").string();
-        QVERIFY(bool(saveScan(simulate(simulated)->scan, path)));
+        QVERIFY(bool(files::saveScan(sim::simulate(simulated)->scan, path)));
         WindowFixture on;
         on.window.resize(1500, 950);
         QVERIFY(on.showWith(path));
@@ -37,15 +37,15 @@ private slots:
             QVERIFY2(told->text().contains(mm(laser->noise, at)), qPrintable(told->text()));
         QVERIFY(!told->text().contains("Folds"));
 
-        Settings camera = on.viewer.engine.settings();
-        camera.noiseKind = NoiseKind::Camera;
+        edges::Settings camera = on.viewer.engine.settings();
+        camera.noiseKind = edges::NoiseKind::Camera;
         QVERIFY(on.use(camera));
         QTRY_VERIFY(told->text().contains("neighbours err alike"));
         QVERIFY2(told->text().contains("Folds have to exceed " + mm(on.picture().detection->responses->foldNoise, usual)),
                  qPrintable(told->text()));
 
-        Settings gray = camera;
-        gray.method = Method::Canny;
+        edges::Settings gray = camera;
+        gray.method = edges::Method::Canny;
         QVERIFY(on.use(gray));
         QTRY_VERIFY(told->isHidden());
     }

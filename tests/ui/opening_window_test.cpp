@@ -151,10 +151,10 @@ private slots:
     void aFileThatSaysItselfAsksNothing() {
         WindowFixture on;
         const std::string path = (folder_ / "grid.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
         QVERIFY(on.showWith(path));
         QVERIFY(checked(on));
-        QVERIFY2(!looksWrong(*on.viewer.opening.points()), "something speaks against a sweep that was simulated");
+        QVERIFY2(!files::looksWrong(*on.viewer.opening.points()), "something speaks against a sweep that was simulated");
         QVERIFY(!on.viewer.notice.isVisible());
     }
 
@@ -165,7 +165,7 @@ private slots:
         on.viewer.opening.show();
         QVERIFY(choose(*on.viewer.opening.card(), "metres"));
         const std::string path = (folder_ / "other.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
         QVERIFY(on.settled());
         QVERIFY(on.open(path));
         QVERIFY(!on.viewer.opening.card()->isVisible());
@@ -188,7 +188,7 @@ private slots:
             OpeningCard* card = on.viewer.opening.card();
             QVERIFY(QTest::qWaitForWindowExposed(card));
             QTreeWidget* list = card->list();
-            const OpeningPoint& unit = on.viewer.opening.points()->front();
+            const files::OpeningPoint& unit = on.viewer.opening.points()->front();
             const QString said = list->topLevelItem(0)->text(1);
             QVERIFY2(said.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(said));
             // Every sentence is translated; none stays English.
@@ -198,7 +198,7 @@ private slots:
                 for (int m = 0; m < list->topLevelItem(n)->childCount(); ++m) {
                     const QTreeWidgetItem* row = list->topLevelItem(n)->child(m);
                     if (row->data(0, Qt::UserRole).isNull()) continue;
-                    const OtherReading& other =
+                    const files::OtherReading& other =
                         points[static_cast<std::size_t>(n)].others[static_cast<std::size_t>(row->data(0, Qt::UserRole).toInt())];
                     QCOMPARE(row->text(1), shownSentence(other.words));
                     QCOMPARE(row->text(1) == QString::fromStdString(other.words.text()), QString(code) == "en");

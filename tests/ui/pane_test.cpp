@@ -23,12 +23,12 @@ private slots:
     void initTestCase() {
         useTheme(*qApp);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(boxesToShow(), bare_)));
-        SimulationSettings settings;
+        QVERIFY(bool(files::saveScan(boxesToShow(), bare_)));
+        sim::SimulationSettings settings;
         settings.lines = 120;
         settings.beams = 160;
         bell_ = (folder_ / "bell.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, bell_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell_)));
     }
 
     void aLineWithoutRoomEndsInDots() {
@@ -104,8 +104,8 @@ private slots:
         QTRY_COMPARE(on.viewer.confidence.made()->leastPercent, 95);
         QCOMPARE(edges.note(), counted(on.viewer.confidence.made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        Settings fewer = on.viewer.engine.settings();
-        fewer.method = Method::Canny;
+        edges::Settings fewer = on.viewer.engine.settings();
+        fewer.method = edges::Method::Canny;
         QVERIFY(on.use(fewer));
         QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edges");
     }

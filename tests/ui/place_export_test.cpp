@@ -24,7 +24,9 @@ namespace {
 
 QRadioButton& choice(ExportDialog& dialog, const char* name) { return *dialog.findChild<QRadioButton*>(name); }
 
-std::shared_ptr<const Detection> detectionOf(const Scan& scan) { return detectEdges(std::make_shared<const Scan>(scan), Settings{}); }
+std::shared_ptr<const edges::Detection> detectionOf(const Scan& scan) {
+    return edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{});
+}
 
 } // namespace
 
@@ -37,10 +39,10 @@ private slots:
     void initTestCase() {
         Scan scan = test::boxesScan(60, 80, 3, 0.05);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(saveScan(scan, bare_));
+        QVERIFY(files::saveScan(scan, bare_));
         scan.placement = test::randomPlacement(3, 1, true);
         placed_ = (folder_ / "placed.json").string();
-        QVERIFY(saveScan(scan, placed_));
+        QVERIFY(files::saveScan(scan, placed_));
     }
 
     void statusAndProbeTellTheMineGrid() {
@@ -65,8 +67,8 @@ private slots:
     }
 
     void withoutAPoseTheMineGridCannotBeChosen() {
-        const auto detection = detectionOf(*openScan(bare_));
-        ExportDialog dialog(detection, ExportContent::EdgeCloud);
+        const auto detection = detectionOf(*files::openScan(bare_));
+        ExportDialog dialog(detection, exports::ExportContent::EdgeCloud);
         QVERIFY(!choice(dialog, "mine").isEnabled());
         QVERIFY(!choice(dialog, "local").isEnabled());
         QVERIFY(choice(dialog, "scanner").isChecked());
@@ -76,15 +78,15 @@ private slots:
     }
 
     void theCountIsThatOfTheFile() {
-        const auto detection = detectionOf(*openScan(placed_));
-        ExportDialog dialog(detection, ExportContent::EdgeCloud);
+        const auto detection = detectionOf(*files::openScan(placed_));
+        ExportDialog dialog(detection, exports::ExportContent::EdgeCloud);
         QVERIFY(choice(dialog, "mine").isChecked());
         QVERIFY(dialog.findChild<QLabel*>("reason") == nullptr);
         auto* count = dialog.findChild<QLabel*>("count");
         const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"all", "a.csv"}, {"edgeImage", "i.png"}};
         for (const auto& [name, file] : contents) {
             choice(dialog, name).click();
-            const auto written = exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
+            const auto written = exports::exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
             QVERIFY2(bool(written), name);
             QCOMPARE(dialog.count(), *written);
             QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
@@ -95,13 +97,13 @@ private slots:
     }
 
     void attachedPointsAreCountedWhenTheyAreWanted() {
-        Scan scan = *openScan(bare_);
+        Scan scan = *files::openScan(bare_);
         PointGeometry points{Grid<Eigen::Vector3d>(scan.lines(), scan.beams(), Eigen::Vector3d(1, 2, 3)), Eigen::Vector3d::Zero()};
         scan.geometry = points;
         const auto first = static_cast<std::uint32_t>(std::find(scan.state.cells.begin(), scan.state.cells.end(), CellState::Valid) -
                                                       scan.state.cells.begin());
         scan.attached = {{first, {1, 2, 4}}, {first, {1, 2, 5}}};
-        ExportDialog dialog(detectionOf(scan), ExportContent::FullCloud);
+        ExportDialog dialog(detectionOf(scan), exports::ExportContent::FullCloud);
         const std::size_t alone = dialog.count();
         auto* attached = dialog.findChild<QCheckBox*>("attached");
         QVERIFY(!attached->isHidden());
@@ -120,7 +122,7 @@ private slots:
         bool asked = false;
         QTimer::singleShot(300, &window, [&] {
             if (auto* dialog = window.findChild<ExportDialog*>()) {
-                asked = dialog->content() == ExportContent::EdgeCloud;
+                asked = dialog->content() == exports::ExportContent::EdgeCloud;
                 dialog->reject();
             }
         });
@@ -134,9 +136,9 @@ private slots:
         QCOMPARE(saved.count(), 0);
         QVERIFY(!window.viewer().engine.working());
         const QString path = QString::fromStdString((folder_ / "mine.csv").string());
-        ExportOptions options;
+        exports::ExportOptions options;
         options.frame = CoordinateFrame::Mine;
-        window.viewer().engine.save(ExportContent::EdgeCloud, path, options);
+        window.viewer().engine.save(exports::ExportContent::EdgeCloud, path, options);
         QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 10000);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
     }

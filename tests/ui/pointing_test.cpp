@@ -63,14 +63,14 @@ class PointingTest : public QObject {
 private slots:
     void initTestCase() {
         boxes_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
-        SimulationSettings settings;
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
+        sim::SimulationSettings settings;
         settings.lines = 250;
         settings.beams = 286;
         settings.seed = 3;
         settings.interlaceDeg = 0.36;
         interlaced_ = (folder_ / "interlaced.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, interlaced_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, interlaced_)));
     }
     void init() {
         on_ = std::make_unique<WindowFixture>();
@@ -118,7 +118,7 @@ private slots:
         QTRY_VERIFY2(window_->viewer().explanation.card()->text().startsWith(words),
                      qPrintable(window_->viewer().explanation.card()->text()));
         // A change of another setting does not move it either.
-        Settings other;
+        edges::Settings other;
         other.creaseDeg = 50;
         QVERIFY(on_->use(other));
         QCOMPARE(*window_->viewer().views.pinned(), pinned);
@@ -183,27 +183,27 @@ private slots:
     void edgesOverTheRangeImageHaveTheColoursOfTheirClasses() {
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_O);
-        const Detection& detection = *on_->picture().detection;
-        const auto colourOfClass = [&](DepthEdge kind) -> std::optional<QRgb> {
+        const edges::Detection& detection = *on_->picture().detection;
+        const auto colourOfClass = [&](edges::DepthEdge kind) -> std::optional<QRgb> {
             for (const std::uint32_t k : *detection.edges) {
                 if ((*detection.classes)[k] == kind)
                     return window_->viewer().views.gray().overlay()->pixel(static_cast<int>(k) % 160, static_cast<int>(k) / 160);
             }
             return std::nullopt;
         };
-        QCOMPARE(*colourOfClass(DepthEdge::Jump), qRgb(0, 255, 0));
+        QCOMPARE(*colourOfClass(edges::DepthEdge::Jump), qRgb(0, 255, 0));
         QTest::keyClick(window_, Qt::Key_C);
         int classes = 0;
         for (int n = 0; n < kEdgeClasses; ++n) {
-            const auto colour = colourOfClass(static_cast<DepthEdge>(n + 1));
+            const auto colour = colourOfClass(static_cast<edges::DepthEdge>(n + 1));
             if (!colour) continue;
             ++classes;
             QCOMPARE(*colour, kUsualColours[static_cast<std::size_t>(n)].rgb());
         }
         QVERIFY(classes >= 2);
         QTest::keyClick(window_, Qt::Key_C, Qt::ShiftModifier); // the colour-blind palette
-        QCOMPARE(*colourOfClass(DepthEdge::Jump), kColourBlindColours.front().rgb());
-        Settings other;
+        QCOMPARE(*colourOfClass(edges::DepthEdge::Jump), kColourBlindColours.front().rgb());
+        edges::Settings other;
         other.creaseDeg = 40; // a new picture keeps them
         QVERIFY(on_->use(other));
         QCOMPARE(
@@ -224,7 +224,7 @@ private slots:
             QVERIFY(on_->settled());
         };
         for (const double lower : {1.0, 2.3, 6.0, 33.0}) {
-            Settings canny = cannySettings();
+            edges::Settings canny = edges::cannySettings();
             canny.lower = lower;
             QVERIFY(on_->use(canny));
             for (const char* visited :
@@ -253,7 +253,7 @@ private slots:
 
     void straighteningIsAStepOfUndo() {
         QVERIFY(on_->open(interlaced_));
-        Settings before;
+        edges::Settings before;
         before.creaseDeg = 41;
         window_->viewer().panel.row("crease")->number()->setValue(41);
         QVERIFY(on_->settled());
@@ -281,13 +281,13 @@ private slots:
 
     void howAScanIsReadIsPutRight() {
         const auto axis = [&] { return std::get<PolarGeometry>(on_->picture().detection->scan->geometry).axis; };
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = 60;
         settings.beams = 100;
-        Scan scan = simulate(settings)->scan;
+        Scan scan = sim::simulate(settings)->scan;
         std::get<PolarGeometry>(scan.geometry).axis = Axis::Spin;
         const std::string path = (folder_ / "mounting.json").string();
-        QVERIFY(bool(saveScan(scan, path)));
+        QVERIFY(bool(files::saveScan(scan, path)));
         QVERIFY(on_->open(path));
         QVERIFY(axis() == Axis::Spin);
         const auto answer = [&](const char* key, const QString& text, bool refused = false) {

@@ -179,16 +179,16 @@ class RandomWalkTest : public QObject {
 
 private slots:
     void initTestCase() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.lines = 90;
         settings.beams = 120;
         for (const bool after : {false, true}) {
             settings.afterBlast = after;
             scans_.push_back((folder_ / (after ? "after.json" : "before.json")).string());
-            QVERIFY(bool(saveScan(simulate(settings)->scan, scans_.back())));
+            QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, scans_.back())));
         }
         scans_.push_back((folder_ / "boxes.json").string());
-        QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.02), scans_.back())));
+        QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.02), scans_.back())));
         std::ofstream(folder_ / "broken.json") << "{";
         scans_.push_back((folder_ / "broken.json").string());
     }
@@ -212,7 +212,7 @@ private slots:
             step(on);
             slowest.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
             // Leaves cab mode, which hides most panels, as holding its button does.
-            if (n % 200 == 199 && on.window.cab().on()) emit on.window.cab().leaveWanted();
+            if (n % 200 == 199 && on.window.cab().on()) emit on.window.cab().leaveRequested();
             if (slowest.back() > 2000) qInfo("event %d took %.0f ms: %s", n, slowest.back(), qPrintable(last_));
             QVERIFY2(on.window.isVisible(), qPrintable("the window is gone after: " + last_));
             if (n % std::max(1, events / 20) != 0) continue;

@@ -93,12 +93,12 @@ class ResponsivenessTest : public QObject {
 private slots:
     void openingAndTuningAFullSweep() {
         const std::string path = (folder_ / "bell.json").string();
-        SimulationSettings bell;
+        sim::SimulationSettings bell;
         bell.footprint = false; // only the number of points matters here, not the picture
-        QVERIFY(saveScan(simulate(bell)->scan, path));
+        QVERIFY(files::saveScan(sim::simulate(bell)->scan, path));
         WindowFixture on;
         MainWindow& window = on.window;
-        window.viewer().tuning.usePreset(*findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.show());
         tell("opening", gapsWhile([&] {
                  QVERIFY(on.open(path));
@@ -115,7 +115,7 @@ private slots:
         qInfo("%d pictures shown for 200 moves", pictures);
         QVERIFY(pictures > 0);
         QVERIFY(on.settled());
-        QCOMPARE(on.picture().detection->settings.lower, sliderValue(window.viewer().panel.row("lower")->parameter(), 299));
+        QCOMPARE(on.picture().detection->settings.lower, edges::sliderValue(window.viewer().panel.row("lower")->parameter(), 299));
         const auto nothing = [](int) {};
         tell("at rest", gapsWhile([&] {
                  QVERIFY(movesUntil(
@@ -130,7 +130,7 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        SweepSettings settings;
+        scanner::SweepSettings settings;
         settings.expectedLines = 1000;
         settings.degPerLine = 0.18;
         settings.firstLineDeg = -90;

@@ -68,7 +68,7 @@ class RocksWindowTest : public QObject {
     }
     // Two rocks with a common border, the larger one first.
     static std::pair<std::uint32_t, std::uint32_t> neighbours(WindowFixture& on) {
-        for (const RegionBorder& border : picture(on).study.map.borders) {
+        for (const rocks::RegionBorder& border : picture(on).study.map.borders) {
             if (border.a != 0 && border.b <= picture(on).study.map.rocks) return {border.a, border.b};
         }
         return {0, 0};
@@ -85,21 +85,21 @@ class RocksWindowTest : public QObject {
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
-        SimulationSettings settings;
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
+        sim::SimulationSettings settings;
         settings.seed = 4711;
         settings.lines = 400;
         settings.beams = 457;
-        auto simulation = simulate(settings);
+        auto simulation = sim::simulate(settings);
         QVERIFY(simulation);
         scan_ = simulation->scan;
         bell_ = (folder_ / "bell.json").string();
-        QVERIFY(saveScan(scan_, bell_));
+        QVERIFY(files::saveScan(scan_, bell_));
     }
 
     void init() { // edits of the previous test are in the sidecar of the scan
         std::error_code none;
-        std::filesystem::remove(rockPresetPath(bell_), none);
+        std::filesystem::remove(rocks::rockPresetPath(bell_), none);
     }
 
     void aKeyShowsThemInAllViewsAndTakesThemAway() {
@@ -135,7 +135,7 @@ private slots:
         QVERIFY(showRocks(on));
         const RockPicture& shown = picture(on);
         int alike = 0, all = 0;
-        for (const RegionBorder& border : shown.study.map.borders) {
+        for (const rocks::RegionBorder& border : shown.study.map.borders) {
             if (border.a == 0 || border.b > shown.study.map.rocks) continue;
             ++all;
             alike += shown.colours[border.a] == shown.colours[border.b] ? 1 : 0;
@@ -143,7 +143,7 @@ private slots:
         QVERIFY(all > 50);
         QVERIFY2(alike * 50 <= all, qPrintable(QString("%1 of %2").arg(alike).arg(all)));
         int doubtful = 0;
-        for (const Rock& rock : shown.study.rocks) {
+        for (const rocks::Rock& rock : shown.study.rocks) {
             std::set<QRgb> inks; // of the face, borders included
             for (std::size_t k = 0; k < shown.labels.size(); ++k) {
                 if (shown.labels[k] == rock.label) inks.insert(shown.faces->pixel(on.viewer.views.placeOf(k)));
@@ -166,8 +166,8 @@ private slots:
             const RockPicture& shown = picture(on);
             QCOMPARE(shown.study.settings.level, key == Qt::Key_Home ? -4.0 : 4.0);
             regions.push_back(shown.study.map.regions.size());
-            const RockStudy again = studyRocks(rockInputs(*on.picture().detection), shown.study.settings);
-            QVERIFY(shown.labels == rockLabels(*again.leaves, again.map));
+            const rocks::Study again = rocks::studyRocks(rocks::rockInputs(*on.picture().detection), shown.study.settings);
+            QVERIFY(shown.labels == rocks::rockLabels(*again.segmentation, again.map));
         }
         QVERIFY2(regions[0] > regions[1], "fine has more pieces than coarse");
         QTest::keyClick(&on.window, Qt::Key_Comma); // finer by half a step
@@ -179,12 +179,12 @@ private slots:
         WindowFixture on;
         QVERIFY(showRocks(on));
         LinkedViews& views = on.viewer.views;
-        const Rock rock = *picture(on).rock(3);
+        const rocks::Rock rock = *picture(on).rock(3);
         const QPoint at = pixelOn(on, views.gray(), 3);
         QTest::mouseMove(&views.gray(), at);
         QVERIFY(QTest::qWaitFor([&] { return !views.gray().tip().isEmpty(); }, 5000));
         QCOMPARE(views.gray().tip(), rockTip(rock));
-        QVERIFY(views.gray().tip().contains(QString::number(rock.longM, 'f', 2)));
+        QVERIFY(views.gray().tip().contains(QString::number(rock.longestCaliperM, 'f', 2)));
         QVERIFY(views.edges().tip().isEmpty());
         QCOMPARE(views.cloud().tip(), rockTip(rock));
 
@@ -202,12 +202,13 @@ private slots:
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 0)).center());
         const std::vector<std::uint32_t> chosen = on.viewer.rockTable.selected();
         QCOMPARE(chosen.size(), std::size_t{1});
-        for (const Rock& each : picture(on).study.rocks) QVERIFY(each.longM <= picture(on).rock(chosen[0])->longM);
+        for (const rocks::Rock& each : picture(on).study.rocks)
+            QVERIFY(each.longestCaliperM <= picture(on).rock(chosen[0])->longestCaliperM);
         QVERIFY(on.viewer.rocksPanel.card().text().startsWith(QString("Rock %1\n").arg(chosen[0])));
         QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
 
         // In the cloud: a visible point of a rock.
-        for (const Rock& each : picture(on).study.rocks) {
+        for (const rocks::Rock& each : picture(on).study.rocks) {
             const auto pixel = views.cloud().pixelOf(each.cell);
             if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
             QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::NoModifier, pixel->toPoint());
@@ -247,7 +248,7 @@ private slots:
         QVERIFY(*std::min_element(wide.begin(), wide.end()) >= 0.5);
         QVERIFY2(rocks.remark().contains(QString("%1 of %2 rocks").arg(wide.size()).arg(all)), qPrintable(rocks.remark()));
         QTest::mouseClick(rocks.sureOnly(), Qt::LeftButton, Qt::NoModifier, QPoint(8, rocks.sureOnly()->height() / 2));
-        for (const double p : column(10)) QVERIFY(p >= kSureConfidence);
+        for (const double p : column(10)) QVERIFY(p >= rocks::kSureConfidence);
 
         const CameraPose before = on.viewer.views.cloud().camera();
         const QPoint row = table->visualRect(table->model()->index(0, 1)).center();
@@ -261,10 +262,11 @@ private slots:
         WindowFixture on;
         QVERIFY(showRocks(on));
         SizeCurveView* view = on.viewer.rockTable.sizeCurve();
-        const std::vector<Rock> rocks = picture(on).study.rocks; // a copy: the picture is freed when another one is shown
+        const std::vector<rocks::Rock> rocks = picture(on).study.rocks; // a copy: the picture is freed when another one is shown
         QCOMPARE(view->curve().rocks(), rocks.size());
         const auto over = [&](double wideM) {
-            return static_cast<double>(std::count_if(rocks.begin(), rocks.end(), [&](const Rock& r) { return r.wideM > wideM; })) /
+            return static_cast<double>(
+                       std::count_if(rocks.begin(), rocks.end(), [&](const rocks::Rock& r) { return r.shortestCaliperM > wideM; })) /
                    static_cast<double>(rocks.size());
         };
         QVERIFY(std::abs(over(view->curve().p80M) - 0.2) < 0.03);
@@ -283,7 +285,7 @@ private slots:
         // The dot of the selected rock has a colour of its own.
         const QImage before = view->grab().toImage();
         click(on, 2);
-        QCOMPARE(view->marked(), std::vector<double>{picture(on).rock(2)->wideM});
+        QCOMPARE(view->marked(), std::vector<double>{picture(on).rock(2)->shortestCaliperM});
         const QPoint dot = view->placeOf(view->marked()[0], view->curve().shareUpTo(view->marked()[0])).toPoint();
         QVERIFY(view->grab().toImage().pixel(dot) != before.pixel(dot));
         QTest::keyClick(&on.window, Qt::Key_K);
@@ -313,7 +315,7 @@ private slots:
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
-        QVERIFY(on.viewer.rocks.settings() == RockSettings{});
+        QVERIFY(on.viewer.rocks.settings() == rocks::RockSettings{});
         QVERIFY(one());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
@@ -323,12 +325,12 @@ private slots:
         QVERIFY(one());
 
         // A click on a rock with several segments splits it.
-        for (const Rock& rock : picture(on).study.rocks) {
+        for (const rocks::Rock& rock : picture(on).study.rocks) {
             const QPoint pixel = pixelOn(on, on.viewer.views.gray(), rock.label);
             const auto cell = on.viewer.views.gray().cellAt(pixel);
-            const RockStudy& study = picture(on).study;
+            const rocks::Study& study = picture(on).study;
             const auto k = static_cast<std::uint32_t>(picture(on).labels.index(cell->y(), cell->x()));
-            if (!splitAt(*study.leaves, *study.tree, study.settings.level, k)) continue;
+            if (!rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, k)) continue;
             const std::size_t regions = study.map.regions.size();
             QTest::keyClick(&on.window, Qt::Key_S);
             QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
@@ -376,7 +378,7 @@ private slots:
         QVERIFY(picture(on).labels == before);
 
         // A line through the largest rock, from side to side.
-        const Rock rock = *picture(on).rock(1);
+        const rocks::Rock rock = *picture(on).rock(1);
         const QPoint middle = on.viewer.views.placeOf(rock.cell);
         int left = middle.x(), right = middle.x();
         while (before.contains(middle.y(), left - 1) && before.at(middle.y(), left - 1) == 1) --left;
@@ -386,7 +388,7 @@ private slots:
              {pixelOf(view, {std::max(0, left - 3), middle.y()}), pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()})});
         QVERIFY(settled(on));
         QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
-        QVERIFY(on.viewer.rocks.edits()[0].kind == RockEditKind::Cut);
+        QVERIFY(on.viewer.rocks.edits()[0].kind == rocks::EditKind::Cut);
         const auto over = static_cast<std::size_t>(before.index(middle.y() - 4, middle.x()));
         const auto under = static_cast<std::size_t>(before.index(middle.y() + 4, middle.x()));
         QVERIFY(before[over] == 1 && before[under] == 1);
@@ -423,7 +425,7 @@ private slots:
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at);
         QVERIFY(settled(on));
         QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
-        QVERIFY(on.viewer.rocks.edits()[0].kind == RockEditKind::Join);
+        QVERIFY(on.viewer.rocks.edits()[0].kind == rocks::EditKind::Join);
         QVERIFY(picture(on).regionAt(cell)->sums.cells > cells);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
@@ -432,8 +434,8 @@ private slots:
 
     void regionAndEditsAreThereAgainWhenTheScanIsOpenedAgain() {
         const std::string file = (folder_ / "kept.json").string();
-        QVERIFY(saveScan(scan_, file));
-        const std::filesystem::path beside = rockPresetPath(file);
+        QVERIFY(files::saveScan(scan_, file));
+        const std::filesystem::path beside = rocks::rockPresetPath(file);
         Grid<std::uint32_t> labels;
         const auto showKept = [&](WindowFixture& on) {
             on.window.resize(1600, 950);
@@ -451,7 +453,7 @@ private slots:
             draw(view, {pixelOf(view, {80, 60}), pixelOf(view, {380, 60}), pixelOf(view, {380, 340}), pixelOf(view, {80, 340}),
                         pixelOf(view, {80, 62})});
             QVERIFY(settled(on));
-            const RockSettings& settings = on.viewer.rocks.settings();
+            const rocks::RockSettings& settings = on.viewer.rocks.settings();
             QVERIFY2(settings.region.size() >= 4 && settings.region.size() < 12, qPrintable(QString::number(settings.region.size())));
             QVERIFY(picture(on).study.rocks.size() < all);
             QVERIFY2(on.viewer.rocksPanel.text().contains("outside the region of interest"), qPrintable(on.viewer.rocksPanel.text()));
@@ -482,12 +484,13 @@ private slots:
             QVERIFY(on.open(file));
             QVERIFY(settled(on));
             QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
-            on.viewer.rocks.setByHand({});
+            on.viewer.rocks.setOperatorEdits({});
             QVERIFY(settled(on));
         }
         QVERIFY(!std::filesystem::exists(beside));
         // The sidecar of another scan is reported, not changed and not overwritten.
-        const std::string other = rockPresetText({std::nullopt, {{RockEditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
+        const std::string other =
+            rocks::rockPresetText({std::nullopt, {{rocks::EditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
         QVERIFY(writeWholeFile(beside, other));
         {
             WindowFixture on;
@@ -522,7 +525,7 @@ private slots:
         QVERIFY(showRocks(on));
         click(on, 2);
         QTest::keyClick(&on.window, Qt::Key_N);
-        RockSettings settings;
+        rocks::RockSettings settings;
         settings.level = 1.5;
         settings.minimumCells = 150;
         on.viewer.rocks.useSettings(settings);
@@ -530,7 +533,7 @@ private slots:
         const RockPicture& shown = picture(on);
         const auto place = [&](const char* name) { return (folder_ / name).string(); };
         const std::string edits = place("edits.json");
-        QVERIFY(writeWholeFile(edits, rockEditsToJson(shown.study.edits, shown.labels.lines, shown.labels.beams).dump()));
+        QVERIFY(writeWholeFile(edits, rocks::rockEditsToJson(shown.study.edits, shown.labels.lines, shown.labels.beams).dump()));
         const auto run = test::runCli("rocks '" + bell_ + "' --level 1.5 --min-cells 150 --edits '" + edits + "' --labels '" +
                                       place("cli.png") + "' --csv '" + place("cli.csv") + "'");
         QVERIFY2(run.code == 0, run.err.c_str());
@@ -560,7 +563,7 @@ private slots:
         click(on, 2);
         QTest::keyClick(&on.window, Qt::Key_N);
         QVERIFY(settled(on));
-        on.viewer.targets.letGoOfAll(); // nothing keeps them here, and the command line knows them from their file alone
+        on.viewer.targets.removeAll(); // nothing keeps them here, and the command line knows them from their file alone
         const std::string page = (folder_ / "window.html").string();
         QSignalSpy ended(&on.viewer.report, &ScanReport::ended);
         on.viewer.report.writeTo(QString::fromStdString(page));
@@ -573,7 +576,7 @@ private slots:
         const QRegularExpressionMatch command = QRegularExpression("<pre id=\"command\">edgescan-cli ([^<]*)</pre>").match(text);
         QVERIFY(command.hasMatch());
         std::filesystem::rename(page, folder_ / "before.html");
-        QVERIFY(QTest::qWaitFor([&] { return std::filesystem::exists(rockPresetPath(bell_)); }, 5000));
+        QVERIFY(QTest::qWaitFor([&] { return std::filesystem::exists(rocks::rockPresetPath(bell_)); }, 5000));
         const auto run = test::runCli(command.captured(1).replace("&#39;", "'").toStdString());
         QVERIFY2(run.code == 0, (run.err + command.captured(1).toStdString()).c_str());
         const QRegularExpression made("<dt>Made</dt><dd>[^<]*</dd>");
@@ -593,7 +596,7 @@ private slots:
         QVERIFY(settled(on));
         QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
         const std::string other = (folder_ / "other.json").string();
-        QVERIFY(saveScan(scan_, other));
+        QVERIFY(files::saveScan(scan_, other));
         QVERIFY(on.open(other));
         QVERIFY(settled(on));
         QVERIFY(on.viewer.rocks.edits().empty());

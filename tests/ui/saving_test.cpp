@@ -78,12 +78,12 @@ class SavingTest : public QObject {
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         scan_ = (folder_ / "shown.json").string();
         other_ = (folder_ / "other.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(60, 80, 3, 0.05), scan_)));
-        QVERIFY(bool(saveScan(test::boxesScan(50, 70, 4, 0.05), other_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.05), scan_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(50, 70, 4, 0.05), other_)));
     }
 
     void aPresetNeverReplacesAScan() {
@@ -102,8 +102,8 @@ private slots:
             on.viewer.tuning.askSavePreset();
             QVERIFY(hand.asked.isEmpty());
         }
-        QVERIFY(bool(findPreset((folder_ / "mine.json").string())));
-        Settings other;
+        QVERIFY(bool(edges::findPreset((folder_ / "mine.json").string())));
+        edges::Settings other;
         other.creaseDeg = 44;
         QVERIFY(on.use(other));
         {
@@ -111,12 +111,12 @@ private slots:
             on.viewer.tuning.askSavePreset();
             QCOMPARE(hand.asked, QStringList("replace-question"));
         }
-        QVERIFY(findPreset((folder_ / "mine.json").string())->settings.creaseDeg != 44);
+        QVERIFY(edges::findPreset((folder_ / "mine.json").string())->settings.creaseDeg != 44);
         {
             Hand hand(path("mine"), {"replace"});
             on.viewer.tuning.askSavePreset();
         }
-        QCOMPARE(findPreset((folder_ / "mine.json").string())->settings.creaseDeg, 44.0);
+        QCOMPARE(edges::findPreset((folder_ / "mine.json").string())->settings.creaseDeg, 44.0);
     }
 
     void aScreenshotAsksAlsoWhereTheExtensionWasNotTyped() {
@@ -177,7 +177,7 @@ private slots:
                 if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
             });
             Hand hand(path("e"), answers);
-            on.viewer.exports.ask(ExportContent::EdgeCloud);
+            on.viewer.exports.ask(exports::ExportContent::EdgeCloud);
             return hand.asked;
         };
         QCOMPARE(ask({"no"}), QStringList("replace-question"));
@@ -214,15 +214,15 @@ private slots:
                 }
             });
             look.start(30);
-            on.viewer.exports.ask(ExportContent::EdgeCloud);
+            on.viewer.exports.ask(exports::ExportContent::EdgeCloud);
             return name;
         };
-        Settings strong;
+        edges::Settings strong;
         strong.sensitivity = 1.5;
         QVERIFY(on.use(strong));
         const QString name = proposed();
         QVERIFY2(name.contains("_edges_edgescan+_sensitivity1.5_") && !name.contains("_K"), qPrintable(name));
-        Settings canny = cannySettings();
+        edges::Settings canny = edges::cannySettings();
         canny.lower = 7;
         QVERIFY(on.use(canny));
         QVERIFY2(proposed().contains("_edges_canny_lower7_"), qPrintable(proposed()));
@@ -262,20 +262,20 @@ private slots:
 
     // The dialog has the same writing choices as the command line; the record names them.
     void theWritingChoicesAreThoseOfTheCommandLine() {
-        const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(scan_)), Settings{});
-        ExportDialog dialog(detection, ExportContent::EdgeCloud);
+        const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(scan_)), edges::Settings{});
+        ExportDialog dialog(detection, exports::ExportContent::EdgeCloud);
         dialog.show();
-        QVERIFY(dialog.options().choices == WritingChoices{});
-        for (const WritingChoice& choice : kWritingChoices) {
+        QVERIFY(dialog.options().choices == files::WritingChoices{});
+        for (const files::WritingChoice& choice : files::kWritingChoices) {
             auto* box = dialog.findChild<QCheckBox*>(choice.key);
             QVERIFY2(box != nullptr, choice.key);
-            QCOMPARE(box->isEnabled(), choice.member != &WritingChoices::filled); // this scan has no filled cells
+            QCOMPARE(box->isEnabled(), choice.member != &files::WritingChoices::filled); // this scan has no filled cells
             if (!box->isEnabled()) continue;
             QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2});
             QVERIFY2(dialog.options().choices.*choice.member, choice.key);
         }
         const std::string csv = (folder_ / "chosen.csv").string();
-        QVERIFY(bool(exportWithProvenance(dialog.content(), *detection, csv, dialog.options())));
+        QVERIFY(bool(exports::exportWithProvenance(dialog.content(), *detection, csv, dialog.options())));
         QCOMPARE(test::runCli("detect '" + scan_ + "' --comments --doubles --dxf-2000 --short-lines --with-confidence --edges " +
                               (folder_ / "cli.csv").string())
                      .code,

@@ -54,7 +54,7 @@ private slots:
     void initTestCase() {
         const auto save = [&](const Scan& scan, const char* name) {
             const std::string path = (folder_ / name).string();
-            if (!saveScan(scan, path)) qFatal("%s cannot be written", path.c_str());
+            if (!files::saveScan(scan, path)) qFatal("%s cannot be written", path.c_str());
             return path;
         };
         Scan scan = test::boxesScan(120, 160, 3, 0.02);
@@ -121,9 +121,9 @@ private slots:
             QCOMPARE(plate(on).scaleTitle().contains("Elevation"), placed);
             QCOMPARE(plate(on).axisNames()[2] == "El", placed);
             // Of two cells the higher one is further along the scale.
-            const Detection& detection = *on.picture().detection;
+            const edges::Detection& detection = *on.picture().detection;
             const auto heightOf = [&](std::size_t k) {
-                const Probe probe = probeCell(detection, k);
+                const edges::Probe probe = edges::probeCell(detection, k);
                 return placed ? probe.mineM->z() : on.picture().cloud->axes.up.dot(probe.pointM);
             };
             std::vector<std::pair<double, std::size_t>> heights;
@@ -222,7 +222,7 @@ private slots:
                 const double level = std::clamp((static_cast<double>(scan.rangeMm[k]) / 1000.0 - low) / (high - low) * 255.0, 0.0, 255.0);
                 QVERIFY(std::abs(grayAt(on, k) - level) <= 1.0);
             }
-            QVERIFY(!on.viewer.undo.canUndo() && on.viewer.engine.settings() == Settings{});
+            QVERIFY(!on.viewer.undo.canUndo() && on.viewer.engine.settings() == edges::Settings{});
             // Keys move the ends too.
             handles.setFocus();
             QTest::keyClick(&handles, Qt::Key_Right);

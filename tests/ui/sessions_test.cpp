@@ -77,24 +77,24 @@ class SessionsTest : public QObject {
         QTest::keyClick(&w, Qt::Key_A, Qt::ShiftModifier); // keep as A
         QTest::keyClick(&w, Qt::Key_K);                    // rocks
         QTest::keyClick(&w, Qt::Key_O);                    // edges over the range image
-        Settings other = w.viewer().engine.settings();
-        other.classes = kClassConvex;
+        edges::Settings other = w.viewer().engine.settings();
+        other.classes = edges::kClassConvex;
         w.viewer().tuning.useSettings(other);
         QVERIFY(atRest(on));
         w.viewer().views.pin(w.viewer().views.cellAt(20, 30));
         w.viewer().views.pin(w.viewer().views.cellAt(60, 80));
         w.viewer().targets.rename(2, "keystone");
         w.viewer().targets.lock(1, true);
-        w.viewer().targets.keepMeasure({MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
+        w.viewer().targets.keepMeasure({inspect::MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
         w.viewer().selection.select({100, 101, 102, 5000});
         w.viewer().selection.hideSelected();
         w.viewer().selection.select({200, 201});
         w.viewer().markedEdges.mark(w.viewer().views.cellAt(30, 40), true);
         w.viewer().markedEdges.mark(w.viewer().views.cellAt(31, 90), false);
-        RockSettings rocks = w.viewer().rocks.settings();
+        rocks::RockSettings rocks = w.viewer().rocks.settings();
         rocks.level = 1.5;
-        w.viewer().rocks.turn(rocks);
-        w.viewer().rocks.setByHand({{{RockEditKind::NotRock, {3000}}}, {}});
+        w.viewer().rocks.change(rocks);
+        w.viewer().rocks.setOperatorEdits({{{rocks::EditKind::NotRock, {3000}}}, {}});
         setLooks(on);
         w.viewer().views.cloud().viewTop();
         w.viewer().views.gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
@@ -102,17 +102,17 @@ class SessionsTest : public QObject {
     }
     /// The session text of the window, without its time.
     static std::string state(WindowFixture& on) {
-        auto read = sessionFromText(on.window.sessions().textFor("/"), "/", "test");
-        return read ? sessionText(read->state, "/", "") : std::string();
+        auto read = inspect::sessionFromText(on.window.sessions().textFor("/"), "/", "test");
+        return read ? inspect::sessionText(read->state, "/", "") : std::string();
     }
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
         boxes_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), boxes_)));
         other_ = (folder_ / "other.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 9, 0.02), other_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 9, 0.02), other_)));
     }
 
     void init() { QFile::remove(QString::fromStdString(boxes_ + ".rocks.json")); }
@@ -132,9 +132,9 @@ private slots:
             before = state(on);
             // It is saved as it changes.
             QTRY_VERIFY(QFile::exists(file));
-            const auto saved = readSession(file.toStdString());
+            const auto saved = inspect::readSession(file.toStdString());
             QVERIFY(bool(saved));
-            QCOMPARE(QString::fromStdString(sessionText(saved->state, "/", "")), QString::fromStdString(before));
+            QCOMPARE(QString::fromStdString(inspect::sessionText(saved->state, "/", "")), QString::fromStdString(before));
             QCOMPARE(int(saved->state.targets.notebook.targets.size()), 2);
             QVERIFY(saved->state.earlier && saved->state.rocks && saved->state.view.camera && saved->state.view.images);
         }
@@ -144,8 +144,8 @@ private slots:
         drop(on.window, file);
         QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.viewer.comparing.kept() != nullptr);
-        QVERIFY(on.viewer.comparing.kept()->detection->scan == on.picture().detection->scan); // the scan was read only once
+        QTRY_VERIFY(on.viewer.comparing.pictureA() != nullptr);
+        QVERIFY(on.viewer.comparing.pictureA()->detection->scan == on.picture().detection->scan); // the scan was read only once
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.viewer.rocks.shown() && on.viewer.rocks.picture() != nullptr);
         QVERIFY(on.viewer.look.colourBy() == ColourBy::Range && on.window.findChild<QAction*>("colour-range")->isChecked());
@@ -156,7 +156,7 @@ private slots:
         QVERIFY(on.open(other_));
         QVERIFY(atRest(on));
         QVERIFY(on.window.sessions().path().isEmpty());
-        const auto left = readSession(file.toStdString());
+        const auto left = inspect::readSession(file.toStdString());
         QCOMPARE(QString::fromStdString(left->state.scan.path.string()), QString::fromStdString(boxes_));
     }
 
@@ -199,7 +199,7 @@ private slots:
 
     void aScanThatMovedOrChangedIsSaid() {
         const std::string scan = (folder_ / "moves.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), scan)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), scan)));
         const QString file = inFolder("moves.edgescan-session.json");
         {
             WindowFixture on;
@@ -254,7 +254,7 @@ private slots:
         drop(on.window, picture);
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.viewer.comparing.kept() != nullptr && on.window.sessions().settled());
+        QTRY_VERIFY(on.viewer.comparing.pictureA() != nullptr && on.window.sessions().settled());
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.window.sessions().path().isEmpty());
         // A picture of ranges is still a scan.
@@ -273,16 +273,16 @@ private slots:
         const QString sessions = home + "/config/edgescan/sessions";
         const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
         const auto saved = [&](const QProcess& process) {
-            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + kSessionEnding;
-            const auto read = QFile::exists(path) ? readSession(path.toStdString()) : Result<ReadSession>(Error{});
+            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + inspect::kSessionEnding;
+            const auto read = QFile::exists(path) ? inspect::readSession(path.toStdString()) : Result<inspect::ReadSession>(Error{});
             return read ? std::optional(*read) : std::nullopt;
         };
-        const auto isWhole = [](const std::optional<ReadSession>& read) {
+        const auto isWhole = [](const std::optional<inspect::ReadSession>& read) {
             return read && read->state.targets.notebook.targets.size() == 2 && read->state.earlier &&
                    !read->state.targets.notebook.targets[1].asPinned.empty();
         };
         std::string before;
-        const auto textOfAll = [](const ReadSession& read) { return sessionText(read.state, "/", ""); };
+        const auto textOfAll = [](const inspect::ReadSession& read) { return inspect::sessionText(read.state, "/", ""); };
         {
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
@@ -311,13 +311,13 @@ private slots:
         // The window reports it, and its button continues the session.
         WindowFixture on(home + "/config/edgescan/viewer.ini");
         QVERIFY(on.show());
-        on.window.sessions().offerToGoOn();
+        on.window.sessions().offerToContinue();
         auto* button = on.window.findChild<QToolButton*>("notice-action");
         QTRY_VERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QVERIFY(on.window.sessions().autosaves().leftBehind().size() <= 1); // the first one; the second was continued
+        QVERIFY(on.window.sessions().autosaves().afterCrash().size() <= 1); // the first one; the second was continued
     }
 
     void theStartPageIsUsedByKeys() {
@@ -380,15 +380,16 @@ private slots:
         QVERIFY(atRest(on));
         MainWindow& w = on.window;
         QVERIFY(w.viewer().targets.notebook().empty() && w.viewer().selection.cells().empty() && w.viewer().selection.hidden().empty());
-        QVERIFY(w.viewer().markedEdges.marks().empty() && w.viewer().comparing.kept() == nullptr);
+        QVERIFY(w.viewer().markedEdges.marks().empty() && w.viewer().comparing.pictureA() == nullptr);
         QCOMPARE(w.viewer().rocks.settings().level, 0.0);
         while (on.viewer.undo.canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
-        QTRY_VERIFY(w.viewer().comparing.kept() != nullptr);
+        QTRY_VERIFY(w.viewer().comparing.pictureA() != nullptr);
         QVERIFY(atRest(on));
         // The cell under the mouse is not part of the state.
-        auto again = sessionFromText(state(on), "/", "test"), first = sessionFromText(after, "/", "test");
+        auto again = inspect::sessionFromText(state(on), "/", "test"), first = inspect::sessionFromText(after, "/", "test");
         again->state.targets.active = first->state.targets.active;
-        QCOMPARE(QString::fromStdString(sessionText(again->state, "/", "")), QString::fromStdString(sessionText(first->state, "/", "")));
+        QCOMPARE(QString::fromStdString(inspect::sessionText(again->state, "/", "")),
+                 QString::fromStdString(inspect::sessionText(first->state, "/", "")));
         // The log uses the language of the sources, whatever the language of the window.
         QCOMPARE(w.viewer().undo.text(0), QString("Keep as A"));
     }

@@ -77,7 +77,7 @@ private slots:
             inEditor(on.window, [](ShortcutEditor& editor) {
                 choose(editor, "edge points");
                 press(editor, Qt::Key_F8);
-                QVERIFY2(editor.said().startsWith("✓"), qPrintable(editor.said()));
+                QVERIFY2(editor.message().startsWith("✓"), qPrintable(editor.message()));
                 QVERIFY(editor.table()->item(editor.table()->currentRow(), 1)->text().contains("changed"));
             });
             QVERIFY(on.activate()); // the dialog had the keyboard focus
@@ -111,9 +111,9 @@ private slots:
         inEditor(on.window, [](ShortcutEditor& editor) {
             choose(editor, "edge points");
             press(editor, Qt::Key_K);
-            QVERIFY2(editor.said().contains("Rocks > Show Rocks"), qPrintable(editor.said()));
+            QVERIFY2(editor.message().contains("Rocks > Show Rocks"), qPrintable(editor.message()));
             press(editor, Qt::Key_Backslash); // a fixed key of the window, not a command
-            QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said()));
+            QVERIFY2(editor.message().startsWith("▲"), qPrintable(editor.message()));
         });
         QCOMPARE(edges.action->shortcuts(), edges.usual);
         // Free once its owner has no shortcut.
@@ -122,10 +122,10 @@ private slots:
             QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-none"), Qt::LeftButton);
             choose(editor, "edge points");
             press(editor, Qt::Key_K);
-            QVERIFY2(editor.said().startsWith("✓"), qPrintable(editor.said()));
+            QVERIFY2(editor.message().startsWith("✓"), qPrintable(editor.message()));
             choose(editor, "show rocks");
             QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset"), Qt::LeftButton);
-            QVERIFY2(editor.said().startsWith("▲"), qPrintable(editor.said())); // otherwise the key would have two owners
+            QVERIFY2(editor.message().startsWith("▲"), qPrintable(editor.message())); // otherwise the key would have two owners
             QTest::mouseClick(editor.findChild<QPushButton*>("shortcut-reset-all"), Qt::LeftButton);
         });
         for (const KeyedCommand& each : keyedCommands(on.window.actions())) QCOMPARE(each.action->shortcuts(), each.usual);

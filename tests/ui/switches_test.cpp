@@ -83,13 +83,13 @@ private slots:
     void initTestCase() {
         useTheme(*qApp);
         bare_ = (folder_ / "bare.json").string();
-        QVERIFY(bool(saveScan(boxesToShow(), bare_)));
+        QVERIFY(bool(files::saveScan(boxesToShow(), bare_)));
     }
 
     void theWheelTurnsNothingThatHasNoFocus() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_));
-        QVERIFY(on.use(cannySettings()));
+        QVERIFY(on.use(edges::cannySettings()));
         QVERIFY(on.activate());
         MainWindow& window = on.window;
         window.viewer().live.panel().show();
@@ -113,13 +113,13 @@ private slots:
             QVERIFY2(!widget->hasFocus(), qPrintable(widget->objectName()));
         }
         QVERIFY2(tried > 8, qPrintable(QString::number(tried)));
-        QVERIFY(window.viewer().engine.settings() == cannySettings());
+        QVERIFY(window.viewer().engine.settings() == edges::cannySettings());
         // With the focus it does.
         QDoubleSpinBox* number = window.viewer().panel.row("lower")->number();
         number->setFocus();
         QTRY_VERIFY(number->hasFocus());
         wheelOver(*number, 1);
-        QVERIFY(window.viewer().engine.settings().lower > cannySettings().lower);
+        QVERIFY(window.viewer().engine.settings().lower > edges::cannySettings().lower);
     }
 
     void theLegendTellsAndSwitches() {
@@ -130,7 +130,7 @@ private slots:
         const auto press = [&](QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2}); };
         press(legend.classSwitch(1));
         QVERIFY(on.settled());
-        QCOMPARE(on.viewer.engine.settings().classes, static_cast<int>(kClassJump | kClassConcave | kClassSilhouette));
+        QCOMPARE(on.viewer.engine.settings().classes, static_cast<int>(edges::kClassJump | edges::kClassConcave | edges::kClassSilhouette));
         QVERIFY(!legend.classSwitch(1)->isChecked());
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(!on.viewer.views.cloud().edgesVisible());
         QTest::keyClick(&on.window, Qt::Key_E);
         QVERIFY(legend.edges()->isChecked() && on.viewer.views.cloud().edgesVisible());
-        QVERIFY(on.use(cannySettings())); // has no edge classes
+        QVERIFY(on.use(edges::cannySettings())); // has no edge classes
         QVERIFY(legend.edges()->isVisible() && !legend.classSwitch(0)->isVisible());
     }
 
@@ -163,7 +163,7 @@ private slots:
         }
         QVERIFY(contrast(selected, QColor(48, 48, 48)) >= 3.0); // the background of the views
         for (const Sight& sight : kSights) {
-            for (const Rgb& rock : kRockFaceColours) {
+            for (const Rgb& rock : rocks::kRockFaceColours) {
                 const double apart = distance(asSeen(selected, sight), asSeen(QColor(rock.red, rock.green, rock.blue), sight));
                 QVERIFY2(apart >= 20.0, qPrintable(QString("%1: %2").arg(sight.name).arg(apart)));
             }

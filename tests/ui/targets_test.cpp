@@ -62,7 +62,7 @@ class TargetsTest : public QObject {
         on.window.resize(1400, 900);
         return on.showWith(path) && on.activate();
     }
-    static const std::vector<PinnedTarget>& targets(WindowFixture& on) { return on.viewer.targets.notebook().targets; }
+    static const std::vector<inspect::PinnedTarget>& targets(WindowFixture& on) { return on.viewer.targets.notebook().targets; }
     // A cell that the image view shows under its own pixel.
     static std::uint32_t cellUnder(WindowFixture& on, int line, int beam) {
         const auto at = on.viewer.views.gray().cellAt(pixelOf(on.viewer.views.gray(), line, beam));
@@ -84,15 +84,15 @@ class TargetsTest : public QObject {
 
 private slots:
     void initTestCase() {
-        qRegisterMetaType<ExportContent>("edgescan::ExportContent");
+        qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
         Scan scan = test::boxesScan(120, 160, 3, 0.02);
         boxes_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(scan, boxes_)));
+        QVERIFY(bool(files::saveScan(scan, boxes_)));
         scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
         placed_ = (folder_ / "placed.json").string();
-        QVERIFY(bool(saveScan(scan, placed_)));
+        QVERIFY(bool(files::saveScan(scan, placed_)));
         plate_ = (folder_ / "plate.json").string();
-        QVERIFY(bool(saveScan(plateScan(), plate_)));
+        QVERIFY(bool(files::saveScan(plateScan(), plate_)));
     }
 
     void everyClickPinsUntilItIsLetGo() {
@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         QCOMPARE(targets(on)[2].cell, cells[2]);
         // All except the locked one.
-        QTest::mouseClick(on.viewer.targetsPanel.letGoOfAll(), Qt::LeftButton);
+        QTest::mouseClick(on.viewer.targetsPanel.removeAllButton(), Qt::LeftButton);
         QCOMPARE(static_cast<int>(targets(on).size()), 1);
         QVERIFY(targets(on)[0].locked);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
@@ -159,10 +159,10 @@ private slots:
     void theCardSaysWhatIsKnownAndWhatItWas() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        const Detection& detection = *on.picture().detection;
+        const edges::Detection& detection = *on.picture().detection;
         std::optional<std::uint32_t> jump;
         for (const std::uint32_t k : *detection.edges) {
-            if ((*detection.classes)[k] == DepthEdge::Jump && k / 160 > 10 && !jump) jump = k;
+            if ((*detection.classes)[k] == edges::DepthEdge::Jump && k / 160 > 10 && !jump) jump = k;
         }
         QVERIFY(jump.has_value());
         on.viewer.views.pin(*jump);
@@ -182,18 +182,18 @@ private slots:
         QVERIFY2(card.text().contains("E, N, RL: ▲ no pose") && card.text().contains("Dip / direction"), qPrintable(card.text()));
         QVERIFY2(card.text().contains("Edge: jump, strength "), qPrintable(card.text()));
         QVERIFY2(card.text().contains("Picture: FILE boxes · no time"), qPrintable(card.text()));
-        QVERIFY2(card.text().contains(QString::fromUtf8(kRockCaveat)), qPrintable(card.text()));
+        QVERIFY2(card.text().contains(QString::fromUtf8(rocks::kRockCaveat)), qPrintable(card.text()));
         QVERIFY(!card.text().contains("was "));
         // A slider removes the edge: the card shows it, with the former value. The distance does not change.
         const QString distance = card.text().split('\n').at(1);
-        Settings other;
-        other.classes = kClassConvex;
+        edges::Settings other;
+        other.classes = edges::kClassConvex;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
         QTRY_VERIFY2(card.text().contains("Edge: none") && card.text().contains("was jump, strength "), qPrintable(card.text()));
         QCOMPARE(card.text().split('\n').at(1), distance);
         QCOMPARE(on.viewer.targets.active()->cell, *jump);
-        QVERIFY(on.use(Settings{}));
+        QVERIFY(on.use(edges::Settings{}));
         QVERIFY(known(on));
         QTRY_VERIFY2(!card.text().contains("was "), qPrintable(card.text()));
         // The buttons of the card.
@@ -216,7 +216,7 @@ private slots:
         QVERIFY2(text.contains(QString("E, N, RL: %1, %2, %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3)),
                  qPrintable(text));
         QVERIFY2(!text.contains("no pose"), qPrintable(text));
-        const CellTarget target = targetAt(*on.picture().detection, noiseOf(*on.picture().detection), k);
+        const inspect::CellTarget target = inspect::targetAt(*on.picture().detection, inspect::noiseOf(*on.picture().detection), k);
         QVERIFY(target.boom.has_value());
         QVERIFY2(text.contains(QString("From the boom: %1 m").arg(target.boom->distanceM, 0, 'f', 2)), qPrintable(text));
     }
@@ -224,7 +224,7 @@ private slots:
     void targetsAreKeptWithTheirScan() {
         const QString ini = QString::fromStdString((folder_ / "kept" / "viewer.ini").string());
         QDir().mkpath(QString::fromStdString((folder_ / "kept").string()));
-        Notebook before;
+        inspect::Notebook before;
         {
             WindowFixture on(ini);
             QVERIFY(showWith(on, boxes_));
@@ -237,7 +237,7 @@ private slots:
             QTest::keyClick(name, Qt::Key_Return);
             QCOMPARE(targets(on)[1].name, std::string("keystone"));
             QVERIFY(on.viewer.views.gray().marks().targets[1].tag.startsWith("2 keystone"));
-            on.viewer.targets.keepMeasure({MeasureKind::Distance, {targets(on)[0].cell, targets(on)[1].cell}});
+            on.viewer.targets.keepMeasure({inspect::MeasureKind::Distance, {targets(on)[0].cell, targets(on)[1].cell}});
             // Another scan has its own targets; back on this scan they are restored.
             QVERIFY(on.open(plate_));
             QVERIFY(targets(on).empty());
@@ -312,7 +312,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_Escape);
         QVERIFY(!on.viewer.measures.kind() && on.viewer.views.tool() == Tool::Pin);
         // A slider does not change them; undo removes them.
-        Settings other;
+        edges::Settings other;
         other.creaseDeg = 50;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
@@ -331,10 +331,10 @@ private slots:
         ImageView& gray = on.viewer.views.gray();
         const std::vector<QPoint> places{{30, 20}, {120, 90}, {40, 95}, {130, 30}}; // beam, line
         int made = 0;
-        for (const auto& [kind, key, modifier, clicks] : {std::tuple{MeasureKind::Vertical, Qt::Key_V, Qt::NoModifier, 2},
-                                                          {MeasureKind::Angle, Qt::Key_A, Qt::NoModifier, 3},
-                                                          {MeasureKind::Spans, Qt::Key_Y, Qt::NoModifier, 4},
-                                                          {MeasureKind::Path, Qt::Key_U, Qt::ShiftModifier, 2}}) {
+        for (const auto& [kind, key, modifier, clicks] : {std::tuple{inspect::MeasureKind::Vertical, Qt::Key_V, Qt::NoModifier, 2},
+                                                          {inspect::MeasureKind::Angle, Qt::Key_A, Qt::NoModifier, 3},
+                                                          {inspect::MeasureKind::Spans, Qt::Key_Y, Qt::NoModifier, 4},
+                                                          {inspect::MeasureKind::Path, Qt::Key_U, Qt::ShiftModifier, 2}}) {
             QTest::keyClick(&on.window, key, modifier);
             std::vector<std::uint32_t> cells;
             for (int n = 0; n < clicks; ++n) {
@@ -344,15 +344,15 @@ private slots:
             }
             QVERIFY(QTest::qWaitFor([&] { return known(on) && static_cast<int>(on.viewer.targets.notebook().measures.size()) == made + 1; },
                                     20000));
-            const KeptMeasure& kept = on.viewer.targets.notebook().measures.back();
+            const inspect::StoredMeasure& kept = on.viewer.targets.notebook().measures.back();
             QVERIFY(kept.kind == kind && kept.cells == cells);
-            const auto told = measureCells(*on.picture().detection->scan, {}, kind, cells);
+            const auto told = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
             QVERIFY(bool(told));
             const QString label = gray.marks().measures.back().label;
             // The noise measured by the window differs from this one: only the values are equal.
-            const double value = kind == MeasureKind::Angle ? told->angleDeg : told->lengths.front().valueM;
+            const double value = kind == inspect::MeasureKind::Angle ? told->angleDeg : told->lengths.front().valueM;
             const double shown = QString(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
-            QVERIFY2(std::abs(shown - value) < (kind == MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
+            QVERIFY2(std::abs(shown - value) < (kind == inspect::MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
             QVERIFY2(label.contains("±"), qPrintable(label));
             QVERIFY(gray.marks() == on.viewer.views.cloud().marks());
             ++made;
@@ -380,7 +380,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_B);
         const QVector<QPoint> box{pixelOf(gray, 40, 50), pixelOf(gray, 45, 70), pixelOf(gray, 69, 99)};
         drag(gray, box);
-        CellSet wanted;
+        inspect::CellSet wanted;
         const QPoint from = *gray.cellAt(box.front()), to = *gray.cellAt(box.back());
         for (int i = from.y(); i <= to.y(); ++i) {
             for (int j = from.x(); j <= to.x(); ++j) wanted.push_back(static_cast<std::uint32_t>(i * 160 + j));
@@ -396,7 +396,7 @@ private slots:
         const QVector<QPoint> lasso{pixelOf(gray, 90, 20), pixelOf(gray, 90, 60), pixelOf(gray, 110, 40), pixelOf(gray, 100, 25)};
         drag(gray, lasso, Qt::ShiftModifier);
         QVERIFY(selection.cells().size() > wanted.size() + 100);
-        QVERIFY(without(wanted, selection.cells()).empty());
+        QVERIFY(inspect::without(wanted, selection.cells()).empty());
         QVERIFY(std::ranges::binary_search(selection.cells(), 95U * 160 + 40) &&
                 !std::ranges::binary_search(selection.cells(), 108U * 160 + 22));
         drag(gray, lasso, Qt::ControlModifier);
@@ -415,7 +415,7 @@ private slots:
         for (const std::uint32_t k : wanted) left += on.picture().detection->scan->state[k] == CellState::Valid ? 1 : 0;
         QCOMPARE(cloud.geometryOfCloud()->validCount, left);
         // A slider does not change it.
-        Settings other;
+        edges::Settings other;
         other.creaseDeg = 50;
         QVERIFY(on.use(other));
         QCOMPARE(cloud.geometryOfCloud()->validCount, left);
@@ -462,11 +462,11 @@ private slots:
     void aClickSelectsTheChainOfAnEdge() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        const Detection& detection = *on.picture().detection;
+        const edges::Detection& detection = *on.picture().detection;
         QTest::keyClick(&on.window, Qt::Key_L);
         const std::uint32_t k = detection.edges->at(detection.edges->size() / 2);
         emit on.viewer.views.gray().clicked(static_cast<int>(k / 160), static_cast<int>(k % 160));
-        const CellSet chain = chainAt(*detection.mask, k);
+        const inspect::CellSet chain = inspect::chainAt(*detection.mask, k);
         QVERIFY(chain.size() > 4 && on.viewer.selection.cells() == chain);
         // A click outside edges and rocks selects nothing, and gives the reason.
         std::uint32_t none = 0;
@@ -477,21 +477,21 @@ private slots:
     }
 
     void aRockIsSelectedAndStandsOnTheCard() {
-        SimulationSettings settings;
+        sim::SimulationSettings settings;
         settings.seed = 4711;
         settings.lines = 250;
         settings.beams = 286;
         const std::string bell = (folder_ / "bell.json").string();
-        QVERIFY(bool(saveScan(simulate(settings)->scan, bell)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell)));
         WindowFixture on;
         QVERIFY(showWith(on, bell));
         QTest::keyClick(&on.window, Qt::Key_K);
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000));
         const RockPicture& rocks = *on.viewer.rocks.picture();
-        const Rock& largest = rocks.study.rocks.front();
+        const rocks::Rock& largest = rocks.study.rocks.front();
         on.viewer.views.pin(largest.cell);
         QVERIFY(known(on));
-        const QString spans = QString("no. 1: %1 × %2 ± ").arg(largest.longM, 0, 'f', 2).arg(largest.wideM, 0, 'f', 2);
+        const QString spans = QString("no. 1: %1 × %2 ± ").arg(largest.longestCaliperM, 0, 'f', 2).arg(largest.shortestCaliperM, 0, 'f', 2);
         QVERIFY2(on.viewer.targetsPanel.card().text().contains("Rock, visible: " + spans),
                  qPrintable(on.viewer.targetsPanel.card().text()));
         // A click with the tool selects all its cells; the selection of rocks does not change.
@@ -500,7 +500,7 @@ private slots:
         while (rocks.labelAt(inside) == 1 && (*on.picture().detection->mask)[inside] != 0) ++inside;
         QCOMPARE(rocks.labelAt(inside), 1U);
         emit on.viewer.views.gray().clicked(static_cast<int>(inside / 286), static_cast<int>(inside % 286));
-        CellSet wanted;
+        inspect::CellSet wanted;
         for (std::size_t k = 0; k < rocks.labels.size(); ++k) {
             if (rocks.labels[k] == 1) wanted.push_back(static_cast<std::uint32_t>(k));
         }
@@ -515,11 +515,11 @@ private slots:
     void anExportOfTheSelectionCarriesItsRecord() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        CellSet cells;
+        inspect::CellSet cells;
         for (std::uint32_t k = 0; k < 120U * 160; k += 1 + k % 7) cells.push_back(k);
         on.viewer.selection.select(cells);
-        ExportDialog dialog(on.picture().detection, ExportContent::FullCloud,
-                            {std::make_shared<const CellSet>(on.viewer.selection.cells()), true});
+        ExportDialog dialog(on.picture().detection, exports::ExportContent::FullCloud,
+                            {std::make_shared<const inspect::CellSet>(on.viewer.selection.cells()), true});
         auto* only = dialog.findChild<QCheckBox*>("onlySelected");
         QVERIFY(only->isChecked());
         std::size_t valid = 0;
@@ -531,9 +531,9 @@ private slots:
         on.viewer.engine.save(dialog.content(), QString::fromStdString(path), dialog.options());
         QTRY_COMPARE(saved.count(), 1);
         QCOMPARE(saved.front().at(2).toLongLong(), static_cast<qint64>(valid));
-        const auto verified = verifyExport(path);
+        const auto verified = exports::verifyExport(path);
         QVERIFY(bool(verified));
-        QVERIFY2(verified->identical, verificationText(*verified).c_str());
+        QVERIFY2(verified->identical, exports::verificationText(*verified).c_str());
         only->setChecked(false);
         QVERIFY(dialog.options().selection == nullptr && dialog.count() > valid);
     }
@@ -605,14 +605,14 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(static_cast<int>(seen.size()), 3);
         QVERIFY2(seen[0].toInt() > 60 && seen[1] == "1" && seen[2].startsWith("Measure > Vertical"), qPrintable(seen.join(' ')));
-        QVERIFY(on.viewer.measures.kind() == MeasureKind::Vertical);
+        QVERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Vertical);
     }
 
     void pageDownGoesThroughTheFolder() {
         const std::filesystem::path folder = folder_ / "series";
         std::filesystem::create_directories(folder);
         for (const int lines : {20, 30, 40})
-            QVERIFY(bool(saveScan(test::boxesScan(lines, 60, 3), folder / ("scan" + std::to_string(lines) + ".json"))));
+            QVERIFY(bool(files::saveScan(test::boxesScan(lines, 60, 3), folder / ("scan" + std::to_string(lines) + ".json"))));
         QVERIFY(bool(writeWholeFile((folder / "scan30.pcd.provenance.json").string(), std::string("{}"))));
         WindowFixture on;
         QVERIFY(showWith(on, (folder / "scan20.json").string()));
@@ -637,8 +637,8 @@ private slots:
         measured.clockSource = "the robot's clock";
         scan.acquisition = std::make_shared<const Acquisition>(measured);
         const std::string timed = (folder_ / "timed.json").string(), recording = (folder_ / "recorded.mcap").string();
-        QVERIFY(bool(saveScan(scan, timed)));
-        QVERIFY(bool(saveScan(scan, recording)));
+        QVERIFY(bool(files::saveScan(scan, timed)));
+        QVERIFY(bool(files::saveScan(scan, recording)));
         WindowFixture on;
         QVERIFY(on.show());
         QCOMPARE(on.viewer.origin.text(), QString("NO PICTURE"));

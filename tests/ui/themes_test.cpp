@@ -57,7 +57,7 @@ private slots:
         useTheme(*qApp);
         const Scan scan = test::boxesScan(120, 160, 3, 0.05);
         scan_ = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(scan, scan_)));
+        QVERIFY(bool(files::saveScan(scan, scan_)));
     }
     void cleanupTestCase() { useColours(themes().front()); }
 

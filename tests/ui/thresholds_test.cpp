@@ -27,7 +27,7 @@ class ThresholdsTest : public QObject {
     std::unique_ptr<WindowFixture> on_;
     MainWindow* window_ = nullptr;
 
-    void use(const Settings& settings) { QVERIFY(on_->use(settings)); }
+    void use(const edges::Settings& settings) { QVERIFY(on_->use(settings)); }
     // Clicks the cell and asks why, by the key.
     void askWhy(std::uint32_t cell) {
         ImageView& view = window_->viewer().views.edges();
@@ -42,7 +42,7 @@ class ThresholdsTest : public QObject {
             10000));
     }
     // The first edge cell that has three ranges on either side, along its line and across.
-    [[nodiscard]] static std::uint32_t edgeWithNeighbours(const Detection& detection) {
+    [[nodiscard]] static std::uint32_t edgeWithNeighbours(const edges::Detection& detection) {
         const Scan& scan = *detection.scan;
         for (const std::uint32_t cell : *detection.edges) {
             bool all = cell / 160 >= 3 && cell / 160 < 117 && cell % 160 >= 3 && cell % 160 < 157;
@@ -59,7 +59,7 @@ class ThresholdsTest : public QObject {
 private slots:
     void init() {
         const std::string path = (folder_ / "boxes.json").string();
-        QVERIFY(bool(saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(120, 160, 3, 0.02), path)));
         on_ = std::make_unique<WindowFixture>();
         window_ = &on_->window;
         window_->resize(1500, 950);
@@ -68,21 +68,21 @@ private slots:
     void cleanup() { on_.reset(); }
 
     void theMeaningFollowsThresholdKernelAndWindow() {
-        use(findPreset("window")->settings);
-        const GrayScale scale = window_->viewer().engine.picture()->detection->gray->scale;
-        QCOMPARE(meaning(), QString::fromStdString(thresholdText(window_->viewer().engine.settings(), scale)));
+        use(edges::findPreset("window")->settings);
+        const edges::GrayScale scale = window_->viewer().engine.picture()->detection->gray->scale;
+        QCOMPARE(meaning(), QString::fromStdString(edges::thresholdText(window_->viewer().engine.settings(), scale)));
         QVERIFY(meaning().startsWith("weak edge from a step of "));
         const QString before = meaning();
-        Settings wider = window_->viewer().engine.settings();
+        edges::Settings wider = window_->viewer().engine.settings();
         wider.kernel = 7;
         use(wider);
         QVERIFY(meaning() != before);
-        use(Settings{});
+        use(edges::Settings{});
         QVERIFY(!window_->viewer().panel.findChild<QLabel*>("meaning")->isVisible());
     }
 
     void aTypedDepthBecomesTheThreshold() {
-        Settings settings = findPreset("window")->settings;
+        edges::Settings settings = edges::findPreset("window")->settings;
         settings.nearMm = 0;
         settings.farMm = 25500; // 100 mm per level; a straight step has three times the response
         use(settings);
@@ -104,7 +104,7 @@ private slots:
     }
 
     void whatCannotBeReadIsToldAndTheValueStays() {
-        use(findPreset("window")->settings);
+        use(edges::findPreset("window")->settings);
         struct Typed {
             const char* key;
             const char* text;
@@ -128,7 +128,7 @@ private slots:
         type({"lower", "2000 m", "Lower threshold: "});
         type({"lower", "30000", "30000 is outside 0 to 20000"});
         type({"far", "x", "Far: \"x\" is not a number and not auto"});
-        use(Settings{});
+        use(edges::Settings{});
         type({"min-length", "2.5", "2.5 is not a whole number"});
         type({"crease", "400", "Crease angle: 400 is outside 15 to 90 degrees"});
         QDoubleSpinBox* box = window_->viewer().panel.row("crease")->number();
@@ -140,13 +140,13 @@ private slots:
     }
 
     void anAutomaticValueIsShownAsItIs() {
-        SimulationSettings loud;
+        sim::SimulationSettings loud;
         loud.lines = 150;
         loud.beams = 200;
         loud.noise = 12;
         const std::string path = (folder_ / "loud.json").string();
-        QVERIFY(bool(saveScan(simulate(loud)->scan, path)));
-        use(Settings{});
+        QVERIFY(bool(files::saveScan(sim::simulate(loud)->scan, path)));
+        use(edges::Settings{});
         window_->viewer().files.open({QString::fromStdString(path)});
         QVERIFY(on_->settled());
         QDoubleSpinBox* box = window_->viewer().panel.row("noise")->number();
@@ -161,35 +161,35 @@ private slots:
     }
 
     void anotherMethodKeepsTheMeaningOfTheThreshold() {
-        use(cannySettings());
+        use(edges::cannySettings());
         QComboBox* method = window_->viewer().panel.row("method")->choice();
         const auto choose = [&](const char* label) {
             method->setCurrentText(label);
             QVERIFY(on_->settled());
         };
         choose("Kirsch");
-        const Settings kirsch = window_->viewer().engine.settings();
-        QVERIFY(std::abs(kirsch.lower / stepGain(kirsch).straight - 4.0) < 0.1); // halfway between 2 and 6
+        const edges::Settings kirsch = window_->viewer().engine.settings();
+        QVERIFY(std::abs(kirsch.lower / edges::stepGain(kirsch).straight - 4.0) < 0.1); // halfway between 2 and 6
         choose("EdgeScan+");
         choose("Canny (thesis)");
         QVERIFY(std::abs(window_->viewer().engine.settings().lower - 6.0) < 0.11);
     }
 
     void theCurveCountsWhatTheThresholdWouldGive() {
-        use(cannySettings());
+        use(edges::cannySettings());
         CountCurve* curve = window_->viewer().panel.curve("lower");
         QVERIFY(curve->isVisible());
         QVERIFY(!window_->viewer().panel.curve("sensitivity")->isVisible());
         QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
-        const EdgeCountCurve counts = *curve->curve();
+        const edges::EdgeCountCurve counts = *curve->curve();
         for (const std::size_t n : {counts.thresholds.size() / 4, counts.thresholds.size() / 2}) {
-            Settings at = window_->viewer().engine.settings();
+            edges::Settings at = window_->viewer().engine.settings();
             at.lower = counts.thresholds[n];
             use(at);
             QCOMPARE(window_->viewer().engine.picture()->detection->edges->size(), counts.edges[n]);
             QVERIFY(curve->curve().has_value()); // another threshold of the same curve
         }
-        Settings other = window_->viewer().engine.settings();
+        edges::Settings other = window_->viewer().engine.settings();
         other.kernel = 5;
         use(other);
         QVERIFY(!curve->curve().has_value());
@@ -197,8 +197,8 @@ private slots:
     }
 
     void theCountUnderTheSliderIsThatOfThePicture() {
-        Settings between = cannySettings(); // a threshold between two places of the slider
-        between.method = Method::Kirsch;
+        edges::Settings between = edges::cannySettings(); // a threshold between two places of the slider
+        between.method = edges::Method::Kirsch;
         between.lower = 58.5;
         use(between);
         CountCurve* curve = window_->viewer().panel.curve("lower");
@@ -206,15 +206,15 @@ private slots:
         const auto edges = static_cast<qulonglong>(window_->viewer().engine.picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));
-        Settings share = cannySettings();
-        share.method = Method::LogRange;
+        edges::Settings share = edges::cannySettings();
+        share.method = edges::Method::LogRange;
         share.stepPercent = 4.0;
         use(share);
         QCOMPARE(window_->viewer().panel.findChild<QLabel*>("upper")->text(), QString("Strong from  12.5 % of range"));
     }
 
     void whyAnswersForTheCellClicked() {
-        use(cannySettings());
+        use(edges::cannySettings());
         const std::uint32_t cell = window_->viewer().engine.picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
@@ -225,18 +225,18 @@ private slots:
 
     // On the card: the verdict, the points on both sides of a jump with their fitted lines, the numbers, in this order.
     void theVerdictComesFirstThenThePictureOfBothSides() {
-        use(Settings{});
-        const Detection& detection = *window_->viewer().engine.picture()->detection;
+        use(edges::Settings{});
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
         const std::uint32_t cell = edgeWithNeighbours(detection);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->viewer().explanation.card();
         QVERIFY2(card.verdict().startsWith("Edge: ") && !card.verdict().contains('\n'), qPrintable(card.verdict()));
         const auto* verdict = card.findChild<QLabel*>("why-verdict");
-        const EdgeProfile& profile = card.picture().profile();
+        const edges::EdgeProfile& profile = card.picture().profile();
         QVERIFY(verdict->isVisible() && card.picture().isVisible() && verdict->geometry().bottom() < card.picture().geometry().top());
         QVERIFY(profile.sides[0] && profile.sides[1]);
-        const auto own = std::ranges::find(profile.points, 0, &ProfilePoint::side);
+        const auto own = std::ranges::find(profile.points, 0, &edges::ProfilePoint::side);
         QVERIFY(own != profile.points.end() && own->cell == cell && own->acrossM == 0.0 && own->awayM == 0.0);
         // The picture is drawn: lines in their colour, points in the colour of text.
         const QImage drawn = const_cast<ProfileView&>(card.picture()).grab().toImage();
@@ -250,8 +250,8 @@ private slots:
 
     // After a click on a cell next to the intended edge, one more click reaches this edge.
     void theEdgeBesideTheCellIsAButtonAway() {
-        use(Settings{});
-        const Detection& detection = *window_->viewer().engine.picture()->detection;
+        use(edges::Settings{});
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
         const auto& mask = detection.mask->cells;
         std::size_t beside = 1;
         while (beside < mask.size() && (mask[beside] != 0 || mask[beside - 1] == 0 || beside % 160 == 0)) ++beside;
@@ -267,7 +267,7 @@ private slots:
     }
 
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {
-        use(Settings{});
+        use(edges::Settings{});
         const std::uint32_t cell = window_->viewer().engine.picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
@@ -293,7 +293,7 @@ private slots:
             QVERIFY2(sky > 40, qPrintable(QString::number(sky)));
         }
         if (qEnvironmentVariableIsSet("EDGESCAN_KEEP_PICTURES")) window_->grab().save("why_chain.png");
-        Settings other;
+        edges::Settings other;
         other.creaseDeg = 60; // another picture
         use(other);
         QVERIFY(window_->viewer().views.edges().trail().cells.empty());

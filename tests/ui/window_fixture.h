@@ -45,7 +45,7 @@ struct WindowFixture {
     }
     /// Shows the window and opens the scan.
     [[nodiscard]] bool showWith(const std::string& path) { return show() && open(path); }
-    [[nodiscard]] bool use(const Settings& settings) {
+    [[nodiscard]] bool use(const edges::Settings& settings) {
         viewer.tuning.useSettings(settings);
         return settled();
     }
@@ -63,11 +63,11 @@ struct WindowFixture {
     const std::string real = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/scan000.json";
     if (std::filesystem::exists(real)) return real;
     qWarning("../shared is absent: a simulated scan stands in for the real one");
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 200;
     settings.beams = 300;
     const std::string simulated = (folder / "simulated.json").string();
-    if (!saveScan(simulate(settings)->scan, simulated)) qFatal("%s cannot be written", simulated.c_str());
+    if (!files::saveScan(sim::simulate(settings)->scan, simulated)) qFatal("%s cannot be written", simulated.c_str());
     return simulated;
 }
 

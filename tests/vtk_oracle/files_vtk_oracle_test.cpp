@@ -114,7 +114,7 @@ TEST(VtkOracle, WeReadWhatItsPlyWriterWrites) {
             writer->SetFileType(type);
             writer->SetDataByteOrder(order);
             ASSERT_EQ(writer->Write(), 1);
-            const auto opened = openScan(folder / "vtk.ply");
+            const auto opened = files::openScan(folder / "vtk.ply");
             ASSERT_TRUE(opened) << opened.error().sentence();
             EXPECT_EQ(opened->rangeMm, scan.rangeMm);
             EXPECT_EQ(opened->state, scan.state);
@@ -130,7 +130,7 @@ TEST(VtkOracle, WeReadWhatItsObjWriterWrites) {
     writer->SetFileName((folder / "vtk.obj").c_str());
     writer->SetInputData(data);
     writer->Write();
-    const auto opened = openScan(folder / "vtk.obj");
+    const auto opened = files::openScan(folder / "vtk.obj");
     ASSERT_TRUE(opened) << opened.error().sentence();
     EXPECT_EQ(opened->rangeMm, scan.rangeMm);
     EXPECT_EQ(opened->state, scan.state);

@@ -74,7 +74,7 @@ void DockRail::add(QDockWidget* dock) {
     button->setToolTip(tr("Open this panel"));
     QAction* place = addWidget(button);
     connect(button, &QToolButton::clicked, dock->toggleViewAction(), &QAction::trigger);
-    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) { emit changedByHand(dock, open); });
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) { emit changedByOperator(dock, open); });
     const auto follow = [this, dock, place] {
         place->setVisible(dock->isHidden());
         showFolded();

@@ -20,7 +20,7 @@ public:
 
 signals:
     /// The operator folded or opened a panel: with its title bar, the rail or the menu. A change of the window's width does not emit this.
-    void changedByHand(QDockWidget* dock, bool open);
+    void changedByOperator(QDockWidget* dock, bool open);
 
 private:
     void showFolded();

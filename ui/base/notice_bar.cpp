@@ -117,7 +117,7 @@ void NoticeBar::hideEvent(QHideEvent* event) {
     QFrame::hideEvent(event);
 }
 
-void NoticeBar::tellSaved(const QString& path, const QString& content) {
+void NoticeBar::showSaved(const QString& path, const QString& content) {
     const QFileInfo file(path);
     showNotice(Kind::Done,
                tr("Saved %1%2, %3 kB.").arg(path, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000));

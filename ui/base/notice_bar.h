@@ -23,9 +23,9 @@ public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
     void showNotice(Kind kind, const QString& text);
-    void tell(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
+    void showError(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
     /// Reports that a file was written, with its content ("12 points", may be empty) and a button that opens its folder.
-    void tellSaved(const QString& path, const QString& content = {});
+    void showSaved(const QString& path, const QString& content = {});
     /// Adds a button to the notice, until the next notice.
     void offer(const QString& label, std::function<void()> action);
     [[nodiscard]] QString text() const;

@@ -63,7 +63,7 @@ Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
     alone_->setCheckable(true);
     alone_->setFocusPolicy(Qt::NoFocus);
     showAlone(false);
-    connect(alone_, &QToolButton::clicked, this, &Pane::maximiseWanted);
+    connect(alone_, &QToolButton::clicked, this, &Pane::maximiseRequested);
     auto* line = new QHBoxLayout(bar_);
     line->setContentsMargins(6, 1, 4, 1);
     line->setSpacing(8);
@@ -119,7 +119,7 @@ void Pane::resizeEvent(QResizeEvent* event) {
 
 bool Pane::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonDblClick) {
-        emit maximiseWanted();
+        emit maximiseRequested();
         return true;
     }
     return QFrame::eventFilter(watched, event);

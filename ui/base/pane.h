@@ -30,7 +30,7 @@ public:
     [[nodiscard]] QToolButton* aloneButton() const { return alone_; }
 
 signals:
-    void maximiseWanted();
+    void maximiseRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -9,7 +9,7 @@
 
 namespace edgescan::ui {
 
-QRect insideScreen(QRect window, const QMargins& frame, const QRect& room) {
+QRect fittedInScreen(QRect window, const QMargins& frame, const QRect& room) {
     const QRect most = room.marginsRemoved(frame);
     window.setSize(window.size().boundedTo(most.size()));
     window.moveLeft(std::clamp(window.left(), most.left(), most.left() + most.width() - window.width()));
@@ -17,9 +17,9 @@ QRect insideScreen(QRect window, const QMargins& frame, const QRect& room) {
     return window;
 }
 
-void keepInsideScreen(QWidget& window) {
+void fitIntoScreen(QWidget& window) {
     if (!window.isVisible() || window.isMaximized() || window.isFullScreen() || window.windowHandle() == nullptr) return;
-    const QRect fits = insideScreen(window.geometry(), window.windowHandle()->frameMargins(), window.screen()->availableGeometry());
+    const QRect fits = fittedInScreen(window.geometry(), window.windowHandle()->frameMargins(), window.screen()->availableGeometry());
     if (fits != window.geometry()) window.setGeometry(fits);
 }
 

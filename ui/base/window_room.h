@@ -10,9 +10,9 @@ namespace edgescan::ui {
 
 /// Shrinks `window` (without its frame) and moves it until it and its frame are inside `room`, as little as possible. Pixels of the
 /// desktop.
-[[nodiscard]] QRect insideScreen(QRect window, const QMargins& frame, const QRect& room);
+[[nodiscard]] QRect fittedInScreen(QRect window, const QMargins& frame, const QRect& room);
 
 /// The same for a visible window, on its own screen; a maximised window does not change.
-void keepInsideScreen(QWidget& window);
+void fitIntoScreen(QWidget& window);
 
 } // namespace edgescan::ui

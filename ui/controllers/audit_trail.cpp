@@ -24,8 +24,9 @@ AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const Linked
         pinned_.reset();
         note("opened", scanShown());
     });
-    connect(&engine, &Engine::saved, this,
-            [this](ExportContent what, const QString& path, qint64 count) { noteExport(exportContentName(what), path, count); });
+    connect(&engine, &Engine::saved, this, [this](exports::ExportContent what, const QString& path, qint64 count) {
+        noteExport(exports::exportContentName(what), path, count);
+    });
     connect(&views, &LinkedViews::probed, this, [this] { notePin(); });
     connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = 0](int index) mutable {
         const bool isUndone = index < last;
@@ -73,9 +74,9 @@ void AuditTrail::noteWarnings(const QStringList& warnings) {
 void AuditTrail::notePin() {
     const std::optional<std::size_t> pinned = views_.pinned();
     if (std::exchange(pinned_, pinned) == pinned || !pinned || !engine_.picture()) return;
-    const Detection& detection = *engine_.picture()->detection;
+    const edges::Detection& detection = *engine_.picture()->detection;
     if (*pinned >= detection.scan->cells()) return;
-    const Probe probe = probeCell(detection, *pinned);
+    const edges::Probe probe = edges::probeCell(detection, *pinned);
     Json details = scanShown();
     details["line"] = probe.line;
     details["beam"] = probe.beam;
@@ -87,10 +88,10 @@ void AuditTrail::notePin() {
 // The scan, and the settings with which its edges were found.
 Json AuditTrail::scanShown() const {
     if (!engine_.picture()) return Json::object();
-    const Detection& detection = *engine_.picture()->detection;
-    const Json all = settingsToJson(detection.settings);
+    const edges::Detection& detection = *engine_.picture()->detection;
+    const Json all = edges::settingsToJson(detection.settings);
     Json settings{{"method", all["method"]}};
-    for (const std::string& key : changedFromDefault(detection.settings)) settings[key] = all[key];
+    for (const std::string& key : edges::changedFromDefault(detection.settings)) settings[key] = all[key];
     return {{"scan", detection.scan->path},
             {"scan_sha256", detection.scan->sha256},
             {"lines", detection.scan->lines()},

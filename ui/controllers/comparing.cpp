@@ -28,7 +28,7 @@ QString nameOf(const Picture& picture) { return shownName(exactText(picture.dete
 constexpr int kLeastAround = 10; // cells around a region, as visible context
 
 /// Only the cells of the region: other regions of its kind may be in the same box.
-std::vector<std::uint32_t> cellsOf(const Grid<RangeChange>& kinds, const ChangedRegion& region) {
+std::vector<std::uint32_t> cellsOf(const Grid<inspect::RangeChange>& kinds, const inspect::ChangedRegion& region) {
     std::vector<std::uint32_t> cells{region.cell};
     std::vector<bool> seen(kinds.size(), false);
     seen[region.cell] = true;
@@ -55,7 +55,7 @@ bool isTyping(const QWidget* widget) {
 Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& reading) {
     const auto& [scan, settings] = reading.from;
     if (reading.scan) return ui::pictureOf(reading.scan, settings);
-    if (!hasPath(scan.kind)) return earlierDemo(scan.kind == SessionScan::Kind::DemoAfterBlast, settings);
+    if (!inspect::hasPath(scan.kind)) return earlierDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast, settings);
     return earlierPicture(exactText(scan.path.string()), scan.reading, settings);
 }
 
@@ -90,12 +90,12 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
               showLegend();
               notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
-    connect(&legend_, &ChangeLegend::rowsWanted, this, [this](const ChangeRows& rows) {
+    connect(&legend_, &ChangeLegend::rowsRequested, this, [this](const ChangeRows& rows) {
         rows_ = rows;
         ask();
         emit rowsChanged();
     });
-    connect(&legend_, &ChangeLegend::nextRegionWanted, this, &Comparing::nextRegion);
+    connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
     connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
     QApplication::instance()->installEventFilter(this);
 }
@@ -111,40 +111,41 @@ void Comparing::keep() {
 }
 
 void Comparing::forget() {
-    if (kept_) push(stepName("Forget A"), nullptr, std::nullopt);
+    if (pictureA_) push(stepName("Forget A"), nullptr, std::nullopt);
 }
 
-void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<EarlierScan>& from) {
+void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from) {
     // The picture may be freed when the step is undone: it is then made again.
     struct State {
         std::weak_ptr<const Picture> picture;
         bool some;
-        std::optional<EarlierScan> from;
+        std::optional<inspect::EarlierScan> from;
     };
-    undo_.push(new UndoStep<State>(what, {kept_, kept_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
-        const auto picture = state.picture.lock();
-        if (picture || !state.some)
-            use(picture, state.from);
-        else if (state.from)
-            read(*state.from, false);
-        return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
-    }));
+    undo_.push(
+        new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
+            const auto picture = state.picture.lock();
+            if (picture || !state.some)
+                use(picture, state.from);
+            else if (state.from)
+                read(*state.from, false);
+            return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
+        }));
 }
 
-std::optional<EarlierScan> Comparing::fromShown() const {
-    const Detection& detection = *engine_.picture()->detection;
+std::optional<inspect::EarlierScan> Comparing::fromShown() const {
+    const edges::Detection& detection = *engine_.picture()->detection;
     const auto scan = files_.scanShown(*detection.scan);
-    return scan ? std::optional(EarlierScan{*scan, detection.settings}) : std::nullopt;
+    return scan ? std::optional(inspect::EarlierScan{*scan, detection.settings}) : std::nullopt;
 }
 
-void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<EarlierScan> from) {
+void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from) {
     flip(false);
-    kept_ = std::move(kept);
+    pictureA_ = std::move(kept);
     earlier_ = std::move(from);
-    if (!kept_) comparer_.post({});
+    if (!pictureA_) comparer_.post({});
     comparison_ = nullptr;
     show();
-    emit keptChanged(kept_ != nullptr);
+    emit pictureAChanged(pictureA_ != nullptr);
     ask();
     showLegend();
 }
@@ -157,19 +158,19 @@ void Comparing::compareWith(const QString& path) {
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
     reading.scanIndex = 0; // the index belongs to the file on the screen
-    read({fileScan(path.toStdString(), reading), engine_.settings()}, true);
+    read({inspect::fileScan(path.toStdString(), reading), engine_.settings()}, true);
 }
 
-void Comparing::setPart(const std::optional<EarlierScan>& part) {
+void Comparing::setPart(const std::optional<inspect::EarlierScan>& part) {
     if (part)
         read(*part, false);
-    else if (kept_)
+    else if (pictureA_)
         forget();
 }
 
-void Comparing::read(const EarlierScan& from, bool asStep) {
+void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
     reading_ = true;
-    const std::optional<EarlierScan> shown = engine_.picture() ? fromShown() : std::nullopt;
+    const std::optional<inspect::EarlierScan> shown = engine_.picture() ? fromShown() : std::nullopt;
     const bool same = shown && !from.scan.identity.sha256.empty() && shown->scan.identity.sha256 == from.scan.identity.sha256 &&
                       shown->scan.identity.name == from.scan.identity.name && shown->scan.path == from.scan.path &&
                       readingFlags(shown->scan.reading) == readingFlags(from.scan.reading);
@@ -184,9 +185,9 @@ void Comparing::askScan() {
 
 void Comparing::takeRead(const Read& read) {
     reading_ = false;
-    if (!read.picture) return notice_.tell(read.picture.error());
+    if (!read.picture) return notice_.showError(read.picture.error());
     const std::shared_ptr<const Picture>& picture = *read.picture;
-    EarlierScan from = read.asked.from;
+    inspect::EarlierScan from = read.asked.from;
     const Scan& scan = *picture->detection->scan;
     const std::string& sha256 = from.scan.identity.sha256;
     if (!sha256.empty() && sha256 != scan.sha256) {
@@ -195,7 +196,7 @@ void Comparing::takeRead(const Read& read) {
             tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(exactText(from.scan.path.string()))));
         return;
     }
-    from.scan.identity = notebookScan(scan);
+    from.scan.identity = inspect::notebookScan(scan);
     if (!read.asked.asStep) return use(picture, from);
     notice_.hide();
     push(stepName("Compare with Scan"), picture, from);
@@ -203,14 +204,14 @@ void Comparing::takeRead(const Read& read) {
 
 bool Comparing::comparable() const {
     const std::shared_ptr<const Picture>& now = engine_.picture();
-    return kept_ && now && kept_->detection != now->detection && !now->source.growth.growing;
+    return pictureA_ && now && pictureA_->detection != now->detection && !now->source.growth.growing;
 }
 
 /// The views have already ended a flip.
 void Comparing::followPicture() {
     emit flipped(false);
     legend_.showFlipped(false);
-    if (!kept_) return;
+    if (!pictureA_) return;
     const auto& now = engine_.picture();
     if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
     if (!comparable()) comparison_ = nullptr;
@@ -222,16 +223,17 @@ void Comparing::followPicture() {
 void Comparing::ask() {
     working_ = comparable();
     if (!working_) return;
-    comparer_.post({kept_, engine_.picture(), rows_});
+    comparer_.post({pictureA_, engine_.picture(), rows_});
 }
 
 void Comparing::take(const Answer& answer) {
     if (!answer.asked.before) return;
-    const bool wanted = comparable() && answer.asked.before == kept_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
+    const bool wanted =
+        comparable() && answer.asked.before == pictureA_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
     if (!wanted) return; // a newer question is running, or there is no longer a question
     working_ = false;
     if (!answer.made) {
-        notice_.tell(answer.made.error());
+        notice_.showError(answer.made.error());
         comparison_ = nullptr; // A stays: the next scan may match it
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
@@ -273,17 +275,18 @@ void Comparing::show() {
 }
 
 void Comparing::showLegend() {
-    legend_.setVisible(kept_ != nullptr);
+    legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (kept_) legend_.showKept(nameOf(*kept_), comparison_.get(), working_);
+    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), working_);
 }
 
 void Comparing::flip(bool on) {
     if (on == views_.flipped()) return;
     if (on && !comparison_) {
         emit flipped(false); // the menu entry checks itself when it is triggered
-        notice_.showNotice(NoticeBar::Kind::Warning, kept_ ? tr("A and what is on the screen are the same, or are still being compared.")
-                                                           : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
+        notice_.showNotice(NoticeBar::Kind::Warning, pictureA_
+                                                         ? tr("A and what is on the screen are the same, or are still being compared.")
+                                                         : tr("Nothing is kept as A yet: Edges > Compare A/B > Keep This as A."));
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
@@ -300,7 +303,7 @@ void Comparing::nextRegion() {
     const auto& regions = comparison_->change.regions;
     const std::size_t n = region_ % regions.size();
     region_ = n + 1;
-    const ChangedRegion& region = regions[n];
+    const inspect::ChangedRegion& region = regions[n];
     const auto& kinds = comparison_->change.ranges.cells;
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);

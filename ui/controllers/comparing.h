@@ -36,10 +36,10 @@ public:
     /// stores no picture: it makes the picture again.
     void keep();
     void forget();
-    [[nodiscard]] const std::shared_ptr<const Picture>& kept() const { return kept_; }
+    [[nodiscard]] const std::shared_ptr<const Picture>& pictureA() const { return pictureA_; }
     /// A, as it can be made again; empty: there is none, or it is of no file.
-    [[nodiscard]] const std::optional<EarlierScan>& part() const { return earlier_; }
-    void setPart(const std::optional<EarlierScan>& part);
+    [[nodiscard]] const std::optional<inspect::EarlierScan>& part() const { return earlier_; }
+    void setPart(const std::optional<inspect::EarlierScan>& part);
     /// Another scan becomes A. It is read on a separate thread, with the reading options of the scan on the screen, and its edges are found
     /// with the current settings.
     void compareWith(const QString& path);
@@ -63,7 +63,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    void keptChanged(bool some);
+    void pictureAChanged(bool some);
     void rowsChanged();
     void flipped(bool on);
     /// The views show a difference, or stopped showing it.
@@ -71,7 +71,7 @@ signals:
 
 private:
     struct Reading {
-        EarlierScan from;
+        inspect::EarlierScan from;
         std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
         bool asStep = false;              ///< the result becomes an undo step
     };
@@ -87,10 +87,10 @@ private:
     void ask();
     void take(const Answer& answer);
     void takeRead(const Read& read);
-    void use(std::shared_ptr<const Picture> kept, std::optional<EarlierScan> from);
-    void read(const EarlierScan& from, bool asStep);
-    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<EarlierScan>& from);
-    [[nodiscard]] std::optional<EarlierScan> fromShown() const;
+    void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
+    void read(const inspect::EarlierScan& from, bool asStep);
+    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from);
+    [[nodiscard]] std::optional<inspect::EarlierScan> fromShown() const;
     void show();
     void showLegend();
     [[nodiscard]] bool comparable() const;
@@ -103,8 +103,8 @@ private:
     NoticeBar& notice_;
     Memory& memory_;
     QUndoStack& undo_;
-    std::shared_ptr<const Picture> kept_;
-    std::optional<EarlierScan> earlier_;
+    std::shared_ptr<const Picture> pictureA_;
+    std::optional<inspect::EarlierScan> earlier_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     std::shared_ptr<const EdgesInstead> drawn_; // as passed to the views

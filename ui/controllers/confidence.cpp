@@ -27,7 +27,7 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
     quiet_.setSingleShot(true);
     connect(&quiet_, &QTimer::timeout, this, &Confidence::ask);
     legend_.setLeast(memory_.text(kLeast).toInt());
-    connect(&legend_, &ConfidenceLegend::leastWanted, this, [this](int percent) {
+    connect(&legend_, &ConfidenceLegend::leastRequested, this, [this](int percent) {
         memory_.keep(kLeast, QString::number(percent));
         if (made_) ask(); // only the images
         emit changed();
@@ -53,8 +53,8 @@ void Confidence::setLeast(int percent) { legend_.setLeast(percent); }
 
 int Confidence::least() const { return legend_.least(); }
 
-void Confidence::giveWay(bool toAnother) {
-    gaveWay_ = toAnother;
+void Confidence::hideForComparison(bool toAnother) {
+    hiddenForComparison_ = toAnother;
     show();
 }
 
@@ -76,7 +76,7 @@ void Confidence::followPicture() {
     quiet_.stop();
     made_ = nullptr;
     known_ = nullptr;
-    underWay_ = failed_ = false;
+    running_ = failed_ = false;
     followCard();
     begin();
     show();
@@ -84,7 +84,7 @@ void Confidence::followPicture() {
 
 /// The card shows another cell, or its cell is an edge now.
 void Confidence::followCard() {
-    const PinnedTarget* target = targets_.active();
+    const inspect::PinnedTarget* target = targets_.active();
     const Picture* picture = engine_.picture().get();
     const bool before =
         std::exchange(forCard_, target != nullptr && picture != nullptr && target->cell < picture->detection->mask->size() &&
@@ -98,21 +98,21 @@ void Confidence::begin() {
     if (on_ && engine_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
     if (!needed() || !possible()) {
         quiet_.stop();
-        if (underWay_) ++wanted_;
-        underWay_ = false;
+        if (running_) ++wanted_;
+        running_ = false;
     } else if (known_ && on_ && !made_) {
         ask();
-    } else if (!known_ && !underWay_) {
+    } else if (!known_ && !running_) {
         if (on_) legend_.showWorking(0);
         const int wait = on_ ? kQuietMs : kQuietCardMs;
         if (!quiet_.isActive() || quiet_.interval() > wait) quiet_.start(wait);
     }
-    tellCards();
+    updateCards();
 }
 
 void Confidence::ask() {
     if (!needed() || !possible()) return;
-    underWay_ = true;
+    running_ = true;
     failed_ = false;
     worker_.post({++wanted_, engine_.picture(), known_, on_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
 }
@@ -129,9 +129,9 @@ Confidence::Answer Confidence::workOut(const Asked& asked) {
                 Qt::QueuedConnection);
             return asked.number == wanted_;
         };
-        auto found = edgeConfidence(*asked.picture->detection, goOn);
+        auto found = edges::edgeConfidence(*asked.picture->detection, goOn);
         if (!found) return answer;
-        answer.known = std::make_shared<const EdgeConfidence>(std::move(*found));
+        answer.known = std::make_shared<const edges::EdgeConfidence>(std::move(*found));
     }
     if (asked.shown) answer.made = confidencePicture(asked.picture, answer.known, asked.leastPercent, asked.colours);
     return answer;
@@ -139,7 +139,7 @@ Confidence::Answer Confidence::workOut(const Asked& asked) {
 
 void Confidence::take(const Answer& answer) {
     if (!answer.known || answer.number != wanted_) return;
-    underWay_ = false;
+    running_ = false;
     known_ = answer.known;
     if (on_ && !answer.made) return ask(); // it was switched on after the request
     made_ = on_ ? answer.made : nullptr;
@@ -148,14 +148,14 @@ void Confidence::take(const Answer& answer) {
 }
 
 void Confidence::failed(const QString& what) {
-    underWay_ = false;
+    running_ = false;
     failed_ = true;
     legend_.showNone(tr("could not be worked out:\n%1").arg(what));
-    tellCards();
+    updateCards();
 }
 
-void Confidence::tellCards() {
-    using State = ToldConfidence::State;
+void Confidence::updateCards() {
+    using State = ShownConfidence::State;
     KnownConfidence told;
     told.of = engine_.picture();
     told.made = known_;
@@ -164,9 +164,9 @@ void Confidence::tellCards() {
 }
 
 void Confidence::show() {
-    legend_.setVisible(on_ && !gaveWay_);
+    legend_.setVisible(on_ && !hiddenForComparison_);
     std::shared_ptr<EdgesInstead> instead;
-    if (made_ && on_ && !gaveWay_) {
+    if (made_ && on_ && !hiddenForComparison_) {
         instead = std::make_shared<EdgesInstead>();
         *instead = {
             made_->cells,       bandColours(views_.edgeColours() != kUsualColours), made_->images[0], made_->images[1], nullptr, true,
@@ -175,7 +175,7 @@ void Confidence::show() {
     // do not replace what another controller shows there
     if (instead || views_.edgesInstead() == shown_) views_.setEdgesInstead(instead);
     shown_ = std::move(instead);
-    tellCards();
+    updateCards();
     emit changed();
 }
 

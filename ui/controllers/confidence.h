@@ -37,7 +37,7 @@ public:
     /// For the picture on the screen; null until it is computed, and while it is off.
     [[nodiscard]] const std::shared_ptr<const ConfidencePicture>& made() const { return made_; }
     /// true: a comparison uses the views; false: it has released them.
-    void giveWay(bool toAnother);
+    void hideForComparison(bool toAnother);
     /// Confidence of the edge at this cell, percent; empty if the cell is not an edge or the value is unknown.
     [[nodiscard]] std::optional<int> at(std::size_t cell) const;
 
@@ -49,14 +49,14 @@ private:
     struct Asked {
         std::uint64_t number = 0;
         std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const EdgeConfidence> known; // null: must be computed
-        bool shown = false;                          // false: only a card needs it, nothing is drawn
+        std::shared_ptr<const edges::EdgeConfidence> known; // null: must be computed
+        bool shown = false;                                 // false: only a card needs it, nothing is drawn
         int leastPercent = 0;
         EdgeColours colours;
     };
     struct Answer {
         std::uint64_t number = 0;
-        std::shared_ptr<const EdgeConfidence> known; // null: cancelled
+        std::shared_ptr<const edges::EdgeConfidence> known; // null: cancelled
         std::shared_ptr<const ConfidencePicture> made;
     };
     [[nodiscard]] Answer workOut(const Asked& asked); // worker's thread
@@ -66,7 +66,7 @@ private:
     void take(const Answer& answer);
     void failed(const QString& what);
     void show();
-    void tellCards();
+    void updateCards();
     [[nodiscard]] bool possible() const;
     [[nodiscard]] bool needed() const;
 
@@ -75,10 +75,10 @@ private:
     Targets& targets_;
     ConfidenceLegend& legend_;
     Memory& memory_;
-    bool on_ = false, gaveWay_ = false;
+    bool on_ = false, hiddenForComparison_ = false;
     bool forCard_ = false; // the card shows a cell with an edge
-    bool underWay_ = false, failed_ = false;
-    std::shared_ptr<const EdgeConfidence> known_; // of the picture on the screen, for views and cards
+    bool running_ = false, failed_ = false;
+    std::shared_ptr<const edges::EdgeConfidence> known_; // of the picture on the screen, for views and cards
     std::shared_ptr<const ConfidencePicture> made_;
     std::shared_ptr<const EdgesInstead> shown_; // as passed to the views
     QTimer quiet_;

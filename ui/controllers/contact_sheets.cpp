@@ -20,7 +20,7 @@ constexpr std::size_t kPictures = 12;
 constexpr int kPicturePx = 200;
 
 // Edge lines are one cell wide and must stay visible: a pixel is white if one of its cells is an edge.
-QImage smallMap(const Detection& detection) {
+QImage smallMap(const edges::Detection& detection) {
     const Scan& scan = *detection.scan;
     const int every = std::max(1, (std::max(scan.lines(), scan.beams()) + kPicturePx - 1) / kPicturePx);
     QImage image((scan.beams() + every - 1) / every, (scan.lines() + every - 1) / every, QImage::Format_RGB32);
@@ -48,15 +48,15 @@ void ContactSheets::show() {
         card_ = new ContactCard(notice_.window());
         connect(card_, &ContactCard::givenUp, this, [this] { wanted_ = 0; });
         connect(card_, &ContactCard::chosen, this,
-                [this](int place) { tuning_.turn(asked_.parameter->key, asked_.values[static_cast<std::size_t>(place)]); });
+                [this](int place) { tuning_.setParameter(asked_.parameter->key, asked_.values[static_cast<std::size_t>(place)]); });
     }
-    const Parameter& parameter = tuning_.lastTurned();
-    const Settings& settings = engine_.settings();
+    const edges::Parameter& parameter = tuning_.lastChanged();
+    const edges::Settings& settings = engine_.settings();
     asked_ = {++sheets_, picture->detection->scan, settings, &parameter, {}};
     double now = parameter.get(settings);
     if (std::isnan(now) && parameter.automatic != nullptr)
-        now = snapped(parameter, parameter.automatic(settings, measuredOf(*picture->detection)));
-    asked_.values = sheetValues(parameter, now, kPictures);
+        now = edges::snapped(parameter, parameter.automatic(settings, edges::measuredOf(*picture->detection)));
+    asked_.values = edges::sheetValues(parameter, now, kPictures);
     entries_.clear();
     card_->begin(QObject::tr(parameter.label), static_cast<int>(asked_.values.size()));
     wanted_ = sheets_;
@@ -64,7 +64,7 @@ void ContactSheets::show() {
 }
 
 ContactSheets::Answer ContactSheets::run(const Question& question) {
-    const auto made = [&](const SheetEntry& entry, const Detection& detection) {
+    const auto made = [&](const edges::SheetEntry& entry, const edges::Detection& detection) {
         if (wanted_ != question.number) return false;
         QMetaObject::invokeMethod(
             this, [this, number = question.number, entry, picture = smallMap(detection)] { add(number, entry, picture); },
@@ -72,21 +72,21 @@ ContactSheets::Answer ContactSheets::run(const Question& question) {
         return true;
     };
     if (wanted_ != question.number) return {};
-    Answer answer{question.number, contactSheet(question.scan, question.settings, *question.parameter, question.values, made)};
+    Answer answer{question.number, edges::contactSheet(question.scan, question.settings, *question.parameter, question.values, made)};
     // In the queue of the pictures: after the last of them.
     QMetaObject::invokeMethod(
         this, [this, answer] { take(answer); }, Qt::QueuedConnection);
     return answer;
 }
 
-void ContactSheets::add(std::uint64_t number, const SheetEntry& entry, const QImage& picture) {
+void ContactSheets::add(std::uint64_t number, const edges::SheetEntry& entry, const QImage& picture) {
     if (number != wanted_) return;
     entries_.push_back(entry);
-    const Parameter& p = *asked_.parameter;
-    Settings with = asked_.settings;
+    const edges::Parameter& p = *asked_.parameter;
+    edges::Settings with = asked_.settings;
     p.set(with, entry.value);
     const QString value = p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit)
-                                            : QObject::tr(choiceLabel(p, with).c_str());
+                                            : QObject::tr(edges::choiceLabel(p, with).c_str());
     const QString count = QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(entry.edges));
     card_->add(picture, tr("%1 edge cells · %2").arg(count, value.trimmed()));
 }
@@ -95,7 +95,7 @@ void ContactSheets::take(const Answer& answer) {
     if (answer.number != wanted_ || answer.number == 0 || answer.entries.size() != asked_.values.size()) return;
     entries_ = answer.entries;
     std::vector<bool> steady;
-    for (const SheetEntry& entry : entries_) steady.push_back(entry.steady);
+    for (const edges::SheetEntry& entry : entries_) steady.push_back(entry.steady);
     const double now = asked_.parameter->get(asked_.settings);
     const auto inUse = std::ranges::find(asked_.values, now);
     card_->end(steady, inUse == asked_.values.end() ? -1 : static_cast<int>(inUse - asked_.values.begin()));

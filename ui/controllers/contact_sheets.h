@@ -29,22 +29,22 @@ public:
     void show();
     /// Null before the first sheet.
     [[nodiscard]] ContactCard* card() const { return card_; }
-    [[nodiscard]] const std::vector<SheetEntry>& entries() const { return entries_; }
+    [[nodiscard]] const std::vector<edges::SheetEntry>& entries() const { return entries_; }
 
 private:
     struct Question {
         std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
-        Settings settings;
-        const Parameter* parameter = nullptr;
+        edges::Settings settings;
+        const edges::Parameter* parameter = nullptr;
         std::vector<double> values;
     };
     struct Answer {
         std::uint64_t number = 0;
-        std::vector<SheetEntry> entries;
+        std::vector<edges::SheetEntry> entries;
     };
     [[nodiscard]] Answer run(const Question& question); // worker's thread
-    void add(std::uint64_t number, const SheetEntry& entry, const QImage& picture);
+    void add(std::uint64_t number, const edges::SheetEntry& entry, const QImage& picture);
     void take(const Answer& answer);
 
     Engine& engine_;
@@ -52,7 +52,7 @@ private:
     NoticeBar& notice_;
     ContactCard* card_ = nullptr;
     Question asked_;
-    std::vector<SheetEntry> entries_;
+    std::vector<edges::SheetEntry> entries_;
     std::uint64_t sheets_ = 0;
     std::atomic<std::uint64_t> wanted_{0}; // number of the awaited sheet; 0: none
     Newest<Question, Answer> worker_;      // last

@@ -19,25 +19,25 @@ namespace {
 constexpr int kBeside = 6; // cells
 
 /// The direction of the profile: that of the strongest step or fold; for other methods the direction in which the range changes more.
-EdgeProfile profileOf(const Detection& detection, const Why& why) {
+edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why& why) {
     const Scan& scan = *detection.scan;
     const std::size_t k = why.probe.cell;
     if (why.depth && (!why.depth->steps.empty() || !why.depth->folds.empty())) {
         const auto& [steps, folds] = std::tie(why.depth->steps, why.depth->folds);
         const bool byStep = !steps.empty() && (folds.empty() || steps.front().strength >= folds.front().strength);
-        return edgeProfile(scan, k, byStep ? steps.front().along : folds.front().along);
+        return edges::edgeProfile(scan, k, byStep ? steps.front().along : folds.front().along);
     }
-    EdgeProfile beams = edgeProfile(scan, k, Along::Beams), lines = edgeProfile(scan, k, Along::Lines);
-    const auto deep = [](const EdgeProfile& profile) {
+    edges::EdgeProfile beams = edges::edgeProfile(scan, k, edges::Along::Beams), lines = edges::edgeProfile(scan, k, edges::Along::Lines);
+    const auto deep = [](const edges::EdgeProfile& profile) {
         double most = 0.0;
-        for (const ProfilePoint& point : profile.points) most = std::max(most, std::abs(point.awayM));
+        for (const edges::ProfilePoint& point : profile.points) most = std::max(most, std::abs(point.awayM));
         return most;
     };
     return deep(lines) > deep(beams) ? lines : beams;
 }
 
 /// The nearest edge if the cell is not an edge: a finger rarely hits an edge that is one cell wide.
-std::optional<std::size_t> edgeBeside(const Detection& detection, std::size_t cell) {
+std::optional<std::size_t> edgeBeside(const edges::Detection& detection, std::size_t cell) {
     const Grid<std::uint8_t>& mask = *detection.mask;
     if (mask[cell] != 0) return std::nullopt;
     const Scan& scan = *detection.scan;
@@ -63,14 +63,14 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
       worker_(
           this,
           [](const Question& question) {
-              const Detection& detection = *question.picture->detection;
-              return Answer{question.picture, std::make_shared<const Why>(whyCell(detection, question.cell))};
+              const edges::Detection& detection = *question.picture->detection;
+              return Answer{question.picture, std::make_shared<const edges::Why>(edges::whyCell(detection, question.cell))};
           },
-          [this](const Answer& answer) { tell(answer); },
+          [this](const Answer& answer) { showAnswer(answer); },
           [this](const QString& what) {
               const QString sentence = tr("Why could not be worked out (%1).").arg(what);
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
-              if (card_ != nullptr && card_->isVisible()) card_->tell(sentence);
+              if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
@@ -83,12 +83,12 @@ void Explanation::explain(std::size_t cell) {
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
-        connect(card_, &WhyCard::besideWanted, this, [this] {
-            if (beside_) explain(*beside_);
+        connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
+            if (nearestEdge_) explain(*nearestEdge_);
         });
     }
-    card_->offerBeside(0);
-    card_->tell(tr("Working out why …"));
+    card_->offerNearestEdge(0);
+    card_->showExplanation(tr("Working out why …"));
     worker_.post({picture, cell});
 }
 
@@ -98,30 +98,31 @@ bool Explanation::closeCard() {
     return true;
 }
 
-void Explanation::tell(const Answer& answer) {
+void Explanation::showAnswer(const Answer& answer) {
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     const auto& [picture, given] = answer;
-    const Why& why = *given;
-    QString numbers = shownText(whyNumbers(why, picture->detection->settings));
+    const edges::Why& why = *given;
+    QString numbers = shownText(edges::whyNumbers(why, picture->detection->settings));
     const bool still = picture == views_.shown();
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
-    beside_ = edgeBeside(*picture->detection, why.probe.cell);
+    nearestEdge_ = edgeBeside(*picture->detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));
     };
-    card_->offerBeside(still && beside_ ? away(*beside_) : 0);
-    card_->tell(shownText(whyVerdict(why, picture->detection->settings, Naming::Labels)), profileOf(*picture->detection, why), numbers);
+    card_->offerNearestEdge(still && nearestEdge_ ? away(*nearestEdge_) : 0);
+    card_->showExplanation(shownText(edges::whyVerdict(why, picture->detection->settings, edges::Naming::Labels)),
+                           profileOf(*picture->detection, why), numbers);
     if (still)
         showTrail(why);
     else
         forgetTrail();
 }
 
-void Explanation::showTrail(const Why& why) {
+void Explanation::showTrail(const edges::Why& why) {
     EdgeTrail trail;
     for (const std::uint32_t k : why.chainMembers) trail.cells.push_back(views_.placeOf(k));
-    for (const CellStrength& cell : why.chain) trail.way.emplace_back(cell.beam, cell.line);
+    for (const edges::CellStrength& cell : why.chain) trail.way.emplace_back(cell.beam, cell.line);
     if (why.chainTop) trail.strongest = QPoint(why.chainTop->beam, why.chainTop->line);
     views_.setTrail(trail);
 }

@@ -6,9 +6,9 @@
 
 #include <memory>
 
-namespace edgescan {
+namespace edgescan::edges {
 struct Why;
-}
+} // namespace edgescan::edges
 
 namespace edgescan::ui {
 
@@ -37,15 +37,15 @@ private:
     };
     struct Answer {
         std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const Why> why;
+        std::shared_ptr<const edges::Why> why;
     };
-    void tell(const Answer& answer);
-    void showTrail(const Why& why);
+    void showAnswer(const Answer& answer);
+    void showTrail(const edges::Why& why);
 
     LinkedViews& views_;
     NoticeBar& notice_;
-    WhyCard* card_ = nullptr;           // child of the window
-    std::optional<std::size_t> beside_; // the edge nearest to the cell on the card, if that cell is not an edge
+    WhyCard* card_ = nullptr;                // child of the window
+    std::optional<std::size_t> nearestEdge_; // the edge nearest to the cell on the card, if that cell is not an edge
     Newest<Question, Answer> worker_;
 };
 

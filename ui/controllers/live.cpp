@@ -22,15 +22,15 @@
 namespace edgescan::ui {
 namespace {
 
-SweepSettings rememberedSweep(const Memory& memory) {
+scanner::SweepSettings rememberedSweep(const Memory& memory) {
     const auto json = parseJson(memory.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
-    SweepMetadata metadata;
+    scanner::SweepMetadata metadata;
     if (json && json->is_object()) {
         for (const auto& [key, value] : json->items()) {
             if (value.is_string()) metadata[key] = value.get<std::string>();
         }
     }
-    return settingsOf(metadata).settings; // values that are not stored are assumed
+    return scanner::settingsOf(metadata).settings; // values that are not stored are assumed
 }
 
 } // namespace
@@ -54,22 +54,22 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
 
 void Live::followPicture() {
     scanner_.followPicture();
-    tellSweepEnded();
+    reportSweepEnd();
 }
 
 void Live::connectPanel() {
-    connect(&panel_, &LivePanel::connectWanted, this, [this] {
+    connect(&panel_, &LivePanel::connectRequested, this, [this] {
         if (panel_.host().isEmpty()) {
             notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no host to connect to: type the scanner's name or address."));
             return panel_.askAddress();
         }
         connectTo(panel_.host(), panel_.port(), panel_.sweep());
     });
-    connect(&panel_, &LivePanel::disconnectWanted, &scanner_, &ScannerLink::hangUp);
-    connect(&panel_, &LivePanel::recordWanted, this, &Live::record);
-    connect(&panel_, &LivePanel::keepWanted, this, &Live::keepLastMinute);
-    connect(&panel_, &LivePanel::sweepWanted, this, &Live::useSweep);
-    connect(&panel_, &LivePanel::followWanted, this, [this](bool on) {
+    connect(&panel_, &LivePanel::disconnectRequested, &scanner_, &ScannerLink::disconnectScanner);
+    connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
+    connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
+    connect(&panel_, &LivePanel::sweepRequested, this, &Live::useSweep);
+    connect(&panel_, &LivePanel::followRequested, this, [this](bool on) {
         scanner_.follow(on);
         panel_.setFollowing(scanner_.following());
     });
@@ -81,29 +81,29 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
     connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
-    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.tellSaved(path); });
+    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.showSaved(path); });
 }
 
-void Live::connectTo(const QString& host, int port, const SweepSettings& sweep) {
+void Live::connectTo(const QString& host, int port, const scanner::SweepSettings& sweep) {
     panel_.setAddress(host, port);
     panel_.setSweep(sweep);
     panel_.show();
     memory_.keep("live/host", host);
     memory_.keep("live/port", QString::number(port));
-    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(metadataOf(sweep)))));
+    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     timeline_.clear();
     files_.leave();
-    SessionSettings scanner;
+    scanner::SessionSettings scanner;
     scanner.host = host.toStdString();
     scanner.port = static_cast<std::uint16_t>(port);
     scanner_.connectTo(scanner, sweep);
 }
 
 void Live::useSweep() {
-    const SweepSettings sweep = panel_.sweep();
+    const scanner::SweepSettings sweep = panel_.sweep();
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
-    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(metadataOf(sweep)))));
+    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep came too long ago to be put into their new places.").arg(*gone);
     if (scanner_.recording())
@@ -128,7 +128,7 @@ void Live::showHealth() {
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }
 
-void Live::tellSweepEnded() {
+void Live::reportSweepEnd() {
     const Picture& picture = *engine_.picture();
     const std::uint64_t stream = picture.source.stream;
     const bool growing = picture.source.growth.growing;
@@ -158,7 +158,7 @@ void Live::showReplayed(const ReplayedSweep& at) {
     if (!picture || !at.sweep.scan) return;
     if (!fileScan_ && picture->source.growth.sweep < 0) fileScan_ = picture->detection->scan;
     const std::uint64_t stream = picture->source.stream;
-    const SweepProgress& progress = at.sweep.progress;
+    const scanner::SweepProgress& progress = at.sweep.progress;
     if (fileScan_ && at.position == timeline_.home())
         engine_.follow(fileScan_, {stream, {}});
     else

@@ -24,7 +24,7 @@ public:
     /// A new picture is on the screen.
     void followPicture();
     /// Connects to a live scanner; EdgeScan sends only read requests and a subscription.
-    void connectTo(const QString& host, int port, const SweepSettings& sweep);
+    void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep);
     void record(bool on);
     void keepLastMinute();
     /// Sets the folder of new recordings.
@@ -47,7 +47,7 @@ private:
     void showHealth();
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
-    void tellSweepEnded();
+    void reportSweepEnd();
     [[nodiscard]] QString newRecordingPath(const char* kind) const;
 
     Engine& engine_;

@@ -37,11 +37,11 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
         const auto span = window_.locked() ? views_.rangeWindow() : std::nullopt;
         memory_.keep(kLocked, span ? QString("%1 %2").arg(span->nearM).arg(span->farM) : QString());
     };
-    connect(&window_, &RangeWindow::windowWanted, this, [this](double nearM, double farM) {
+    connect(&window_, &RangeWindow::windowRequested, this, [this](double nearM, double farM) {
         views_.setRangeWindow(RangeSpan{nearM, farM});
     });
-    connect(&window_, &RangeWindow::automaticWanted, this, [this] { views_.setRangeWindow(std::nullopt); });
-    connect(&window_, &RangeWindow::lockWanted, this, [this, remember](bool on) {
+    connect(&window_, &RangeWindow::automaticRequested, this, [this] { views_.setRangeWindow(std::nullopt); });
+    connect(&window_, &RangeWindow::lockRequested, this, [this, remember](bool on) {
         // A locked window needs numbers, also if it was automatic.
         if (on && !views_.rangeWindow()) views_.setRangeWindow(views_.rangesShown());
         views_.keepRangeWindow(on);

@@ -40,16 +40,16 @@ void ScanReport::ask() {
     if (!path.isEmpty()) writeTo(path);
 }
 
-std::string ScanReport::commandFor(const Detection& detection, const QString& path) const {
+std::string ScanReport::commandFor(const edges::Detection& detection, const QString& path) const {
     const Scan& scan = *detection.scan;
     if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
     std::string command = "edgescan-cli report " + shellQuoted(QFileInfo(exactText(scan.path)).absoluteFilePath().toStdString()) + " -o " +
                           shellQuoted(path.toStdString());
     const std::string reading = readingFlags(files_.options());
-    command += (reading.empty() ? "" : " " + reading) + " " + settingsFlags(detection.settings);
+    command += (reading.empty() ? "" : " " + reading) + " " + edges::settingsFlags(detection.settings);
     std::string missing; // a remark in shell syntax
     if (!targets_.notebook().empty()) {
-        const QString kept = targets_.keptIn();
+        const QString kept = targets_.notebookFile();
         if (kept.isEmpty())
             missing = " # without what was pinned and measured: no file keeps it";
         else
@@ -61,8 +61,8 @@ std::string ScanReport::commandFor(const Detection& detection, const QString& pa
     }
     if (!rocks_.shown()) return command + missing;
     command += " --rocks";
-    if (!rocks_.keptIn().empty()) return command + " --edits " + shellQuoted(rocks_.keptIn()) + missing;
-    const std::string flags = rockSettingsFlags(rocks_.settings());
+    if (!rocks_.editsFile().empty()) return command + " --edits " + shellQuoted(rocks_.editsFile()) + missing;
+    const std::string flags = rocks::rockSettingsFlags(rocks_.settings());
     return (flags.empty() ? command : command + " " + flags) + missing;
 }
 
@@ -73,25 +73,25 @@ void ScanReport::writeTo(const QString& path) {
         return;
     }
     const std::shared_ptr<const RockPicture> rocks = rocks_.picture();
-    const std::shared_ptr<const Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
+    const std::shared_ptr<const edges::Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
     if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the previous picture
-    const PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
+    const exports::PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
     memory_.keepFolder("exports", path);
     ++working_;
     inBackground(
         this,
         [this, detection, rocks, words, path, notebook = targets_.notebook(), compared]() -> std::function<void()> {
-            PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
+            exports::PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
             if (compared) {
-                const Detection& before = *compared->asked.before->detection;
+                const edges::Detection& before = *compared->asked.before->detection;
                 notes.change = &compared->change;
                 notes.earlier = compared->isOfTwoScans() ? before.scan->name : "this scan by other settings";
             }
-            const auto written = writeWholeFile(path.toStdString(), scanPage(*detection, words, notes));
+            const auto written = writeWholeFile(path.toStdString(), exports::scanPage(*detection, words, notes));
             return [this, written, path] {
-                if (!written) return notice_.tell(written.error());
-                notice_.tellSaved(path, tr("a page for any browser"));
+                if (!written) return notice_.showError(written.error());
+                notice_.showSaved(path, tr("a page for any browser"));
                 emit saved(path);
             };
         },

@@ -36,7 +36,7 @@ signals:
 
 private:
     /// The command line that makes the same page.
-    [[nodiscard]] std::string commandFor(const Detection& detection, const QString& path) const;
+    [[nodiscard]] std::string commandFor(const edges::Detection& detection, const QString& path) const;
 
     Engine& engine_;
     const Files& files_;

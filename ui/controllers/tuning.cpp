@@ -21,10 +21,10 @@ namespace edgescan::ui {
 namespace {
 
 // "Lower threshold 10 to 25": the first parameter that differs.
-QString describe(const Settings& before, const Settings& after) {
-    for (const Parameter& p : parameters()) {
-        const std::string from = formatValue(p, p.get(before));
-        const std::string to = formatValue(p, p.get(after));
+QString describe(const edges::Settings& before, const edges::Settings& after) {
+    for (const edges::Parameter& p : edges::parameters()) {
+        const std::string from = edges::formatValue(p, p.get(before));
+        const std::string to = edges::formatValue(p, p.get(after));
         if (from == to) continue;
         const QStringList values{shownText(from), shownText(to)};
         return QString("%1 %2 to %3").arg(QString(p.label), values[0], values[1]) + '\n' +
@@ -41,8 +41,8 @@ Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& mem
     connect(&panel_, &EdgesPanel::editEnded, this, [this] { drag_ = nextDrag(); });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connect(&panel_, &EdgesPanel::presetChosen, this, &Tuning::usePreset);
-    connect(&panel_, &EdgesPanel::openPresetWanted, this, &Tuning::askOpenPreset);
-    connect(&panel_, &EdgesPanel::savePresetWanted, this, &Tuning::askSavePreset);
+    connect(&panel_, &EdgesPanel::openPresetRequested, this, &Tuning::askOpenPreset);
+    connect(&panel_, &EdgesPanel::savePresetRequested, this, &Tuning::askSavePreset);
     connect(&panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { memory_.keep("edges/ratio-locked", locked); });
     connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
     connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
@@ -52,7 +52,7 @@ Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& mem
 
 void Tuning::recall() {
     const QString preset = memory_.text("edges/preset");
-    if (const auto found = findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_.setPreset(*found);
+    if (const auto found = edges::findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_.setPreset(*found);
     if (!memory_.flag("edges/ratio-locked", true)) panel_.setRatioLocked(false);
     useSettings(memory_.settings(engine_.settings()));
 }
@@ -76,54 +76,54 @@ void Tuning::followPicture() {
         counts_->want(picture.detection);
 }
 
-void Tuning::change(const Settings& settings, bool dragging) {
+void Tuning::change(const edges::Settings& settings, bool dragging) {
     if (settings == engine_.settings()) return;
-    std::vector<const Parameter*> differs;
-    for (const Parameter& p : parameters()) {
-        if (formatValue(p, p.get(settings)) != formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
+    std::vector<const edges::Parameter*> differs;
+    for (const edges::Parameter& p : edges::parameters()) {
+        if (edges::formatValue(p, p.get(settings)) != edges::formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
     }
-    if (differs.size() == 1 && !differs.front()->several) turned_ = differs.front(); // a preset changes several
-    const auto use = [this](const Settings& value) {
+    if (differs.size() == 1 && !differs.front()->several) lastChanged_ = differs.front(); // a preset changes several
+    const auto use = [this](const edges::Settings& value) {
         engine_.setSettings(value);
         return true;
     };
-    undo_.push(new UndoStep<Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
+    undo_.push(new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
 }
 
-const Parameter& Tuning::lastTurned() const {
-    const Settings& settings = engine_.settings();
-    return turned_ != nullptr && turned_->usedBy(settings) ? *turned_ : sweptParameter(settings.method);
+const edges::Parameter& Tuning::lastChanged() const {
+    const edges::Settings& settings = engine_.settings();
+    return lastChanged_ != nullptr && lastChanged_->usedBy(settings) ? *lastChanged_ : edges::sweptParameter(settings.method);
 }
 
-void Tuning::usePreset(const Preset& preset) {
+void Tuning::usePreset(const edges::Preset& preset) {
     panel_.setPreset(preset);
     memory_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
     change(preset.settings, false);
     panel_.show(engine_.settings());
 }
 
-void Tuning::useSettings(const Settings& settings) {
+void Tuning::useSettings(const edges::Settings& settings) {
     engine_.setSettings(settings);
     panel_.show(engine_.settings());
 }
 
-TuningPart Tuning::part() const {
-    const Preset& preset = panel_.preset();
+inspect::TuningPart Tuning::part() const {
+    const edges::Preset& preset = panel_.preset();
     return {engine_.settings(), preset.path.empty() ? preset.name : preset.path};
 }
 
-void Tuning::setPart(const TuningPart& part) {
-    if (const auto preset = findPreset(part.preset); preset && !part.preset.empty()) panel_.setPreset(*preset);
+void Tuning::setPart(const inspect::TuningPart& part) {
+    if (const auto preset = edges::findPreset(part.preset); preset && !part.preset.empty()) panel_.setPreset(*preset);
     useSettings(part.settings);
 }
 
-void Tuning::turn(const char* key, double value) {
-    Settings settings = engine_.settings();
-    findParameter(key)->set(settings, value);
+void Tuning::setParameter(const char* key, double value) {
+    edges::Settings settings = engine_.settings();
+    edges::findParameter(key)->set(settings, value);
     change(settings, false);
 }
 
-void Tuning::startWith(const Preset& preset, const Settings& settings) {
+void Tuning::startWith(const edges::Preset& preset, const edges::Settings& settings) {
     starting_ = true;
     panel_.setPreset(preset);
     useSettings(settings);
@@ -135,26 +135,27 @@ void Tuning::askOpenPreset() {
         QFileDialog::getOpenFileName(panel_.window(), tr("Open preset"), memory_.folder("presets"), tr("EdgeScan presets (*.json)"));
     if (path.isEmpty()) return;
     memory_.keepFolder("presets", path);
-    if (const Result<Preset> preset = findPreset(path.toStdString()); preset)
+    if (const Result<edges::Preset> preset = edges::findPreset(path.toStdString()); preset)
         usePreset(*preset);
     else
-        notice_.tell(preset.error());
+        notice_.showError(preset.error());
 }
 
 void Tuning::askSavePreset() {
     SaveQuestion question{tr("Save preset"), memory_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
     // Scans use this extension too.
     question.keeps = [](const QString& there) {
-        return findPreset(there.toStdString()) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
+        return edges::findPreset(there.toStdString()) ? QString()
+                                                      : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;
     memory_.keepFolder("presets", path);
-    const Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", engine_.settings(), path.toStdString()};
-    if (const Result<Done> written = writeWholeFile(path.toStdString(), presetText(preset)); written)
+    const edges::Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", engine_.settings(), path.toStdString()};
+    if (const Result<Done> written = writeWholeFile(path.toStdString(), edges::presetText(preset)); written)
         usePreset(preset);
     else
-        notice_.tell(written.error());
+        notice_.showError(written.error());
 }
 
 } // namespace edgescan::ui

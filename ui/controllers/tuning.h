@@ -25,16 +25,16 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    void usePreset(const Preset& preset);
-    void useSettings(const Settings& settings);
-    [[nodiscard]] TuningPart part() const;
-    void setPart(const TuningPart& part);
+    void usePreset(const edges::Preset& preset);
+    void useSettings(const edges::Settings& settings);
+    [[nodiscard]] inspect::TuningPart part() const;
+    void setPart(const inspect::TuningPart& part);
     /// Changes one parameter of the table as if the operator had used its row in the panel.
-    void turn(const char* key, double value);
+    void setParameter(const char* key, double value);
     /// Settings of the command line: for this start only, not stored until the operator changes a setting.
-    void startWith(const Preset& preset, const Settings& settings);
+    void startWith(const edges::Preset& preset, const edges::Settings& settings);
     /// The number or choice that the operator changed last, if the method uses it; else the method's main threshold.
-    [[nodiscard]] const Parameter& lastTurned() const;
+    [[nodiscard]] const edges::Parameter& lastChanged() const;
     void askOpenPreset();
     void askSavePreset();
 
@@ -44,7 +44,7 @@ public:
 
 private:
     void recall();
-    void change(const Settings& settings, bool dragging);
+    void change(const edges::Settings& settings, bool dragging);
     void noteChange();
 
     Engine& engine_;
@@ -55,7 +55,7 @@ private:
     EdgeCounter* counts_; // child
     int drag_ = 0;        // number of the current drag, for undo
     bool starting_ = false;
-    const Parameter* turned_ = nullptr;
+    const edges::Parameter* lastChanged_ = nullptr;
     QElapsedTimer sinceChange_;
     double updateMs_ = 0.0;
     std::shared_ptr<const Scan> shownScan_;

@@ -67,7 +67,7 @@ void CabMode::connectHead() {
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.viewer().warnings, &QToolButton::click);
     connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.viewer().engine.cancel(); });
-    connect(head.locked(), &HoldButton::held, this, &CabMode::leaveWanted);
+    connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.locked(), &HoldButton::releasedEarly, this,
             [this] { window_.viewer().notice.showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
@@ -85,7 +85,7 @@ void CabMode::connectSide() {
     connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
-    connect(&side, &NumbersSide::nextWanted, this, [this](int by) { window_.viewer().targets.goTo(by); });
+    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) { window_.viewer().targets.goTo(by); });
 }
 
 /// Updates all numbers and pictures of this mode.

@@ -17,7 +17,7 @@ class CabFrame;
 class CornerPicture;
 class MainWindow;
 class StateBadge;
-struct LargeNumbers;
+struct TargetNumbers;
 
 /// GUI thread only. The window must outlive it.
 class CabMode : public QObject {
@@ -36,7 +36,7 @@ public:
 signals:
     void changed(bool on);
     /// The operator held Locked for a second.
-    void leaveWanted();
+    void leaveRequested();
 
 private:
     enum class Corner { Range, Edges, None };
@@ -51,7 +51,7 @@ private:
     void showCorner();
     void swap();
     void lockDocks(bool on);
-    [[nodiscard]] LargeNumbers numbers() const;
+    [[nodiscard]] TargetNumbers numbers() const;
     [[nodiscard]] std::optional<QPoint> markedPlace() const;
 
     MainWindow& window_;

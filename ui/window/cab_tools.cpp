@@ -89,17 +89,17 @@ void CabMode::addTools() {
     QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
     connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
-    connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(ExportContent::EdgeCloud); });
+    connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(exports::ExportContent::EdgeCloud); });
     for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
 }
 
 void CabMode::addMeasures(QMenu& menu) {
-    for (const MeasureTraits& each : measureTraits()) {
+    for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
         menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
     }
     menu.addSeparator();
     menu.addAction(tr("Take the last click back"), this, [this] {
-        if (!window_.viewer().measures.takeBack()) window_.viewer().measures.stop();
+        if (!window_.viewer().measures.removeLastPick()) window_.viewer().measures.stop();
     });
 }
 
@@ -111,7 +111,7 @@ std::optional<QPoint> CabMode::markedPlace() const {
 void CabMode::showCorner() {
     const bool some = on_ && window_.viewer().engine.picture() != nullptr && shown_ != Corner::None;
     corner_->setVisible(some);
-    window_.viewer().views.cloud().setCaptionRoom(some ? corner_->reach() : 0); // the text about all rocks must stay readable
+    window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
     if (!some) return;
     const bool range = shown_ == Corner::Range;
     corner_->setWords(range ? tr("Range image – tap to swap") : tr("Edge map – tap to swap"));
@@ -131,28 +131,30 @@ void CabMode::swap() {
 
 void CabMode::showSettings() {
     if (!on_) return;
-    const Settings& settings = window_.viewer().engine.settings();
-    const Parameter& first = sweptParameter(settings.method);
+    const edges::Settings& settings = window_.viewer().engine.settings();
+    const edges::Parameter& first = edges::sweptParameter(settings.method);
     std::vector<SteppedSetting> shown;
-    const auto add = [&](const Parameter& p) { shown.push_back({p.key, QObject::tr(p.label), window_.viewer().panel.valueText(p.key)}); };
+    const auto add = [&](const edges::Parameter& p) {
+        shown.push_back({p.key, QObject::tr(p.label), window_.viewer().panel.valueText(p.key)});
+    };
     add(first);
-    for (const Parameter& p : parameters()) {
+    for (const edges::Parameter& p : edges::parameters()) {
         if (p.usedBy(settings) && !p.several && &p != &first) add(p);
     }
     frame_->side().showSettings(shown);
 }
 
-LargeNumbers CabMode::numbers() const {
-    LargeNumbers told;
+TargetNumbers CabMode::numbers() const {
+    TargetNumbers told;
     const Targets& targets = window_.viewer().targets;
-    const PinnedTarget* target = targets.active();
+    const inspect::PinnedTarget* target = targets.active();
     if (target == nullptr) return told;
     const auto& all = targets.notebook().targets;
     told.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
     told.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
     if (known == targets.known().targets.end()) return told;
-    const CellTarget& cell = known->second;
+    const inspect::CellTarget& cell = known->second;
     const TargetSurroundings around = targets.around(target->cell);
     told.distance = distanceText(cell);
     told.tolerance = toleranceText(cell);
@@ -161,8 +163,8 @@ LargeNumbers CabMode::numbers() const {
     const auto metres = [](double m, int decimals) { return QString::number(m, 'f', decimals); };
     if (around.rock != nullptr) {
         told.rock = tr("Rock %1, visible").arg(around.rock->label);
-        told.size = tr("%1 × %2 m").arg(metres(around.rock->longM, 2), metres(around.rock->wideM, 2));
-        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(kRockCaveat);
+        told.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
+        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
     } else {
         told.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }

@@ -17,7 +17,7 @@ namespace edgescan::ui {
 Command compareMenu(Comparing& comparing) {
     const auto whileKept = [&comparing](QAction& action) {
         action.setEnabled(false);
-        QObject::connect(&comparing, &Comparing::keptChanged, &action, &QAction::setEnabled);
+        QObject::connect(&comparing, &Comparing::pictureAChanged, &action, &QAction::setEnabled);
     };
     const auto flipped = [&comparing, whileKept](QAction& action) {
         whileKept(action);
@@ -65,7 +65,7 @@ Command confidenceCommand(Confidence& confidence) {
 void addConfidenceLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
     over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().confidenceLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.viewer().comparing, &Comparing::differenceShown, &w.viewer().confidence, &Confidence::giveWay);
+    QObject::connect(&w.viewer().comparing, &Comparing::differenceShown, &w.viewer().confidence, &Confidence::hideForComparison);
     QObject::connect(&w.viewer().confidence, &Confidence::changed, &w, [&w] {
         w.viewer().legend.setVisible(w.viewer().engine.picture() != nullptr && w.viewer().views.edgesInstead() == nullptr);
     });

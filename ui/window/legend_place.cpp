@@ -29,7 +29,7 @@ bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
 
 } // namespace
 
-void keepLegendsAside(CloudView& cloud, LinkedViews& views) {
+void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
     const auto look = [&cloud, &views] {
         const auto cell = views.pinned();
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;

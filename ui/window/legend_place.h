@@ -7,6 +7,6 @@ class CloudView;
 class LinkedViews;
 
 /// The plates in the layout of the cloud are on the left; they move to the right while they would cover the pinned cell or its label.
-void keepLegendsAside(CloudView& cloud, LinkedViews& views);
+void keepLegendsOffPins(CloudView& cloud, LinkedViews& views);
 
 } // namespace edgescan::ui

@@ -74,12 +74,12 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent) : QMainWindow(parent), v
     layOutLegend();
     addChangeLegend(*this);
     addConfidenceLegend(*this);
-    keepLegendsAside(viewer_.cloud, viewer_.views);
+    keepLegendsOffPins(viewer_.cloud, viewer_.views);
     viewer_.scalePlate.raise();
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
     addDock(tr("Edges"), "dock-edges", &viewer_.panel);
-    connect(rail_, &DockRail::changedByHand, this, [this](QDockWidget* dock, bool open) {
+    connect(rail_, &DockRail::changedByOperator, this, [this](QDockWidget* dock, bool open) {
         dock->setProperty(kByHand, open ? "open" : "folded");
         viewer_.memory.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
         arrange();
@@ -87,7 +87,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent) : QMainWindow(parent), v
     addRockDocks(*this, viewer_.rocks, viewer_.rocksPanel, viewer_.rockTable);
     addTargetDock(*this, viewer_.targets, viewer_.targetsPanel);
     setStatusBar(&viewer_.statusLine);
-    viewer_.statusLine.addKept(&viewer_.warnings);
+    viewer_.statusLine.addPinned(&viewer_.warnings);
     connect(&viewer_.warnings, &QToolButton::clicked, this,
             [this] { viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n')); });
     connect(&viewer_.report, &ScanReport::saved, &viewer_.audit, [this](const QString& path) { viewer_.audit.noteExport("report", path); });
@@ -125,7 +125,7 @@ void MainWindow::layOutViews() {
     panes_ = {grayPane, edgePane, cloudPane};
     keepPaneNotes(*this, *grayPane, *edgePane, *cloudPane);
     for (Pane* pane : panes_)
-        connect(pane, &Pane::maximiseWanted, this, [this, pane] {
+        connect(pane, &Pane::maximiseRequested, this, [this, pane] {
             if (!cab_->on()) maximise(pane);
         });
 
@@ -177,7 +177,7 @@ void MainWindow::layOutLegend() {
     over->addStretch(1);
     over->addWidget(&viewer_.legend, 0, Qt::AlignLeft | Qt::AlignBottom);
     connect(&viewer_.cloud, &CloudView::edgesCovered, &viewer_.legend, &EdgeLegend::showCovered);
-    connect(&viewer_.legend, &EdgeLegend::classesWanted, this, [this](int classes) { viewer_.tuning.turn("classes", classes); });
+    connect(&viewer_.legend, &EdgeLegend::classesRequested, this, [this](int classes) { viewer_.tuning.setParameter("classes", classes); });
 }
 
 // The badge is in the corner of the menu bar, where it is visible at every width.
@@ -188,10 +188,10 @@ void MainWindow::layOutTools() {
     menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner);
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
-    connect(&viewer_.selection, &Selection::exportWanted, this, [this] { viewer_.exports.askSelected(); });
+    connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
-    connect(&viewer_.targets, &Targets::whyWanted, &viewer_.explanation, &Explanation::explain);
-    connect(&viewer_.targets, &Targets::measureWanted, &viewer_.measures, &Measures::startAt);
+    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation, &Explanation::explain);
+    connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
     const ScannerLink& scanner = viewer_.live.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
         connect(&scanner, told, this, &MainWindow::showOrigin);
@@ -214,7 +214,7 @@ void MainWindow::connectSession() {
     connect(&viewer_.engine, &Engine::workStarted, &viewer_.statusLine, &StatusLine::startWork);
     connect(&viewer_.engine, &Engine::workProgressed, &viewer_.statusLine, &StatusLine::showProgress);
     connect(&viewer_.engine, &Engine::workEnded, &viewer_.statusLine, &StatusLine::endWork);
-    connect(&viewer_.statusLine, &StatusLine::cancelWanted, &viewer_.engine, &Engine::cancel);
+    connect(&viewer_.statusLine, &StatusLine::cancelRequested, &viewer_.engine, &Engine::cancel);
     connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
     viewer_.statusLine.showSettings(viewer_.engine.settings());
     connect(&viewer_.engine, &Engine::failed, this,
@@ -222,7 +222,7 @@ void MainWindow::connectSession() {
     connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, &StatusLine::showProbe);
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
-        const Detection& detection = *viewer_.engine.picture()->detection;
+        const edges::Detection& detection = *viewer_.engine.picture()->detection;
         viewer_.statusLine.showCounts(detection);
         viewer_.statusLine.showPlace(*detection.scan);
         const ScannerLink& scanner = viewer_.live.scanner();
@@ -279,7 +279,7 @@ bool MainWindow::mayClose() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!mayClose()) return event->ignore();
-    viewer_.live.scanner().hangUp();
+    viewer_.live.scanner().disconnectScanner();
     remember();
     QMainWindow::closeEvent(event);
 }
@@ -318,11 +318,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 void MainWindow::escape() {
     if (viewer_.explanation.closeCard()) return;
     if (viewer_.measures.kind()) {
-        if (!viewer_.measures.takeBack()) viewer_.measures.stop();
+        if (!viewer_.measures.removeLastPick()) viewer_.measures.stop();
     } else if (viewer_.views.tool() != Tool::Pin) {
         viewer_.selection.cells().empty() ? viewer_.views.setTool(Tool::Pin) : viewer_.selection.select({});
     } else {
-        viewer_.views.letGo();
+        viewer_.views.clearPin();
         viewer_.explanation.forgetTrail();
     }
 }

@@ -45,7 +45,7 @@ std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
 }
 
 Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
-    const auto exported = [&v](const char* text, const char* keys, ExportContent content) {
+    const auto exported = [&v](const char* text, const char* keys, exports::ExportContent content) {
         return command(text, keys, [&v, content] { v.exports.ask(content); });
     };
     Command recent = submenu("Open &Recent", {});
@@ -61,11 +61,11 @@ Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                              kLine,
                              submenu("&Export",
                                      {
-                                         exported("&Edge Cloud…", "Ctrl+E", ExportContent::EdgeCloud),
-                                         exported("&Full Cloud…", "", ExportContent::FullCloud),
-                                         exported("Edge &Image…", "", ExportContent::EdgeImage),
-                                         exported("&Gray Image…", "", ExportContent::GrayImage),
-                                         exported("&Range Image…", "", ExportContent::RangeImage),
+                                         exported("&Edge Cloud…", "Ctrl+E", exports::ExportContent::EdgeCloud),
+                                         exported("&Full Cloud…", "", exports::ExportContent::FullCloud),
+                                         exported("Edge &Image…", "", exports::ExportContent::EdgeImage),
+                                         exported("&Gray Image…", "", exports::ExportContent::GrayImage),
+                                         exported("&Range Image…", "", exports::ExportContent::RangeImage),
                                          command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }),
                                      }),
                              command("Re&port…", "", [&v] { v.report.ask(); }),
@@ -157,11 +157,11 @@ std::vector<Command> lookCommands(Viewer& v) {
         linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
                [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
         toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
-        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesWanted)),
+        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesRequested)),
         toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
         toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
         toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setOverlay(on); }),
-        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassWanted)),
+        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassRequested)),
         toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
     };
@@ -252,7 +252,7 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
     EdgesPanel& panel = v.panel;
     auto* sheets = new ContactSheets(v.engine, tuning, v.notice, &window);
     Command presets = submenu("&Presets", {});
-    for (const Preset& preset : builtInPresets())
+    for (const edges::Preset& preset : edges::builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
                                          [preset](QAction& action) { action.setToolTip(QObject::tr(preset.help.c_str())); }));
     presets.submenu.push_back(kLine);
@@ -276,7 +276,7 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             command("&Why Is This Cell an Edge, or None?", "W", [&v] { v.explanation.explainMarked(); }),
             confidenceCommand(v.confidence),
             command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
-            command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(builtInPresets().front()); }),
+            command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),
         });
 }
 
@@ -284,10 +284,10 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
     Rocks& rocks = v.rocks;
     CloudView& cloud = v.views.cloud();
     const auto step = [&rocks](double by) {
-        RockSettings settings = rocks.settings();
-        const RockParameter& level = rockParameters().front();
+        rocks::RockSettings settings = rocks.settings();
+        const rocks::RockParameter& level = rocks::rockParameters().front();
         level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
-        rocks.turn(settings);
+        rocks.change(settings);
     };
     const auto tool = [&rocks](const char* text, const char* keys, RockTool which) {
         return linked(toggle(text, keys, nullptr, false, [&rocks, which](bool on) { rocks.useTool(on ? which : RockTool::None); }),
@@ -309,7 +309,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                        tool("S&plit at Next Click", "S", RockTool::Split),
                        tool("&Join along a Line", "J", RockTool::Join),
                        tool("C&ut along a Line", "X", RockTool::Cut),
-                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.turnSelected(); }),
+                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.toggleSelected(); }),
                        kLine,
                        tool("Draw Region of &Interest", "G", RockTool::Region),
                        command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
@@ -338,26 +338,26 @@ Command measureMenu(Viewer& v) {
         return tool(
             v, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
     };
-    const auto measure = [&](const char* text, const char* keys, MeasureKind kind) {
+    const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
         return tool(
             v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
     };
     const auto letGo = [&v] {
-        if (const PinnedTarget* target = v.targets.active()) v.targets.letGo(target->number);
+        if (const inspect::PinnedTarget* target = v.targets.active()) v.targets.remove(target->number);
     };
     return submenu("&Measure", {
                                    usual("&Pin", "P", Tool::Pin),
-                                   measure("&Distance", "U", MeasureKind::Distance),
-                                   measure("&Vertical", "V", MeasureKind::Vertical),
-                                   measure("&Angle", "A", MeasureKind::Angle),
-                                   measure("&Spans a × b", "Y", MeasureKind::Spans),
-                                   measure("Along S&urface", "Shift+U", MeasureKind::Path),
-                                   measure("Thr&oat Width", "Shift+Y", MeasureKind::Throat),
+                                   measure("&Distance", "U", inspect::MeasureKind::Distance),
+                                   measure("&Vertical", "V", inspect::MeasureKind::Vertical),
+                                   measure("&Angle", "A", inspect::MeasureKind::Angle),
+                                   measure("&Spans a × b", "Y", inspect::MeasureKind::Spans),
+                                   measure("Along S&urface", "Shift+U", inspect::MeasureKind::Path),
+                                   measure("Thr&oat Width", "Shift+Y", inspect::MeasureKind::Throat),
                                    usual("&Box", "B", Tool::Box),
                                    usual("&Lasso", "L", Tool::Lasso),
                                    kLine,
                                    command("Let &Go of This Target", "Del", letGo),
-                                   command("Let Go of All &Targets", "", [&v] { v.targets.letGoOfAll(); }),
+                                   command("Let Go of All &Targets", "", [&v] { v.targets.removeAll(); }),
                                    command("&Copy This Target", "", [&v] { v.targets.copyCard(); }),
                                    kLine,
                                    command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),

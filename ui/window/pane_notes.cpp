@@ -22,7 +22,7 @@ QString rangeNote(MainWindow& window) {
 QString edgeNote(MainWindow& window) {
     const LinkedViews& views = window.viewer().views;
     const EdgesInstead* instead = views.flipped() ? nullptr : views.edgesInstead().get();
-    const Detection& detection = *views.shown()->detection;
+    const edges::Detection& detection = *views.shown()->detection;
     const std::size_t all = detection.edges->size();
     // In a comparison the shown edges come from two scans.
     const std::size_t shown = instead != nullptr && instead->overlayAsAsked && instead->cells.all ? instead->cells.all->size() : all;

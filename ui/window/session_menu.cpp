@@ -22,19 +22,20 @@ std::vector<StatePart> partsOf(MainWindow& w) {
     using enum GivenBack;
     LinkedViews& views = w.viewer().views;
     std::vector<StatePart> parts{
-        partOf(w.viewer().tuning, &ViewerState::tuning, BeforeScan),
-        partOf(w.viewer().targets, &ViewerState::targets, OnScan),
-        partOf(w.viewer().selection, &ViewerState::selection, OnScan, &Selection::changed),
-        partOf(w.viewer().markedEdges, &ViewerState::marks, OnScan, &MarkedEdges::changed),
-        partOf(w.viewer().rocks, &ViewerState::rocks, OnScan, &Rocks::changed, &Rocks::shownChanged, &Rocks::rocksShown),
+        partOf(w.viewer().tuning, &inspect::ViewerState::tuning, BeforeScan),
+        partOf(w.viewer().targets, &inspect::ViewerState::targets, OnScan),
+        partOf(w.viewer().selection, &inspect::ViewerState::selection, OnScan, &Selection::changed),
+        partOf(w.viewer().markedEdges, &inspect::ViewerState::marks, OnScan, &MarkedEdges::changed),
+        partOf(w.viewer().rocks, &inspect::ViewerState::rocks, OnScan, &Rocks::changed, &Rocks::shownChanged, &Rocks::rocksShown),
         viewPart(views),
         switchesPart(w),
     };
     const std::vector<StatePart> looks = looksParts(w.viewer().look, views, w.viewer().confidence, w.viewer().comparing);
     parts.insert(parts.end(), looks.begin(), looks.end());
-    parts.push_back(partOf(w.viewer().comparing, &ViewerState::earlier, OnScan, &Comparing::keptChanged, &Comparing::rowsChanged));
-    parts.push_back({[&w](ViewerState& state) { state.layout = w.layoutKept(); },
-                     [&w](const ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
+    parts.push_back(
+        partOf(w.viewer().comparing, &inspect::ViewerState::earlier, OnScan, &Comparing::pictureAChanged, &Comparing::rowsChanged));
+    parts.push_back({[&w](inspect::ViewerState& state) { state.layout = w.layoutKept(); },
+                     [&w](const inspect::ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
     return parts;
 }
 
@@ -52,7 +53,7 @@ std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
 std::vector<Command> sessionCommands(MainWindow& w) {
     return {command("Open Sess&ion…", "", [&w] { w.sessions().ask(); }),
             command("&Save Session As…", "Ctrl+Shift+S", [&w] { w.sessions().askSaveAs(); }),
-            command("Go on with the &Last Session", "", [&w] { w.sessions().goOn(); })};
+            command("Go on with the &Last Session", "", [&w] { w.sessions().continueLast(); })};
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {

@@ -74,20 +74,20 @@ private:
 } // namespace
 
 StartPage* showStart(MainWindow& w, Memory& memory) {
-    const QString cache = memory.ownFolder().isEmpty()
+    const QString cache = memory.dataFolder().isEmpty()
                               ? QString()
                               : QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/recent";
     auto* page = new StartPage(cache, &w);
     new OverViews(w, *page);
-    QObject::connect(page, &StartPage::openWanted, &w, [&w] { w.viewer().files.ask(); });
-    QObject::connect(page, &StartPage::connectWanted, &w, [&w, page] {
+    QObject::connect(page, &StartPage::openRequested, &w, [&w] { w.viewer().files.ask(); });
+    QObject::connect(page, &StartPage::connectRequested, &w, [&w, page] {
         page->hide();
         w.viewer().live.panel().askAddress();
     });
-    QObject::connect(page, &StartPage::goOnWanted, &w, [&w] { w.sessions().goOn(); });
-    QObject::connect(page, &StartPage::demoWanted, &w, [&w] { w.viewer().files.openDemo(); });
-    QObject::connect(page, &StartPage::scanWanted, &w, [&w](const QString& path) { w.sessions().open({path}); });
-    QObject::connect(page, &StartPage::locateWanted, &w, [&w, &memory, page](const QString& path) {
+    QObject::connect(page, &StartPage::continueRequested, &w, [&w] { w.sessions().continueLast(); });
+    QObject::connect(page, &StartPage::demoRequested, &w, [&w] { w.viewer().files.openDemo(); });
+    QObject::connect(page, &StartPage::scanRequested, &w, [&w](const QString& path) { w.sessions().open({path}); });
+    QObject::connect(page, &StartPage::locateRequested, &w, [&w, &memory, page](const QString& path) {
         const QString now =
             QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), memory.folder("scans"), Files::filters());
         if (now.isEmpty()) return;
@@ -96,14 +96,14 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
         page->showRecent(memory.recentFiles());
         w.sessions().open({now});
     });
-    QObject::connect(page, &StartPage::clearWanted, &w, [&memory, page] {
+    QObject::connect(page, &StartPage::clearRequested, &w, [&memory, page] {
         memory.forgetRecentFiles();
         page->showRecent({});
     });
-    QObject::connect(page, &StartPage::cabWanted, &w, [&w] {
+    QObject::connect(page, &StartPage::cabRequested, &w, [&w] {
         if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
     });
-    QObject::connect(page, &StartPage::keysWanted, &w, [&w] { showShortcuts(&w, w.actions()); });
+    QObject::connect(page, &StartPage::keysRequested, &w, [&w] { showShortcuts(&w, w.actions()); });
     QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
     page->showRecent(memory.recentFiles());
     page->showSession(w.sessions().toGoOn());

@@ -36,7 +36,7 @@ Command cabCommand(CabMode& cab, Memory& memory) {
         cab.set(on);
         memory.keep(kKey, on);
     };
-    QObject::connect(&cab, &CabMode::leaveWanted, &cab, [use] { use(false); });
+    QObject::connect(&cab, &CabMode::leaveRequested, &cab, [use] { use(false); });
     return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {
         action.setObjectName("cab-mode");
         const auto follow = [&action](bool on) {

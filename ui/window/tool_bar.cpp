@@ -73,7 +73,7 @@ void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString
     connect(button, &QToolButton::toggled, button, follow); // a press alone does not switch it on
     follow();
     insertWidget(wordsPlace_, button);
-    take(*button, Word::WhereRoom);
+    take(*button, Word::IfSpace);
 }
 
 void ToolBar::take(QToolButton& button, Word shown) {
@@ -95,7 +95,7 @@ void ToolBar::fit() {
     }
     const bool room = needed <= width();
     for (const Button& each : buttons_) {
-        if (!room && each.shown == Word::WhereRoom) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        if (!room && each.shown == Word::IfSpace) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
 }
 

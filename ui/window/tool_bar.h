@@ -15,12 +15,12 @@ namespace edgescan::ui {
 class ToolBar : public QToolBar {
     Q_OBJECT
 public:
-    enum class Word { Always, WhereRoom };
+    enum class Word { Always, IfSpace };
 
     explicit ToolBar(QWidget* parent = nullptr);
 
     /// A button with the action's shortcut in its tool tip. `sign`: name for toolIcon().
-    void add(QAction& action, const char* sign, const QString& word, Word shown = Word::WhereRoom);
+    void add(QAction& action, const char* sign, const QString& word, Word shown = Word::IfSpace);
     /// A button that opens `menu`, which becomes its child. It is highlighted while one of `lights` is on.
     void add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights);
     void addGap();
@@ -40,7 +40,7 @@ private:
 
     struct Button {
         QToolButton* button = nullptr;
-        Word shown = Word::WhereRoom;
+        Word shown = Word::IfSpace;
     };
     std::vector<Button> buttons_;
     QLabel* words_;

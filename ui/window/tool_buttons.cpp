@@ -20,7 +20,7 @@ struct ToolRow {
     const char* command = nullptr; ///< its untranslated name: menu and text of the source
     const char* sign = nullptr;
     const char* word = nullptr;
-    ToolBar::Word shown = ToolBar::Word::WhereRoom;
+    ToolBar::Word shown = ToolBar::Word::IfSpace;
 };
 
 constexpr std::array kBefore{

@@ -125,7 +125,7 @@ void MainWindow::restoreLayout() {
     if (at == nullptr) move(room.topLeft());
 }
 
-void MainWindow::fitScreen() { keepInsideScreen(*this); }
+void MainWindow::fitScreen() { fitIntoScreen(*this); }
 
 /// The desktop reports the width of the frame only after it has placed the window.
 void MainWindow::followFrame() {

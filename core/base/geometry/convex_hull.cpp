@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan::sim {
+namespace edgescan {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -107,4 +107,4 @@ std::vector<Eigen::Vector4d> planesOf(const std::vector<Eigen::Vector3d>& points
     return planes;
 }
 
-} // namespace edgescan::sim
+} // namespace edgescan

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace edgescan::sim {
+namespace edgescan {
 
 /// The corners as indices of points, counter-clockwise as seen from outside.
 using HullTriangle = std::array<int, 3>;
@@ -21,4 +21,4 @@ using HullTriangle = std::array<int, 3>;
 /// The different planes (unit outward normal, offset) of the hull: the triangles of one flat face share a plane.
 [[nodiscard]] std::vector<Eigen::Vector4d> planesOf(const std::vector<Eigen::Vector3d>& points, const std::vector<HullTriangle>& hull);
 
-} // namespace edgescan::sim
+} // namespace edgescan

@@ -21,7 +21,7 @@
 #include <system_error>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -189,4 +189,4 @@ std::string pictureOf(const Json& row, const fs::path& results) {
     return got == static_cast<ssize_t>(size) ? bytes : std::string();
 }
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::batch {
 
 /// The newest row of each input, as its line of JSON.
 using JournalRows = std::map<std::string, std::string>;
@@ -55,4 +55,4 @@ private:
 /// The picture that append() stored with a row; empty if there is none.
 [[nodiscard]] std::string pictureOf(const nlohmann::ordered_json& row, const std::filesystem::path& results);
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -19,7 +19,7 @@
 #include <span>
 #include <system_error>
 
-namespace edgescan {
+namespace edgescan::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ std::string scanExtension(const fs::path& path) {
 }
 
 bool aFormatReads(const std::string& extension) {
-    return std::ranges::any_of(formats(), [&](const Format& format) {
+    return std::ranges::any_of(files::formats(), [&](const files::Format& format) {
         return std::ranges::any_of(format.reads, [&](const char* read) { return extension == read; });
     });
 }
@@ -54,7 +54,7 @@ bool describesGrid(const fs::path& path) {
 
 // A result of another run of this program: edges, pictures, clouds.
 bool isExport(const fs::path& path) {
-    const fs::path sidecar = sidecarPath(path);
+    const fs::path sidecar = files::sidecarPath(path);
     if (!isThere(sidecar)) return false;
     const auto bytes = readWholeFile(sidecar, kMostDescription);
     const auto record = bytes ? parseJson(textOf(*bytes), sidecar.string()) : Result<nlohmann::json>(nlohmann::json());
@@ -195,4 +195,4 @@ Result<Shard> shardOf(const std::string& text) {
     return Shard{static_cast<int>(*number), static_cast<int>(*of)};
 }
 
-} // namespace edgescan
+} // namespace edgescan::batch

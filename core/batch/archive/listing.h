@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::batch {
 
 struct ArchiveListing {
     std::vector<std::string> inputs;  ///< paths in the order of the tables, without duplicates
@@ -28,4 +28,4 @@ struct Shard {
 /// "3/20". Error: the text has another form.
 Result<Shard> shardOf(const std::string& text);
 
-} // namespace edgescan
+} // namespace edgescan::batch

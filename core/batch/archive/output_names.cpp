@@ -8,7 +8,7 @@
 #include <numeric>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ Result<std::vector<std::string>> outputNames(const std::vector<std::string>& inp
     return names;
 }
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::batch {
 
 /// A field in braces in a template, and its value: "path", "folder", "name", "stem", "key".
 struct NameField {
@@ -20,4 +20,4 @@ struct NameField {
 /// or with one folder inside the other.
 Result<std::vector<std::string>> outputNames(const std::vector<std::string>& inputs, const std::string& pattern);
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,4 +114,4 @@ std::string csvTable(const std::vector<std::string>& rows) {
     return table;
 }
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::batch {
 
 /// One line of JSON per row, as in the journal but without the values that only the journal needs.
 [[nodiscard]] std::string ndjsonTable(const std::vector<std::string>& rows);
@@ -13,4 +13,4 @@ namespace edgescan {
 /// whose names begin with "time_", hold the times.
 [[nodiscard]] std::string csvTable(const std::vector<std::string>& rows);
 
-} // namespace edgescan
+} // namespace edgescan::batch

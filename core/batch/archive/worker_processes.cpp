@@ -22,7 +22,7 @@
 #include <new>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::batch {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -265,4 +265,4 @@ Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs) {
     return WorkerPool(limits, jobs).run();
 }
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::batch {
 
 struct WorkerLimits {
     int processes = 1;
@@ -36,4 +36,4 @@ struct Jobs {
 /// started are ended and reported.
 Result<Done> runInProcesses(const WorkerLimits& limits, const Jobs& jobs);
 
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 bool isGzip(std::span<const std::byte> bytes) { return bytes.size() >= 2 && bytes[0] == std::byte{0x1F} && bytes[1] == std::byte{0x8B}; }
 
@@ -29,4 +29,4 @@ Result<std::vector<std::byte>> gunzip(std::span<const std::byte> bytes, const st
     return unpacked;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -3,7 +3,7 @@
 
 #include "core/containers/compression/inflate.h"
 
-namespace edgescan {
+namespace edgescan::containers {
 
 [[nodiscard]] bool isGzip(std::span<const std::byte> bytes);
 
@@ -11,4 +11,4 @@ namespace edgescan {
 /// else behind the last member.
 Result<std::vector<std::byte>> gunzip(std::span<const std::byte> bytes, const std::string& where, const std::function<bool(double)>& goOn);
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 constexpr std::size_t kOffered = 1U << 20U; // packed bytes at a time
@@ -66,4 +66,4 @@ Result<std::size_t> inflateOne(std::span<const std::byte> packed, Packing packin
     return used;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 enum class Packing : std::uint8_t { Gzip, Deflate }; ///< with gzip's header and check, or as ZIP archives hold it
 
@@ -19,4 +19,4 @@ enum class Packing : std::uint8_t { Gzip, Deflate }; ///< with gzip's header and
 Result<std::size_t> inflateOne(std::span<const std::byte> packed, Packing packing, std::uint64_t most, std::vector<std::byte>& to,
                                const std::string& where, const std::function<bool(double)>& goOn);
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "ZIP is read as the machine stores numbers");
@@ -142,4 +142,4 @@ Result<std::vector<std::byte>> unzip(std::span<const std::byte> file, const ZipE
     return bytes;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -3,7 +3,7 @@
 
 #include "core/containers/compression/inflate.h"
 
-namespace edgescan {
+namespace edgescan::containers {
 
 struct ZipEntry {
     std::string name;
@@ -24,4 +24,4 @@ Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> file, const 
 Result<std::vector<std::byte>> unzip(std::span<const std::byte> file, const ZipEntry& entry, const std::string& where,
                                      const std::function<bool(double)>& goOn);
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 constexpr const char* kCopy = "copy the file again";
@@ -169,4 +169,4 @@ Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57
     return numbers;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

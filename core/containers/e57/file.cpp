@@ -12,7 +12,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 constexpr const char* kCutOff = "copy the file again, it may be cut off";
@@ -246,4 +246,4 @@ Result<E57File> openE57(std::span<const std::byte> bytes, const std::string& whe
     return file;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

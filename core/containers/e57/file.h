@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 /// One column of a scan's points and how its numbers are stored.
 struct E57Field {
@@ -62,4 +62,4 @@ inline constexpr std::string_view kE57Magic = "ASTM-E57";
 /// Reads header and XML part; the points are left where they are. Error: cut off, damaged, of another version, no sense in it.
 Result<E57File> openE57(std::span<const std::byte> bytes, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
@@ -85,4 +85,4 @@ Result<Done> PagedBytes::read(std::uint64_t logical, std::uint64_t bytes, std::v
     return Done{};
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 /// CRC-32C (Castagnoli) of these bytes.
 [[nodiscard]] std::uint32_t crc32c(std::span<const std::byte> bytes);
@@ -47,4 +47,4 @@ private:
     std::string where_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::containers

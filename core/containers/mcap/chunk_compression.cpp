@@ -10,7 +10,7 @@
 #include <lz4frame.h>
 #endif
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 constexpr std::size_t kPiece = 256 * 1024;
@@ -95,4 +95,4 @@ Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteV
                  "unpack it with the program that wrote it"};
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -6,10 +6,10 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 /// `compression` as in the chunk: "zstd" or "lz4" (frame format). Allocates as bytes come out, never on the promise alone and never
 /// more than `size`. Error: damaged, another size than promised, or this build cannot read it.
 Result<Bytes> unpackChunk(const std::string& compression, ByteView packed, std::uint64_t size, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::containers

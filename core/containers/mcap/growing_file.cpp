@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 Error createError(const std::filesystem::path& path, int code) {
@@ -103,4 +103,4 @@ void GrowingFile::syncFolder() const {
     ::close(descriptor);
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

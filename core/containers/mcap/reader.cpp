@@ -11,7 +11,7 @@
 #include <optional>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 constexpr std::size_t kChunkFields = 8 + 8 + 8 + 4;                             // before the compression string
@@ -362,4 +362,4 @@ const McapChannel* channelOf(const McapContent& content, const McapMessage& mess
     return found == content.channels.end() ? nullptr : &found->second;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

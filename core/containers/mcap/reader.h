@@ -7,7 +7,7 @@
 #include <list>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 /// What an MCAP file holds. Messages point into the bytes that were read, or into `unpacked`.
 struct McapContent {
@@ -39,4 +39,4 @@ Result<McapContent> readMcap(ByteView bytes, const std::string& where);
 /// The channel of a message, or null.
 [[nodiscard]] const McapChannel* channelOf(const McapContent& content, const McapMessage& message);
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 void McapBytes::append(std::uint64_t v, unsigned count) {
     for (unsigned i = 0; i < count; ++i) bytes_.push_back(static_cast<std::uint8_t>(v >> (8 * i)));
@@ -43,4 +43,4 @@ std::uint32_t PartChecksums::of(std::size_t from, std::size_t count) const {
     return upTo(from + count) ^ static_cast<std::uint32_t>(::crc32_combine(upTo(from), 0, static_cast<z_off_t>(count)));
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

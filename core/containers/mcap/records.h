@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 inline constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 
@@ -167,4 +167,4 @@ private:
     bool bad_ = false;
 };
 
-} // namespace edgescan
+} // namespace edgescan::containers

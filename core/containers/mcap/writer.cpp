@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 constexpr std::size_t kMessageFields = 2 + 4 + 8 + 8;
@@ -175,4 +175,4 @@ Bytes McapEncoder::take() {
     return ready_.take();
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

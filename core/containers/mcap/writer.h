@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 struct McapLimits {
     std::size_t chunkBytes = std::size_t{64} * 1024; ///< a longer single message gets a chunk of its own
@@ -89,4 +89,4 @@ private:
     DiskCalls calls_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::containers

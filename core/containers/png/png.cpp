@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::containers {
 namespace {
 
 /// Where libpng writes to. Memory running out is remembered, never thrown through libpng's C code.
@@ -209,4 +209,4 @@ Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string&
     return values;
 }
 
-} // namespace edgescan
+} // namespace edgescan::containers

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::containers {
 
 /// Keyword of the text chunk that carries provenance.
 inline constexpr const char* kPngRecordKeyword = "edgescan-record";
@@ -39,4 +39,4 @@ Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& p
 /// An 8-bit (or less) gray or colour picture as gray, for example an edge mask. Error: missing, damaged, 16-bit, too large.
 Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path);
 
-} // namespace edgescan
+} // namespace edgescan::containers

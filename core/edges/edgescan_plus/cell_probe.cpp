@@ -11,7 +11,7 @@
 #include <functional>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kReferenceM = 5.0;
@@ -157,7 +157,7 @@ private:
         else if (outdoneAfter)
             result.stronger = after;
         const bool solid = inputs_.inverse.support.at(cell_.line, cell_.beam) != Support::Void;
-        result.kept = result.stronger || !solid ? 0.0F : result.before;
+        result.after = result.stronger || !solid ? 0.0F : result.before;
         return result;
     }
 
@@ -171,7 +171,7 @@ DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int l
     const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings.straighten, 0, settings.noiseKind), filling);
     const DepthInputs inputs{sweep.inverse, sweep.slips, sweep.steps, depthLimits(sweep, settings)};
     Prober prober(inputs, {line, beam});
-    SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits, std::max(0, line - SurfaceLines::kLooksBack - 2));
+    SurfaceLines surface(inputs.inverse, inputs.steps, inputs.slips, inputs.limits, std::max(0, line - SurfaceLines::kLinesBefore - 2));
     while (surface.foldLine() <= line) {
         surface.advance();
         prober.look(surface);
@@ -191,4 +191,4 @@ DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int l
     return std::move(prober.probe);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct CellStrength {
     int line = 0;
@@ -44,7 +44,7 @@ struct FoldAtCell {
 /// One channel (jumps or creases) before and after suppression.
 struct ThinnedStrength {
     float before = 0.0F;                  ///< negative: concave
-    float kept = 0.0F;                    ///< `before`, or 0 if suppressed; without responses moved here from a gap next to the cell
+    float after = 0.0F;                   ///< `before`, or 0 if suppressed; without responses moved here from a gap next to the cell
     std::optional<CellStrength> stronger; ///< the neighbour that suppressed this cell
 };
 
@@ -67,4 +67,4 @@ struct DepthProbe {
 [[nodiscard]] DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam,
                                     const GapFilling* filling = nullptr);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -11,11 +11,11 @@
 
 #define FOLD_INLINE inline __attribute__((always_inline))
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr float kFewest = 3;
-constexpr float kMost = kFoldLooks - 1; // the link of the last cell to the next is also read
+constexpr float kMost = kFoldReach - 1; // the link of the last cell to the next is also read
 constexpr float kWanted = 2;            // cells on both sides, in addition to the cell itself
 constexpr float kNoiseFloor = 4.5F;     // standard deviations
 constexpr float kTangentNoise = kFoldOfWhite * 0.001F;
@@ -271,4 +271,4 @@ void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& li
         foldLine<FourLanes>(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

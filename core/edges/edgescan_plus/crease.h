@@ -5,10 +5,10 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Number of lines before and after its own that foldStrengths() reads.
-inline constexpr int kFoldLooks = Lines::kMargin;
+inline constexpr int kFoldReach = Lines::kMargin;
 
 /// The effect of white noise of standard deviation 1 on the difference of the slopes of two sides, in units of 1 / sqrt(sum of squared
 /// distances from the middle of a side): the factor for two slopes, times the share of the noise that remains after smoothing.
@@ -32,4 +32,4 @@ struct FoldWork {
 void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& linksAlongLines, const AngularSteps& steps, int line,
                    const DepthLimits& limits, FoldWork& work, FoldStrengths& strengths);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // State of a cell before chains are linked.
@@ -177,7 +177,7 @@ std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int 
     return kept;
 }
 
-Grid<float> depthStrength(const DepthResponses& responses, const DepthEdgeSettings& settings) {
+Grid<float> requestedStrength(const DepthResponses& responses, const DepthEdgeSettings& settings) {
     Grid<float> strength(responses.jump.lines, responses.jump.beams);
     strengthsOfCells(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings), strength.cells.data());
     return strength;
@@ -191,7 +191,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
     const Wanted wanted(settings);
     const auto high = static_cast<float>(settings.sensitivity);
     const float low = high * static_cast<float>(settings.hysteresisLow);
-    inBands(lines, bands, [&](int first, int last) {
+    runInBands(lines, bands, [&](int first, int last) {
         const std::size_t from = result.mask.index(first, 0);
         markClasses(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from, wanted,
                     high, low, result.mask.cells.data() + from);
@@ -207,9 +207,9 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
             }
         });
     };
-    onThreads(bands, {link, [&] {
-                          if (settings.silhouettes) outlines = longSilhouettes(responses, settings.minimumLength);
-                      }});
+    runParts(bands, {link, [&] {
+                         if (settings.silhouettes) outlines = longSilhouettes(responses, settings.minimumLength);
+                     }});
     for (const std::uint32_t k : kept) result.mask[k] = 255;
     const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
         for (const std::uint32_t k : cells) {
@@ -223,4 +223,4 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

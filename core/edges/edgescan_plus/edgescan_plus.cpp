@@ -15,7 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kNominalNoiseMm = 6.75; // sigma at 5 m of an LMS511
@@ -101,7 +101,7 @@ void copyCracks(const SurfaceLines& surface, const Band& band, DepthCracks& crac
 
 void respond(const DepthSurface& surface, const DepthLimits& limits, const Band& band, DepthResponses& result, DepthCracks* cracks) {
     const Grid<Support>& support = surface.inverse.support;
-    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, std::max(0, band.first - SurfaceLines::kLooksBack));
+    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, std::max(0, band.first - SurfaceLines::kLinesBefore));
     while (lines.foldLine() < band.last) {
         lines.advance();
         if (cracks != nullptr) copyCracks(lines, band, *cracks);
@@ -147,11 +147,11 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
     DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}};
     surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
-    onThreads(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
-                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
+    runParts(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
+                                               [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
     if (noise == NoiseKind::Camera || (noise == NoiseKind::Measured && surface.scales.remembered))
         surface.memory = memoryNoise(surface.inverse, surface.steps, surface.scales, kMemoryWindowMm);
-    flattenSpikes(surface.inverse, surface.noise);
+    removeSpikes(surface.inverse, surface.noise);
     surface.spacingMm = pointSpacingMm(surface.inverse, surface.steps);
     return surface;
 }
@@ -160,7 +160,7 @@ DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling) {
     if (filling == nullptr) return surface;
     for (const FilledCell& filled : filling->cells) {
         surface.inverse.u[filled.cell] = 1000.0F / filled.rangeMm;
-        surface.inverse.support[filled.cell] = Support::Wanted;
+        surface.inverse.support[filled.cell] = Support::RequestedFill;
     }
     return surface;
 }
@@ -200,7 +200,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     const auto clear = [&support](Grid<float>& grid) { grid = Grid<float>(support.lines, support.beams); };
     DepthResponses result{
         {}, {}, limits.noise, static_cast<double>(limits.jumpMm), surface.scales, limits.foldNoise, surface.memory.windowMm > 0, {}, {}};
-    onThreads(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
+    runParts(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
     if (cracks != nullptr) {
         for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
             clear(*grid);
@@ -209,14 +209,14 @@ DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettin
     std::vector<std::function<void()>> parts;
     for (int band = 0; band < bands; ++band)
         parts.emplace_back([&, band] {
-            const Band lines{firstOfBand(support.lines, bands, band), firstOfBand(support.lines, bands, band + 1)};
+            const Band lines{firstLineOfBand(support.lines, bands, band), firstLineOfBand(support.lines, bands, band + 1)};
             respond(surface, limits, lines, result, cracks);
         });
     parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
     parts.emplace_back([&] { result.border = borderCells(support); });
-    onThreads(bands, parts);
-    goRoundGaps(surface.inverse, result.jump, result.crease);
+    runParts(bands, parts);
+    moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include "core/scan/gap_filling/gap_filling.h"
 #include "core/scan/grid/inverse_range.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The settings of EdgeScan+ (docs/method.md, "Sliders"). Automatic values follow the noise of the scan (step 6).
 struct DepthEdgeSettings {
@@ -88,7 +88,7 @@ struct DepthCracks {
                                             int threads = 0);
 
 /// The values on which the decision is based: the response of the requested classes, 1 = at the threshold. Lines x beams.
-[[nodiscard]] Grid<float> depthStrength(const DepthResponses& responses, const DepthEdgeSettings& settings);
+[[nodiscard]] Grid<float> requestedStrength(const DepthResponses& responses, const DepthEdgeSettings& settings);
 
 /// Hysteresis: chains (8 neighbours) of cells above `low` that contain a cell above `high` and at least `minimum` cells: 255, otherwise 0.
 /// Lines x beams.
@@ -100,4 +100,4 @@ struct DepthCracks {
 /// Step 7: classes, hysteresis and minimum length. The result is the same for any number of threads (0: as many as make it faster).
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings, int threads = 1);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::array<std::array<int, 2>, 4> kSides{{{0, -1}, {0, 1}, {-1, 0}, {1, 0}}};
@@ -41,7 +41,7 @@ void move(const InverseRange& inverse, std::size_t k, Grid<float>& response, Cos
 
 } // namespace
 
-void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease) {
+void moveResponsesOffGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease) {
     const Support* support = inverse.support.cells.data();
     for (std::size_t k = 0; k < inverse.support.size(); ++k) {
         const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), inverse.support.size() - k); // few cells are filled
@@ -52,4 +52,4 @@ void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& cr
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -3,11 +3,11 @@
 
 #include "core/scan/grid/inverse_range.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Moves each response of a filled cell to a measured cell next to it, so that an edge goes around a lost range and every edge cell has a
 /// point. A jump is moved to the nearest surface, a fold to the most similar range. A cell that already has a response of that kind is not
 /// used. If all cells have one, the response is dropped. `jump`, `crease`: lines x beams, 0 = no response.
-void goRoundGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease);
+void moveResponsesOffGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease);
 
-} // namespace edgescan
+} // namespace edgescan::edges

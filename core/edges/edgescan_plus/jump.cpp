@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // Weights of the cells at a crack, nearest first: they give the value of their straight line at the crack, half a cell beyond the nearest
@@ -22,7 +22,7 @@ constexpr LineWeights kTwoCells{1.5F, -0.5F, 0.0F};
 constexpr LineWeights kThreeCells{1.083F, 0.333F, -0.417F}; // least squares through three cells: less noise
 
 float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity) {
-    const std::vector<float>& extra = slips.extra[parity];
+    const std::vector<float>& extra = slips.remaining[parity];
     const bool inside = line >= 0 && line < static_cast<int>(extra.size());
     return along == Along::Lines && inside ? extra[static_cast<std::size_t>(line)] : 0.0F;
 }
@@ -178,7 +178,7 @@ void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int 
     if (extra.even != 0 || extra.odd != 0) unlink(extra, field.u.beams, out);
 }
 
-void onNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells) {
+void jumpsOnNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells) {
     nearerOfLine(field.u.line(line), jumps.line(line), field.step(along), field.u.beams, cells.next());
 }
 
@@ -186,4 +186,4 @@ void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, L
     smoothLine(u.line(line), links.line(line), stepOf(u, along), u.beams, smooth.next());
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -4,11 +4,11 @@
 #include "core/edges/edgescan_plus/range_field.h"
 #include "core/scan/angle_correction/interlace.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Number of lines before and after its own that crackJumps() reads.
-inline constexpr int kJumpLooksBack = 2;
-inline constexpr int kJumpLooksOn = 3;
+inline constexpr int kJumpLinesBefore = 2;
+inline constexpr int kJumpLinesAfter = 3;
 
 /// Computes the next line of `jumps`: S_J of the crack between a cell and the next one, stored at the cell; above 1 it is a break. 0 next
 /// to a void, because a rock may continue where the data end (docs/operator.md, "S3"). Beams and lines run from -1 to their count, so that
@@ -22,9 +22,9 @@ void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int 
 
 /// Computes the next line of `cells`: S_J of the cell, the larger of its two cracks. Only cracks count of which the cell is the nearer
 /// side.
-void onNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells);
+void jumpsOnNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells);
 
 /// Computes the next line of `smooth`: u + (u[-1] + u[+1] - 2u) / 4 where the cell is linked to both neighbours. Planes stay planes.
 void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, Lines& smooth);
 
-} // namespace edgescan
+} // namespace edgescan::edges

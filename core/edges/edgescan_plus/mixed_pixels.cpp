@@ -13,7 +13,7 @@
 #include <span>
 #include <type_traits>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kRun = 2; // longest run of mixed pixels, cells
@@ -236,4 +236,4 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -3,12 +3,12 @@
 
 #include "core/edges/edgescan_plus/range_field.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Numbers of lines before and after its own that snapMixedPixels() reads, and of lines after its own that it may write.
-inline constexpr int kMixedLooksBack = 3;
-inline constexpr int kMixedLooksOn = 4;
-inline constexpr int kMixedWritesOn = 1;
+inline constexpr int kMixedLinesBefore = 3;
+inline constexpr int kMixedLinesAfter = 4;
+inline constexpr int kMixedLinesWritten = 1;
 
 /// Moves cells that are strictly between the straight continuations of both sides to the closer one. A single cell must be farther than the
 /// jump threshold from both. Two adjacent cells are moved if the spot of the beam (13 mm + 4.6 mrad, LMS511) covers both and the surfaces
@@ -16,4 +16,4 @@ inline constexpr int kMixedWritesOn = 1;
 /// `angle`: of an index step at its cells, radians. `snapped` holds a copy of the field's u, including the lines that may be written.
 void snapMixedPixels(const DepthField& field, Along along, int line, const float* angle, const DepthLimits& limits, Lines& snapped);
 
-} // namespace edgescan
+} // namespace edgescan::edges

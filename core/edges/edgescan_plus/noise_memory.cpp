@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::size_t kCellsLookedAt = 10000; // per direction; half as many at lags that only show how the noise continues
@@ -193,7 +193,7 @@ float foldAt(const NoiseWay& way, int line, int beam, int reach) {
     const std::ptrdiff_t across = way.along == Along::Beams ? inverse.u.beams : 1;
     const auto at = static_cast<std::ptrdiff_t>(inverse.u.index(line, beam));
     // Sums of three cells each across the direction; below they are smoothed again along it.
-    std::array<double, 2 * kFoldLooks + 3> sums{};
+    std::array<double, 2 * kFoldReach + 3> sums{};
     for (int off = -reach - 1; off <= reach + 1; ++off) {
         double sum = 0;
         for (int side = -1; side <= 1; ++side) {
@@ -222,7 +222,7 @@ float foldAt(const NoiseWay& way, int line, int beam, int reach) {
 }
 
 int reachOfFold(double rangeM, double angleRad, double windowMm) {
-    return static_cast<int>(std::clamp(0.001 * windowMm / (rangeM * angleRad) + 0.5, 3.0, static_cast<double>(kFoldLooks - 1)));
+    return static_cast<int>(std::clamp(0.001 * windowMm / (rangeM * angleRad) + 0.5, 3.0, static_cast<double>(kFoldReach - 1)));
 }
 
 } // namespace
@@ -279,4 +279,4 @@ MemoryNoise memoryNoise(const InverseRange& inverse, const AngularSteps& steps, 
     return noise;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Number of cells between the outer and the middle cell of a second difference.
 inline constexpr std::array<int, 5> kNoiseLags{1, 2, 4, 8, 16};
@@ -33,4 +33,4 @@ struct MemoryNoise {
 /// `scales` of the same sweep, `windowMm` of one side of a fold (docs/method.md, "Step 5"). Zero noise if there are too few cells.
 [[nodiscard]] MemoryNoise memoryNoise(const InverseRange& inverse, const AngularSteps& steps, const NoiseScales& scales, double windowMm);
 
-} // namespace edgescan
+} // namespace edgescan::edges

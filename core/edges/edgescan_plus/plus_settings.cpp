@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 DepthEdgeSettings depthEdgeSettings(const Settings& settings) {
     const int classes = reads(settings.method, kReadsClasses) ? settings.classes : traitsOf(settings.method).classes;
@@ -38,4 +38,4 @@ const char* edgeClassLabel(DepthEdge kind) {
     return kind == DepthEdge::None ? "none" : findParameter("classes")->choices[static_cast<std::size_t>(kind) - 1].label;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -4,7 +4,7 @@
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/settings/settings.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The settings of EdgeScan+. The method must not be Canny. Outlines and Jumps are EdgeScan+ with fewer classes.
 [[nodiscard]] DepthEdgeSettings depthEdgeSettings(const Settings& settings);
@@ -14,4 +14,4 @@ namespace edgescan {
 /// The name for people, as on the switches: "data border", "outline before a void".
 [[nodiscard]] const char* edgeClassLabel(DepthEdge kind);
 
-} // namespace edgescan
+} // namespace edgescan::edges

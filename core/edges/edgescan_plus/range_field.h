@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The two directions in a sweep: along the fan (from beam to beam), and across the lines (from line to line).
 enum class Along : std::uint8_t { Beams, Lines };
@@ -53,4 +53,4 @@ struct DepthLimits {
     return buffer.data();
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kSide = 5;          // cells of a surface used for its slope
@@ -157,4 +157,4 @@ std::vector<std::uint32_t> silhouetteCells(const InverseRange& inverse, const An
     return cells;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Measured cells at the near end of a void along the beams or along the lines, ascending; the far end may be interpolated. A filled gap of
 /// up to four cells is examined like a void between measured cells, because a jump may be distributed over it. An outline is certain if two
@@ -17,4 +17,4 @@ namespace edgescan {
 /// data have no outline (docs/operator.md, "S3").
 [[nodiscard]] std::vector<std::uint32_t> silhouetteCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -7,20 +7,20 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr float kMarginU = 1.0F;
 constexpr int kAround = 8; // lines of jumps and folds that can be read together
 // By how many lines each stage is behind the line that is read.
-constexpr int kToSnapped = kMixedLooksOn;
-constexpr int kToCracks = kToSnapped + kJumpLooksOn;
-constexpr int kSurfaceLines = kToCracks + kJumpLooksBack + 1;
-constexpr int kFoldLines = 2 * kFoldLooks + 1;
+constexpr int kToSnapped = kMixedLinesAfter;
+constexpr int kToCracks = kToSnapped + kJumpLinesAfter;
+constexpr int kSurfaceLines = kToCracks + kJumpLinesBefore + 1;
+constexpr int kFoldLines = 2 * kFoldReach + 1;
 
 constexpr int kMostPasses = 2;
-static_assert(SurfaceLines::kLooksBack >= 1 + kFoldLooks + kMostPasses + kJumpLooksBack + kMixedWritesOn + kMixedLooksBack + 1);
-static_assert(kMixedWritesOn <= kMixedLooksOn && kMixedLooksBack <= kJumpLooksOn + kJumpLooksBack);
+static_assert(SurfaceLines::kLinesBefore >= 1 + kFoldReach + kMostPasses + kJumpLinesBefore + kMixedLinesWritten + kMixedLinesBefore + 1);
+static_assert(kMixedLinesWritten <= kMixedLinesAfter && kMixedLinesBefore <= kJumpLinesAfter + kJumpLinesBefore);
 
 EDGESCAN_SIMD void takeSolid(const Support* support, int beams, float* __restrict solid) {
     for (int j = 0; j < beams; ++j) solid[j] = support[j] == Support::Void ? 0.0F : 1.0F;
@@ -34,7 +34,7 @@ SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& step
       crackLine_(from - 1 - kToCracks), measured_(inverse.u.beams, 1, kMarginU, from), solid_(inverse.u.beams, kSurfaceLines, 0.0F, from),
       snappedOnce_(inverse.u.beams, kSurfaceLines, kMarginU, from), snapped_(inverse.u.beams, kSurfaceLines, kMarginU, from),
       crackBeams_(inverse.u.beams, 1, 0.0F, from - 1), crackLines_(inverse.u.beams, 2, 0.0F, from - 1),
-      linkBeams_(inverse.u.beams, kFoldLooks + limits.passes + 1, 0, from - 1),
+      linkBeams_(inverse.u.beams, kFoldReach + limits.passes + 1, 0, from - 1),
       linkLines_(inverse.u.beams, kFoldLines + limits.passes, 0, from - 1), jumpBeams_(inverse.u.beams, kAround, 0.0F, from),
       jumpLines_(inverse.u.beams, kAround, 0.0F, from), folds_{Lines(inverse.u.beams, kAround, 0.0F, from),
                                                                Lines(inverse.u.beams, kAround, 0.0F, from)} {
@@ -90,8 +90,8 @@ void SurfaceLines::findCracks(int line) {
         surfaceLinks(field, crackLines_, Along::Lines, line, slips_, linkLines_);
     }
     if (isInside(line)) {
-        onNearerCells(field, crackBeams_, Along::Beams, line, jumpBeams_);
-        onNearerCells(field, crackLines_, Along::Lines, line, jumpLines_);
+        jumpsOnNearerCells(field, crackBeams_, Along::Beams, line, jumpBeams_);
+        jumpsOnNearerCells(field, crackLines_, Along::Lines, line, jumpLines_);
     } else if (line >= lines_) {
         jumpBeams_.nextEmpty();
         jumpLines_.nextEmpty();
@@ -121,4 +121,4 @@ void SurfaceLines::fitFolds(int line) {
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,14 +8,14 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The stages between a cleaned sweep and the decision (docs/method.md, "Step 2" to "Step 5"), and the lines between them. The results of a
 /// line depend only on a few dozen lines around it, and only these are stored.
 class SurfaceLines {
 public:
     /// The results of a line depend on at most this many lines before it.
-    static constexpr int kLooksBack = 32;
+    static constexpr int kLinesBefore = 32;
 
     /// Stores the references. Begins at line `from` as if it were the first line.
     SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits, int from = 0);
@@ -39,7 +39,7 @@ public:
 
     /// The newest line; negative before the first.
     [[nodiscard]] int jumpLine() const { return crackLine_; }
-    [[nodiscard]] int foldLine() const { return crackLine_ - limits_.passes - kFoldLooks; }
+    [[nodiscard]] int foldLine() const { return crackLine_ - limits_.passes - kFoldReach; }
 
 private:
     [[nodiscard]] bool isInside(int line) const { return line >= from_ && line < lines_; }
@@ -72,4 +72,4 @@ private:
     FoldStrengths folds_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::size_t kFitted = 6;
@@ -78,4 +78,4 @@ EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach)
     return profile;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// In the plane of the beams: `across` at right angles to the cell's own beam, `away` along it, both in metres from the cell.
 struct ProfilePoint {
@@ -31,4 +31,4 @@ struct EdgeProfile {
 /// sum of squared distances from the line. Empty if the cell has no range.
 [[nodiscard]] EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach = 12);
 
-} // namespace edgescan
+} // namespace edgescan::edges

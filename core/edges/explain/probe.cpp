@@ -5,7 +5,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 Probe probeCell(const Detection& detection, std::size_t k) {
     const Scan& scan = *detection.scan;
@@ -29,4 +29,4 @@ Probe probeCell(const Detection& detection, std::size_t k) {
     return probe;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct Probe {
     std::uint32_t cell = 0; ///< k = line * beams + beam
@@ -26,4 +26,4 @@ struct Probe {
 /// `k` must be a cell of the detection's scan.
 [[nodiscard]] Probe probeCell(const Detection& detection, std::size_t k);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -22,7 +22,7 @@ double roundedDown(double value, const Parameter& parameter) {
 // Breadth first over cells above the lower threshold: finds the path to the nearest strong cell, and the number of connected cells.
 void followChain(Why& why) {
     const Grid<float>& strength = why.linked;
-    if (why.standing == Standing::Below) return;
+    if (why.level == StrengthLevel::Below) return;
     const auto beams = static_cast<std::size_t>(strength.beams);
     std::vector<std::uint32_t> from(strength.size(), kNone);
     std::vector<std::uint32_t> waiting{why.probe.cell};
@@ -58,8 +58,8 @@ void followChain(Why& why) {
     std::ranges::reverse(why.chain);
 }
 
-Standing standingOf(double strength, const Why& why) {
-    return strength > why.upper ? Standing::Above : strength > why.lower ? Standing::Between : Standing::Below;
+StrengthLevel standingOf(double strength, const Why& why) {
+    return strength > why.upper ? StrengthLevel::Above : strength > why.lower ? StrengthLevel::Between : StrengthLevel::Below;
 }
 
 // Converts strengths and thresholds to the units of the settings.
@@ -88,7 +88,7 @@ Why whyCell(const Detection& detection, std::size_t k) {
     why.unit = parameter.unit;
     if (detection.smoothed) why.smoothed = (*detection.smoothed)[k];
     const bool linked = why.linked.size() > 0;
-    why.standing = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
+    why.level = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
     if (linked) followChain(why);
     if (why.shown != nullptr) convertToShownUnits(why, settings);
     const double highest = decision.thresholds(detection).highest[k];
@@ -100,4 +100,4 @@ Why whyCell(const Detection& detection, std::size_t k) {
     return why;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

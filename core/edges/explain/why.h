@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The position of a strength relative to the two thresholds.
-enum class Standing : std::uint8_t { Below, Between, Above };
+enum class StrengthLevel : std::uint8_t { Below, Between, Above };
 
 struct Why : Judgement {
     Probe probe;
     std::optional<double> smoothed; ///< level after smoothing; null if the method does not smooth levels
     const char* unit = "";          ///< unit of strength and thresholds: "levels", "% of range" (of a straight step), "x"
-    Standing standing = Standing::Below;
+    StrengthLevel level = StrengthLevel::Below;
     std::vector<CellStrength> chain;         ///< path from the cell to the nearest strong one, including both; empty if there is none
     std::size_t chainCells = 0;              ///< number of cells connected with it above the lower threshold, including itself
     std::vector<std::uint32_t> chainMembers; ///< these, ascending
@@ -40,4 +40,4 @@ enum class Naming : std::uint8_t { Keys, Labels };
 /// The same, with the verdict as the last line.
 [[nodiscard]] std::string whyText(const Why& why, const Settings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 std::string number(double value) { return fixedText(value, std::abs(value) < 10 ? 2 : 1); }
@@ -62,7 +62,7 @@ std::string reasonOfNone(const Why& why, const Settings& settings, const std::st
                inUnit(why, why.suppressedBy->strength) + "), and an edge is one cell wide";
     if (const DepthStepAtCell* step = stepOfNeighbour(why))
         return "the step of " + whole(step->stepMm) + " mm belongs to " + place(step->line, step->beam) + ", which is the nearer cell";
-    if (why.standing == Standing::Below) {
+    if (why.level == StrengthLevel::Below) {
         const std::string text = strength + (why.strength < why.lower ? " is below " : " is no more than ") + thresholds.lower;
         return why.suppressedBy ? text + ", and " + place(*why.suppressedBy) + " beside it is stronger" : text;
     }
@@ -83,7 +83,7 @@ std::string reason(const Why& why, const Settings& settings, Naming naming) {
     if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
     if (why.probe.kind == DepthEdge::Silhouette)
         return "the surface ends here before missing data, and what lies behind them is farther away";
-    if (why.standing == Standing::Above) return strength + " is above " + thresholds.upper;
+    if (why.level == StrengthLevel::Above) return strength + " is above " + thresholds.upper;
     if (why.chain.size() > 1)
         return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +
                (why.chain.size() == 2 ? " cell on, at " : " cells on, at ") + place(why.chain.back()) + ", its chain reaches " +
@@ -118,9 +118,9 @@ std::string depthText(const Why& why) {
     std::string text;
     if (depth.support == Support::Filled)
         text += "\nNo range of its own: the gap is filled from both sides, and edges go round it by the cells beside it.";
-    if (depth.support == Support::Wanted)
+    if (depth.support == Support::RequestedFill)
         text += "\nNo range of its own: the gap was filled on request, and its cells take part like measured ones.";
-    if (why.roundGap) text += "\nThe edge of a cell without a range beside it goes round by this one.";
+    if (why.movedFromGap) text += "\nThe edge of a cell without a range beside it goes round by this one.";
     if (depth.support == Support::Void) text += "\nNothing is known here: no step and no fold is measured beside missing data.";
     if (depth.snappedMm) text += "\nMixed pixel: taken at " + number(*depth.snappedMm / 1000) + " m, on the closer of two surfaces.";
     const DepthStepAtCell* decisive = stepOfNeighbour(why);
@@ -185,4 +185,4 @@ std::string whyNumbers(const Why& why, const Settings& settings) {
     return text + chainText(why);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

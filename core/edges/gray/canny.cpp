@@ -12,7 +12,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::uint8_t kEdge = 128; // and no other bit: marks that are weak or strong are not decided yet
@@ -141,4 +141,4 @@ std::vector<std::uint32_t> edgeCells(const Grid<std::uint8_t>& mask) {
     return cells;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

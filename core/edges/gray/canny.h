@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// 255 = edge, lines x beams: cv::Canny with lower, upper = ratio x lower, aperture and norm of the settings.
 [[nodiscard]] Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings);
@@ -28,4 +28,4 @@ namespace edgescan {
 /// Indices k = line * beams + beam of the edge cells, ascending.
 [[nodiscard]] std::vector<std::uint32_t> edgeCells(const Grid<std::uint8_t>& mask);
 
-} // namespace edgescan
+} // namespace edgescan::edges

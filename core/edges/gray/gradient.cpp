@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kLargestThreshold = 32767.0; // cv::Canny squares no threshold above this
@@ -130,10 +130,10 @@ Grid<std::int32_t> suppressedMagnitude(const Gradient& gradient, Norm norm) {
             const AlongGradient along = alongGradient(gradient.alongBeams[k], gradient.alongLines[k]);
             const std::ptrdiff_t step = static_cast<std::ptrdiff_t>(wide) * along.lineStep + along.beamStep;
             const std::int32_t second = row[j + step];
-            if (here > row[j - step] && (here > second || (along.tieIsKept && here == second))) kept[k] = here;
+            if (here > row[j - step] && (here > second || (along.tieSurvives && here == second))) kept[k] = here;
         }
     }
     return kept;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

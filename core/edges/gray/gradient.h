@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct Gradient {
     Grid<std::int16_t> alongBeams; ///< d level / d beam, lines x beams, multiplied by the weights of the aperture
@@ -39,11 +39,11 @@ struct SobelWeights {
 struct AlongGradient {
     int lineStep = 0; ///< to the second neighbour; the first is in the opposite direction
     int beamStep = 0;
-    bool tieIsKept = true; ///< being equal to the second neighbour is enough (not on diagonals)
+    bool tieSurvives = true; ///< being equal to the second neighbour is enough (not on diagonals)
 };
 [[nodiscard]] AlongGradient alongGradient(std::int16_t alongBeams, std::int16_t alongLines);
 
 /// Non-maximum suppression: the magnitude of the cells that exceed their neighbours along the gradient, otherwise 0.
 [[nodiscard]] Grid<std::int32_t> suppressedMagnitude(const Gradient& gradient, Norm norm);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // To the lower right, and to the lower left.
@@ -87,4 +87,4 @@ Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::u
 
 MaskDirection robinsonDirection(const Neighbours& at) { return strongestOf(at, robinsonAnswer); }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 // The responses take gray levels (raw or smoothed), lines x beams, and the missing cells (255; may be null). A missing cell in a window
 // counts as the window's centre, and has no response itself. The responses are divided by the sums of the masks.
@@ -58,4 +58,4 @@ template <int kCorner, int kMiddle>
 [[nodiscard]] Grid<float> robinsonResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 [[nodiscard]] MaskDirection robinsonDirection(const Neighbours& at);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kLevels = 255.0;
@@ -146,4 +146,4 @@ double mmPerLevel(const GrayScale& scale, double rangeMm) {
     return (scale.farMm - scale.nearMm) / kLevels;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

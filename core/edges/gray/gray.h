@@ -5,7 +5,7 @@
 #include "core/edges/settings/settings.h"
 #include "core/scan/grid/scan.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// gray = clamp(rint(range scaled from nearMm..farMm to 0..255), 0, 255), linear in millimetres or logarithmic.
 struct GrayScale {
@@ -32,4 +32,4 @@ struct GrayImage {
 /// Range in mm per gray level at `rangeMm`; 0 if the scan has no depth.
 [[nodiscard]] double mmPerLevel(const GrayScale& scale, double rangeMm);
 
-} // namespace edgescan
+} // namespace edgescan::edges

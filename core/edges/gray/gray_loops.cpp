@@ -16,7 +16,7 @@
 #define EDGESCAN_APART _Pragma("GCC ivdep")
 #endif
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kPad = 16;   // cells on either side of a row of the buffer; 5 are needed
@@ -400,4 +400,4 @@ const GrayLoops& grayLoops() {
     return widest;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

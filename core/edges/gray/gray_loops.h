@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The thresholds that cv::Canny compares magnitudes with, as whole numbers: a cell above `low` may be an edge, a cell above `high` starts
 /// one.
@@ -63,4 +63,4 @@ struct GrayLoops {
 /// The widest that this processor supports.
 [[nodiscard]] const GrayLoops& grayLoops();
 
-} // namespace edgescan
+} // namespace edgescan::edges

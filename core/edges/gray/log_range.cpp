@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kPerEFold = 4096.0;       // whole numbers per factor e of range: 0.024 % each
@@ -158,4 +158,4 @@ Grid<std::uint8_t> withoutOwnRange(const Scan& scan) {
     return without;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

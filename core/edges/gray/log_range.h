@@ -5,7 +5,7 @@
 #include "core/edges/gray/gradient.h"
 #include "core/scan/grid/scan.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Gradient of ln(range), smoothed with kernel and sigma of the settings, with the aperture of the settings. Isolated cells are dropped,
 /// gaps of up to 4 cells are filled linearly in inverse range; a cell that is still missing counts as the window's centre. Whole numbers
@@ -25,4 +25,4 @@ namespace edgescan {
 /// lines x beams: 255 where a cell has no range of its own or is isolated; such a cell is never an edge.
 [[nodiscard]] Grid<std::uint8_t> withoutOwnRange(const Scan& scan);
 
-} // namespace edgescan
+} // namespace edgescan::edges

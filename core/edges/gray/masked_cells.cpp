@@ -3,7 +3,7 @@
 
 #include "core/scan/grid/missing_cells.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings) {
     if (!settings.maskMissing) return {};
@@ -14,4 +14,4 @@ Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings) {
     return masked;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Levels of a cell and of its neighbours, clockwise from the top left: 0 1 2 / 7 c 3 / 6 5 4.
 struct Neighbours {
@@ -47,4 +47,4 @@ template <class Formula>
     return response;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kOne = 256;                     // 1 as a fixed-point weight
@@ -90,4 +90,4 @@ Grid<std::uint8_t> smoothAroundHoles(const Grid<std::uint8_t>& gray, const Grid<
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

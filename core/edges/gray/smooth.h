@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// OpenCV's fixed-point Gaussian of `size` cells: weights in 1/256 that add up to 256 (cv::GaussianBlur on 8-bit images).
 /// Sigma NaN: 0.3 ((size - 1) / 2 - 1) + 0.8.
@@ -25,4 +25,4 @@ namespace edgescan {
 [[nodiscard]] Grid<std::uint8_t> smoothAroundHoles(const Grid<std::uint8_t>& gray, const Grid<std::uint8_t>& missing,
                                                    const Settings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::edges

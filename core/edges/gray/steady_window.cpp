@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kFirstLook = 16;       // number of lines of a sweep after which a window of the sweep before is checked
@@ -48,4 +48,4 @@ Settings SteadyWindow::fix(const Scan& scan, const Settings& settings) {
 
 void SteadyWindow::nextSweep() { lookedAt_ = std::min(lookedAt_, kFirstLook / 2); }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -4,7 +4,7 @@
 #include "core/edges/settings/settings.h"
 #include "core/scan/grid/scan.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 class SteadyWindow {
 public:
@@ -20,4 +20,4 @@ private:
     int lookedAt_ = 0;       // number of lines at the last check; 0: never
 };
 
-} // namespace edgescan
+} // namespace edgescan::edges

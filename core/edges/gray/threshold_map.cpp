@@ -10,7 +10,7 @@
 #include <limits>
 #include <unordered_map>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kNever = -1.0;
@@ -362,4 +362,4 @@ EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thres
     return curve;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// A cell is an edge exactly if threshold <= highest. Below 0: never an edge. Infinite: at every threshold.
 struct ThresholdMap {
@@ -73,4 +73,4 @@ struct EdgeCountCurve {
 /// limited by the mask on its path. marker <= mask in every cell.
 [[nodiscard]] Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask);
 
-} // namespace edgescan
+} // namespace edgescan::edges

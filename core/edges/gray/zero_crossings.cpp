@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kReachInSigmas = 4.0;
@@ -153,4 +153,4 @@ Grid<float> logResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_
     return zeroCrossingSlope(laplacian(levels, missing, settings.logMask), missing);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

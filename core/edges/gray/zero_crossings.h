@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Correlation with one of the Laplacian masks of text books, in integer sums; lines x beams, borders repeated. A missing cell (255;
 /// `missing` may be null) in the window counts as the window's centre and is 0 itself.
@@ -26,4 +26,4 @@ namespace edgescan {
                                                const Settings& settings);
 [[nodiscard]] Grid<float> logResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::edges

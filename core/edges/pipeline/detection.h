@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct StageTime {
     std::string stage;
@@ -45,4 +45,4 @@ struct Detection {
 /// Number of edge cells by DepthEdge; all 0 if the method does not distinguish classes.
 [[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection);
 
-} // namespace edgescan
+} // namespace edgescan::edges

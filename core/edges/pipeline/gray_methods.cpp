@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 const Grid<std::uint8_t>& levelsOf(const Detection& detection) { return detection.smoothed ? *detection.smoothed : detection.gray->levels; }
@@ -47,7 +47,7 @@ Judgement judgeGradient(const Gradient& gradient, double lower, const Settings& 
         const int beam = static_cast<int>(k % beams) + sign * along.beamStep;
         if (found.suppressedBy || !gradient.alongBeams.contains(line, beam)) continue;
         const double other = strengthAt(gradient.alongBeams.index(line, beam));
-        const bool outdone = sign > 0 && along.tieIsKept ? found.strength >= other : found.strength > other;
+        const bool outdone = sign > 0 && along.tieSurvives ? found.strength >= other : found.strength > other;
         if (!outdone && other > found.lower) found.suppressedBy = CellStrength{line, beam, other};
     }
     const Grid<std::int32_t> kept = suppressedMagnitude(gradient, settings.norm);
@@ -126,4 +126,4 @@ const Decision kLogRangeDecision{
 const Decision kDetectorDecision{"detector", detectorEdges,
                                  [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); }, judgeDetector};
 
-} // namespace edgescan
+} // namespace edgescan::edges

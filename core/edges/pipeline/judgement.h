@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct Judgement {
     bool takesPart = true;              ///< false: no range, or masked: not an edge at any threshold
@@ -20,11 +20,11 @@ struct Judgement {
     double upper = 0.0;
     std::optional<CellStrength> suppressedBy; ///< the stronger neighbour across the edge
     std::optional<DepthProbe> depth;          ///< measurements of EdgeScan+ and its parts only
-    bool roundGap = false;                    ///< the response was moved here from a cell without a range next to it
+    bool movedFromGap = false;                ///< the response was moved here from a cell without a range next to it
     DepthEdge kind = DepthEdge::None;         ///< class of the strongest response among the requested classes, edge or not
     Grid<float> linked; ///< lines x beams: suppressed strengths, linked by the thresholds; empty if there is only one threshold
     /// converts strengths and thresholds to the unit of the settings; null: they already have it
     double (*shown)(double, const Settings&) = nullptr;
 };
 
-} // namespace edgescan
+} // namespace edgescan::edges

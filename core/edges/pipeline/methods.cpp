@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::array kRows{
@@ -36,4 +36,4 @@ static_assert(inOrder(), "a row per method, in the order of the enumeration");
 
 const MethodRow& rowOf(Method method) { return kRows[static_cast<std::size_t>(method)]; }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,7 +6,7 @@
 #include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/judgement.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct FoundEdges {
     Grid<std::uint8_t> mask;   ///< lines x beams, 255 = edge
@@ -43,4 +43,4 @@ extern const Decision kCannyDecision, kLogRangeDecision, kDetectorDecision, kSur
     return rowOf(detection.settings.method).decision.thresholds(detection);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -14,7 +14,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -137,4 +137,4 @@ std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& 
     return Pipeline(keep).run(scan, settings);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

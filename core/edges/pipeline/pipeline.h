@@ -4,7 +4,7 @@
 #include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// The results that a pipeline stores in addition to the edges.
 enum class KeepFor : std::uint8_t {
@@ -48,4 +48,4 @@ private:
 [[nodiscard]] std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings,
                                                            KeepFor keep = KeepFor::Edges);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -11,7 +11,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kStep = 240; // levels; a multiple of 16, so that the 3 x 3 Gaussian rounds no value
@@ -185,4 +185,4 @@ double lowerWithSameStep(const Settings& before, const Settings& settings) {
     return snapped(*findParameter("lower"), std::max(lower, least));
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

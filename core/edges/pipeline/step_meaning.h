@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// Response of the method's kernels to a step of one gray level: along lines or beams, and diagonal. Computed by running smoothing and
 /// detector on images of steps. {0, 0} for methods without gray levels.
@@ -60,4 +60,4 @@ struct TypedStep {
 /// answerToRounding().
 [[nodiscard]] double lowerWithSameStep(const Settings& before, const Settings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 FoundEdges surfaceEdges(const Detection& detection) {
@@ -19,7 +19,7 @@ FoundEdges surfaceEdges(const Detection& detection) {
 ThresholdMap surfaceThresholds(const Detection& detection) {
     const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
     const DepthResponses& responses = *detection.responses;
-    ThresholdMap map = linkedThresholdMap(depthStrength(responses, settings), settings.hysteresisLow, settings.minimumLength);
+    ThresholdMap map = linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisLow, settings.minimumLength);
     const auto always = [&map](const std::vector<std::uint32_t>& cells) {
         for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
     };
@@ -35,7 +35,7 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     Judgement found;
     const GapFilling* filling = detection.settings.fillEdges ? detection.filled.get() : nullptr;
     found.takesPart = withoutOwnRange(*detection.scan)[k] == 0 || (filling != nullptr && filling->at(k) != nullptr);
-    found.linked = depthStrength(responses, settings);
+    found.linked = requestedStrength(responses, settings);
     found.upper = settings.sensitivity;
     found.lower = settings.sensitivity * settings.hysteresisLow;
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
@@ -56,7 +56,7 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     found.strength = static_cast<double>(size);
     if (size > 0) found.kind = isJump ? DepthEdge::Jump : fold > 0 ? DepthEdge::Convex : DepthEdge::Concave;
     if (kept > 0)
-        found.roundGap = isJump ? jump.kept != responses.jump[k] : crease.kept != responses.crease[k];
+        found.movedFromGap = isJump ? jump.after != responses.jump[k] : crease.after != responses.crease[k];
     else if (size > 0)
         found.suppressedBy = isJump ? jump.stronger : crease.stronger;
     return found;
@@ -66,4 +66,4 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
 
 const Decision kSurfaceDecision{"decision", surfaceEdges, surfaceThresholds, judgeSurface};
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::edges {
 
-Settings turned(const Settings& before, const Parameter& parameter, double value, const Settings& lastGray) {
+Settings withParameterChanged(const Settings& before, const Parameter& parameter, double value, const Settings& lastGray) {
     constexpr double kApartMm = 1.0;
     Settings settings = before;
     parameter.set(settings, value);
@@ -18,4 +18,4 @@ Settings turned(const Settings& before, const Parameter& parameter, double value
     return settings;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 Result<Done> checkMemoryFor(Work work, const Scan& scan) {
     // Peaks on a sweep of 4.6 million cells, in addition to the scan itself: 17, 96 and 55 bytes per cell (120 with pictures); plus a half
@@ -15,4 +15,4 @@ Result<Done> checkMemoryFor(Work work, const Scan& scan) {
     return checkMemory(productOf({scan.cells(), kBytesPerCell[static_cast<std::size_t>(work)]}), scan.path);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -6,11 +6,11 @@
 
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 enum class Work : std::uint8_t { Detect, Explain, Compare, Rocks };
 
 /// Call it before the work begins. Error: the scan has too many cells for the free memory.
 Result<Done> checkMemoryFor(Work work, const Scan& scan);
 
-} // namespace edgescan
+} // namespace edgescan::edges

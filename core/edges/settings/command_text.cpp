@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 std::vector<std::string> differences(const Settings& from, const Settings& to) {
@@ -41,4 +41,4 @@ std::string detectCommand(const std::string& program, const std::string& path, c
            " --json -";
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

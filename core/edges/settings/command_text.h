@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// "--preset NAME --lower 12 ...": the nearest built-in preset and what differs from it.
 [[nodiscard]] std::string settingsFlags(const Settings& settings);
@@ -15,4 +15,4 @@ namespace edgescan {
 [[nodiscard]] std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags,
                                         const Settings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr unsigned kGradient = kReadsTwoThresholds | kReadsKernel | kReadsNorm;
@@ -45,4 +45,4 @@ double automaticSigma(const Settings& settings) {
     return reads(settings.method, kReadsSigma) ? kMarrHildreth : 0.3 * ((settings.kernel - 1) * 0.5 - 1) + 0.8;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

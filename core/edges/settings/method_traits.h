@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// What a method reads, beside `method` itself: bits of MethodTraits::reads.
 enum Reads : unsigned {
@@ -43,4 +43,4 @@ struct MethodTraits {
 /// Sigma of the Gaussian, cells, where nobody typed one: from the kernel size, or the one of a method without a kernel size.
 [[nodiscard]] double automaticSigma(const Settings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
@@ -324,4 +324,4 @@ Result<Settings> settingsFromJson(const nlohmann::json& object, Settings setting
     return settings;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// A named value of a parameter that is not a free number.
 struct Choice {
@@ -102,4 +102,4 @@ struct Parameter {
 /// Overwrites in `settings` what `object` names. Error: unknown key, wrong type, outside the limits. `where` goes into the error.
 [[nodiscard]] Result<Settings> settingsFromJson(const nlohmann::json& object, Settings settings, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr const char* kFormat = "edgescan-preset/1";
@@ -90,4 +90,4 @@ std::string presetText(const Preset& preset) {
     return jsonText(json, 2) + "\n";
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

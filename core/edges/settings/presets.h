@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct Preset {
     std::string name;
@@ -39,4 +39,4 @@ inline constexpr DefaultSet kDefaultSet{"default", 3};
 /// The text of a preset file: {"format": "edgescan-preset/1", "name": ..., "settings": {...}}.
 [[nodiscard]] std::string presetText(const Preset& preset);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// A number that is worked out from the scan unless somebody types one.
 inline constexpr double kAutomatic = std::numeric_limits<double>::quiet_NaN();
@@ -102,4 +102,4 @@ struct Settings {
 /// Equal, counting automatic as equal to automatic.
 [[nodiscard]] bool operator==(const Settings& a, const Settings& b);
 
-} // namespace edgescan
+} // namespace edgescan::edges

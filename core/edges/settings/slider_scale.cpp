@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kPlaces = 200; // values along the slider
@@ -44,4 +44,4 @@ std::vector<double> sliderValues(const Parameter& parameter) {
     return values;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

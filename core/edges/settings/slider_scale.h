@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 struct Parameter;
 
@@ -14,4 +14,4 @@ inline constexpr int kSliderSteps = 1000;
 /// The values at evenly spaced positions, ascending, without repeats: the thresholds of the edge-count curve under a slider.
 [[nodiscard]] std::vector<double> sliderValues(const Parameter& parameter);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::string_view kOfGaps = "fill"; // changes the cells themselves, not the decision which of them are edges
@@ -28,8 +28,8 @@ std::vector<double> variedValues(const Parameter& parameter, const Settings& set
     if (std::isnan(now) && parameter.automatic != nullptr) now = parameter.automatic(settings, measured);
     if (std::isnan(now)) return {};
     const bool isNumber = parameter.choices.empty();
-    const double down = isNumber ? std::min(now / kTurnedBy, now - parameter.step) : now - parameter.step;
-    const double up = isNumber ? std::max(now * kTurnedBy, now + parameter.step) : now + parameter.step;
+    const double down = isNumber ? std::min(now / kVariationFactor, now - parameter.step) : now - parameter.step;
+    const double up = isNumber ? std::max(now * kVariationFactor, now + parameter.step) : now + parameter.step;
     std::vector<double> values;
     for (const double value : {down, up}) {
         const double taken = snapped(parameter, std::clamp(value, parameter.minimum, parameter.maximum));
@@ -95,4 +95,4 @@ std::size_t confidenceBand(int percent) {
     return band;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

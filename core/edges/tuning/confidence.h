@@ -11,13 +11,13 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
-inline constexpr double kTurnedBy = 1.1; ///< factor by which the threshold and each other number is multiplied and divided
+inline constexpr double kVariationFactor = 1.1; ///< factor by which the threshold and each other number is multiplied and divided
 
-/// The settings of the detection first, then those near them. Each number that affects the edges is multiplied and divided by kTurnedBy
-/// (automatic ones start from their value on this scan), or changed by one step of its slider if that is more. Each size is taken one
-/// larger and one smaller. With each of these settings the threshold is also multiplied and divided.
+/// The settings of the detection first, then those near them. Each number that affects the edges is multiplied and divided by
+/// kVariationFactor (automatic ones start from their value on this scan), or changed by one step of its slider if that is more. Each size
+/// is taken one larger and one smaller. With each of these settings the threshold is also multiplied and divided.
 [[nodiscard]] std::vector<Settings> nearbySettings(const Detection& detection);
 
 /// Immutable after construction.
@@ -36,4 +36,4 @@ struct EdgeConfidence {
 inline constexpr std::array<int, 5> kConfidenceBands{100, 90, 70, 50, 0};
 [[nodiscard]] std::size_t confidenceBand(int percent);
 
-} // namespace edgescan
+} // namespace edgescan::edges

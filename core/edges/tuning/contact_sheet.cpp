@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kSpread = 4.0;     // from a fourth of the value to four times the value
@@ -72,4 +72,4 @@ std::vector<SheetEntry> contactSheet(const std::shared_ptr<const Scan>& scan, co
     return entries;
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// One value. Its edges are those that the program shows at this value.
 struct SheetEntry {
@@ -32,4 +32,4 @@ void markSteady(std::vector<SheetEntry>& entries);
                                                    const Parameter& parameter, const std::vector<double>& values,
                                                    const std::function<bool(const SheetEntry&, const Detection&)>& made);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kRoom = 1.1; // if there are no unwanted marks: distance of the threshold from the largest one that satisfies all marks
@@ -81,7 +81,7 @@ EdgeProposal proposalOf(const std::shared_ptr<const Scan>& scan, const Settings&
     const std::vector<double> wanted = highestOf(map, marks.wanted), unwanted = highestOf(map, marks.unwanted);
     EdgeProposal best;
     double bestThreshold = parameter.get(settings);
-    const auto rank = [](const EdgeProposal& p) { return std::tuple(p.kept + p.leftOut, p.margin); };
+    const auto rank = [](const EdgeProposal& p) { return std::tuple(p.wantedMet + p.unwantedMet, p.margin); };
     std::vector<double> tries = thresholdsToTry(parameter, wanted, unwanted);
     tries.push_back(bestThreshold);
     bool first = true;
@@ -119,7 +119,8 @@ std::vector<EdgeProposal> edgeProposals(const std::shared_ptr<const Scan>& scan,
         proposals.push_back(proposalOf(scan, candidate, marks));
     }
     const auto before = [](const EdgeProposal& a, const EdgeProposal& b) {
-        return std::tuple(a.separates(), a.kept + a.leftOut, a.margin) > std::tuple(b.separates(), b.kept + b.leftOut, b.margin);
+        return std::tuple(a.meetsAllMarks(), a.wantedMet + a.unwantedMet, a.margin) >
+               std::tuple(b.meetsAllMarks(), b.wantedMet + b.unwantedMet, b.margin);
     };
     std::ranges::stable_sort(proposals, before);
     return proposals;
@@ -130,12 +131,12 @@ std::string proposalText(const EdgeProposal& proposal, const EdgeMarks& marks) {
     const auto all = marks.wanted.size() + marks.unwanted.size();
     std::string text = std::string(traitsOf(proposal.settings.method).label) + ", " + parameter.label + " " +
                        fixedText(parameter.get(proposal.settings), parameter.decimals) + ": ";
-    if (!proposal.separates())
-        return text + std::to_string(proposal.kept + proposal.leftOut) + " of " + std::to_string(all) + " marks, " +
+    if (!proposal.meetsAllMarks())
+        return text + std::to_string(proposal.wantedMet + proposal.unwantedMet) + " of " + std::to_string(all) + " marks, " +
                std::to_string(proposal.edges) + " edge cells";
     text += all == 1 ? "the mark" : "all " + std::to_string(all) + " marks";
     if (std::isfinite(proposal.margin)) text += ", by a factor of " + fixedText(proposal.margin, 2);
     return text + ", " + std::to_string(proposal.edges) + " edge cells";
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

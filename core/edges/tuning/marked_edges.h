@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 /// A mark also covers the cells around it, because a line one cell wide is hard to click.
 inline constexpr int kMarkReachCells = 2;
@@ -26,13 +26,13 @@ struct EdgeMarks {
 };
 
 struct EdgeProposal {
-    Settings settings; ///< with the threshold that fits the marks best
-    int kept = 0;      ///< number of satisfied wanted marks
-    int leftOut = 0;   ///< number of satisfied unwanted marks
+    Settings settings;   ///< with the threshold that fits the marks best
+    int wantedMet = 0;   ///< number of satisfied wanted marks
+    int unwantedMet = 0; ///< number of satisfied unwanted marks
     /// the threshold may be multiplied or divided by this with all marks still satisfied; below 1: some are not satisfied
     double margin = 0;
     std::size_t edges = 0;
-    [[nodiscard]] bool separates() const { return margin >= 1.0; }
+    [[nodiscard]] bool meetsAllMarks() const { return margin >= 1.0; }
 };
 
 /// Proposals for the current method with all of its other settings, and for every other method with its default settings. First those that
@@ -44,4 +44,4 @@ struct EdgeProposal {
 /// "EdgeScan+, Edge strength 1.35: all 4 marks, by a factor of 1.8".
 [[nodiscard]] std::string proposalText(const EdgeProposal& proposal, const EdgeMarks& marks);
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 #include "assets.inc"
@@ -66,4 +66,4 @@ std::string htmlPage(const std::string& title, const std::string& body, const st
 const char* surveyScript() { return asset_survey_js; }
 const char* reportScript() { return asset_report_js; }
 
-} // namespace edgescan
+} // namespace edgescan::exports

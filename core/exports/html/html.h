@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Text as it may stand between tags and in attributes: markup characters as &lt; and the like, controls as printable() writes them.
 [[nodiscard]] std::string htmlText(std::string_view text);
@@ -24,4 +24,4 @@ namespace edgescan {
 [[nodiscard]] const char* surveyScript();
 [[nodiscard]] const char* reportScript();
 
-} // namespace edgescan
+} // namespace edgescan::exports

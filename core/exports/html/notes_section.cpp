@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 std::string cellText(const Scan& scan, std::uint32_t cell) {
@@ -20,20 +20,20 @@ std::string cellText(const Scan& scan, std::uint32_t cell) {
     return "line " + std::to_string(cell / beams) + ", beam " + std::to_string(cell % beams);
 }
 
-std::string targetRow(const Scan& scan, const PinnedTarget& target) {
+std::string targetRow(const Scan& scan, const inspect::PinnedTarget& target) {
     std::string said;
     for (const auto& [row, value] : target.asPinned) said += (said.empty() ? "" : "<br>") + htmlText(row) + ": " + htmlText(value);
     return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) + "</td><td>" + cellText(scan, target.cell) +
            "</td><td>" + said + "</td><td>" + htmlText(target.pinnedUtc) + "</td></tr>\n";
 }
 
-std::string measureRow(const Detection& detection, const RangeNoise& noise, const KeptMeasure& measure) {
+std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure) {
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
-    const auto measured = measureCells(*detection.scan, noise, measure.kind, measure.cells);
-    return "<tr><td>" + htmlText(traitsOf(measure.kind).label) + "</td><td>" +
-           (measured ? htmlText(measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
-           (measured ? htmlText(measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
+    const auto measured = inspect::measureCells(*detection.scan, noise, measure.kind, measure.cells);
+    return "<tr><td>" + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
+           (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
+           (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
 }
 
 int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
@@ -73,37 +73,38 @@ std::string swatch(const Rgb& c, const char* sign, const std::string& words) {
 
 } // namespace
 
-std::string notebookSection(const Detection& detection, const Notebook& notebook) {
+std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook) {
     if (notebook.empty()) return {};
     std::string html = "<h2>Targets and measures</h2>\n";
     if (!notebook.targets.empty()) {
         html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>As it was pinned</th>"
                 "<th>Pinned</th></tr></thead><tbody>\n";
-        for (const PinnedTarget& target : notebook.targets) html += targetRow(*detection.scan, target);
+        for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(*detection.scan, target);
         html += "</tbody></table></div>\n";
     }
     if (!notebook.measures.empty()) {
-        const RangeNoise noise = noiseOf(detection);
+        const RangeNoise noise = inspect::noiseOf(detection);
         html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"
                 "<th>From</th><th>Cells</th></tr></thead><tbody>\n";
-        for (const KeptMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure);
+        for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure);
         html += "</tbody></table></div>\n";
     }
     return html;
 }
 
-std::string changeSection(const Detection& now, const SceneChange& change, const std::string& earlier, int mostPixels) {
+std::string changeSection(const edges::Detection& now, const inspect::SceneChange& change, const std::string& earlier, int mostPixels) {
     std::string html = "<h2>Before and after</h2>\n";
     if (change.earlier.how.outOfSpec) html += "<p class=\"warning\">&#9650; OUT OF SPEC: the warnings below say why.</p>\n";
     html +=
         "<p>Before: " + htmlText(earlier) +
         ". Surfaces and edges that this scan shows otherwise; what lies hidden in one of the two is no change.</p>\n<pre id=\"change\">" +
-        linesOf(changeText(*now.scan, change)) + "</pre>\n";
-    const auto png = pngRgbBytes(smaller(changePicture(*now.scan, change), mostPixels), "report");
+        linesOf(inspect::changeText(*now.scan, change)) + "</pre>\n";
+    const auto png = containers::pngRgbBytes(smaller(inspect::changePicture(*now.scan, change), mostPixels), "report");
     html += "<figure class=\"picture\">" + htmlImage(png ? *png : std::string(), "What changed, on the grid of this scan") +
-            "<div class=\"legend\">" + swatch(kGainedColour, "+ ", "edge gained, or surface nearer") +
-            swatch(kLostColour, "&minus; ", "edge lost, or surface farther") + swatch(kKeptColour, "= ", "edge kept") + "</div></figure>\n";
+            "<div class=\"legend\">" + swatch(inspect::kGainedColour, "+ ", "edge gained, or surface nearer") +
+            swatch(inspect::kLostColour, "&minus; ", "edge lost, or surface farther") +
+            swatch(inspect::kUnchangedColour, "= ", "edge kept") + "</div></figure>\n";
     return html;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -7,13 +7,14 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Markup: a table of the targets with what their cards said when they were pinned, and one of the measures with their uncertainty. Empty
 /// where there is neither. Cells that the scan does not have are said to be none of it.
-[[nodiscard]] std::string notebookSection(const Detection& detection, const Notebook& notebook);
+[[nodiscard]] std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook);
 
 /// Markup: the counts, how the two lie on each other, the largest regions, and a picture of at most `mostPixels` along a side.
-[[nodiscard]] std::string changeSection(const Detection& now, const SceneChange& change, const std::string& earlier, int mostPixels);
+[[nodiscard]] std::string changeSection(const edges::Detection& now, const inspect::SceneChange& change, const std::string& earlier,
+                                        int mostPixels);
 
-} // namespace edgescan
+} // namespace edgescan::exports

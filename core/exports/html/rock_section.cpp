@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,34 +24,34 @@ constexpr int kCurveLeft = 46, kCurveRight = 20, kCurveTop = 10, kCurveBottom = 
 
 std::string twoDecimals(double m) { return fixedText(m, 2); }
 std::string atLeast(double value, int decimals) { return value > 0 ? "≥ " + fixedText(value, decimals) : "–"; }
-bool isDoubtful(const Rock& rock) { return rock.confidence < kSureConfidence; }
+bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
 struct RockCell {
     const char* title;
-    std::string (*text)(const Rock&);
+    std::string (*text)(const rocks::Rock&);
 };
 const std::array<RockCell, 10> kRockCells{{
-    {"Rock", [](const Rock& r) { return std::to_string(r.label); }},
-    {"a visible [m]", [](const Rock& r) { return twoDecimals(r.longM); }},
-    {"b visible [m]", [](const Rock& r) { return twoDecimals(r.wideM); }},
-    {"± [m]", [](const Rock& r) { return twoDecimals(r.toleranceM); }},
-    {"distance [m]", [](const Rock& r) { return twoDecimals(r.distanceM); }},
-    {"in front [%]", [](const Rock& r) { return fixedText(100 * r.unoccluded, 0); }},
-    {"contacts", [](const Rock& r) { return atLeast(static_cast<double>(r.contacts.size()), 0); }},
-    {"free below [m]", [](const Rock& r) { return atLeast(r.freeBelowM, 2); }},
-    {"arch [°] ± 25", [](const Rock& r) { return r.archDeg ? fixedText(*r.archDeg, 0) + (r.hangsBelow ? " ↓" : "") : "–"; }},
-    {"p", [](const Rock& r) { return (isDoubtful(r) ? "▲ " : "") + fixedText(r.confidence, 2); }},
+    {"Rock", [](const rocks::Rock& r) { return std::to_string(r.label); }},
+    {"a visible [m]", [](const rocks::Rock& r) { return twoDecimals(r.longestCaliperM); }},
+    {"b visible [m]", [](const rocks::Rock& r) { return twoDecimals(r.shortestCaliperM); }},
+    {"± [m]", [](const rocks::Rock& r) { return twoDecimals(r.toleranceM); }},
+    {"distance [m]", [](const rocks::Rock& r) { return twoDecimals(r.distanceM); }},
+    {"in front [%]", [](const rocks::Rock& r) { return fixedText(100 * r.unoccluded, 0); }},
+    {"contacts", [](const rocks::Rock& r) { return atLeast(static_cast<double>(r.contacts.size()), 0); }},
+    {"free below [m]", [](const rocks::Rock& r) { return atLeast(r.freeHeightM, 2); }},
+    {"arch [°] ± 25", [](const rocks::Rock& r) { return r.archDeg ? fixedText(*r.archDeg, 0) + (r.isBelowContacts ? " ↓" : "") : "–"; }},
+    {"p", [](const rocks::Rock& r) { return (isDoubtful(r) ? "▲ " : "") + fixedText(r.confidence, 2); }},
 }};
 
-std::string tableOf(const RockStudy& study) {
-    std::vector<const Rock*> longest;
-    for (const Rock& rock : study.rocks) longest.push_back(&rock);
-    std::ranges::stable_sort(longest, [](const Rock* a, const Rock* b) { return a->longM > b->longM; });
+std::string tableOf(const rocks::Study& study) {
+    std::vector<const rocks::Rock*> longest;
+    for (const rocks::Rock& rock : study.rocks) longest.push_back(&rock);
+    std::ranges::stable_sort(longest, [](const rocks::Rock* a, const rocks::Rock* b) { return a->longestCaliperM > b->longestCaliperM; });
     longest.resize(std::min(longest.size(), kMostRockRows));
     std::string html = "<div class=\"wide\"><table id=\"rocks\">\n<thead><tr>";
     for (const RockCell& cell : kRockCells) html += "<th class=\"number\">" + htmlText(cell.title) + "</th>";
     html += "</tr></thead><tbody>\n";
-    for (const Rock* rock : longest) {
+    for (const rocks::Rock* rock : longest) {
         html += "<tr>";
         for (const RockCell& cell : kRockCells) html += "<td class=\"number\">" + htmlText(cell.text(*rock)) + "</td>";
         html += "</tr>\n";
@@ -68,7 +68,7 @@ std::string tableOf(const RockStudy& study) {
 // Widths to the right, shares upwards.
 class CurveDrawing {
 public:
-    explicit CurveDrawing(const SizeCurve& curve)
+    explicit CurveDrawing(const rocks::SizeCurve& curve)
         : curve_(curve), rightM_(std::max(0.5, std::ceil(2 * 1.02 * std::max(curve.topM, curve.oversizeM)) / 2)) {}
 
     [[nodiscard]] std::string svg() const {
@@ -127,17 +127,19 @@ private:
                     fixedText(100 * curve_.oversizeShare, 0) + " % over " + twoDecimals(curve_.oversizeM) + " m");
     }
 
-    const SizeCurve& curve_;
+    const rocks::SizeCurve& curve_;
     double rightM_;
 };
 
-std::string countsOf(const RockStudy& study, const SizeCurve& curve) {
+std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
     const auto doubtful = std::ranges::count_if(study.rocks, isDoubtful);
-    std::string html = "<p><strong>" + std::to_string(study.rocks.size()) + " rocks, each a " + htmlText(kRockCaveat) + ".</strong> " +
-                       std::to_string(doubtful) + " have a doubtful outline (hatched); " +
-                       std::to_string(regionCounts(study.map, RegionKind::Fines).regions) + " pieces are too small to be shown as rocks";
+    std::string html = "<p><strong>" + std::to_string(study.rocks.size()) + " rocks, each a " + htmlText(rocks::kRockCaveat) +
+                       ".</strong> " + std::to_string(doubtful) + " have a doubtful outline (hatched); " +
+                       std::to_string(rocks::regionCounts(study.map, rocks::RegionKind::Fines).regions) +
+                       " pieces are too small to be shown as rocks";
     if (!study.settings.region.empty())
-        html += ", " + std::to_string(regionCounts(study.map, RegionKind::Outside).regions) + " lie outside the region of interest";
+        html += ", " + std::to_string(rocks::regionCounts(study.map, rocks::RegionKind::Outside).regions) +
+                " lie outside the region of interest";
     if (!study.edits.empty()) html += "; " + std::to_string(study.edits.size()) + " changes were made by hand";
     html += ". Level " + shortestText(study.settings.level) + " of -4 (fine) to 4 (coarse).</p>\n";
     if (curve.rocks() == 0) return html;
@@ -145,13 +147,13 @@ std::string countsOf(const RockStudy& study, const SizeCurve& curve) {
             " m, largest " + twoDecimals(curve.topM) + " m";
     if (curve.oversizeM > 0)
         html += "; " + fixedText(100 * curve.oversizeShare, 0) + " % over the site's " + twoDecimals(curve.oversizeM) + " m";
-    return html + " (" + htmlText(kSizeCurveCaveat) + ").</p>\n";
+    return html + " (" + htmlText(rocks::kSizeCurveCaveat) + ").</p>\n";
 }
 
 } // namespace
 
-std::string rockSection(const Detection& detection, const RockStudy& study, const RockFaces& faces) {
-    const SizeCurve curve = sizeCurve(study.rocks, study.settings.oversizeM);
+std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces) {
+    const rocks::SizeCurve curve = rocks::sizeCurve(study.rocks, study.settings.oversizeM);
     std::string html = "<h2>Rocks</h2>\n" + countsOf(study, curve);
     html +=
         "<div class=\"pictures\">\n<figure class=\"picture\">" +
@@ -165,15 +167,15 @@ std::string rockSection(const Detection& detection, const RockStudy& study, cons
     return html + "<h2>The largest rocks</h2>\n" + tableOf(study);
 }
 
-Json rockFaceData(const RockStudy& study) {
+Json rockFaceData(const rocks::Study& study) {
     Json colours = Json::array(), rocks = Json::array();
-    for (const Rgb& colour : kRockFaceColours) colours.push_back({colour.red, colour.green, colour.blue});
-    const std::vector<std::uint8_t> places = rockColours(study.map);
-    for (const Rock& rock : study.rocks)
+    for (const Rgb& colour : rocks::kRockFaceColours) colours.push_back({colour.red, colour.green, colour.blue});
+    const std::vector<std::uint8_t> places = rocks::rockColours(study.map);
+    for (const rocks::Rock& rock : study.rocks)
         rocks.push_back({places[rock.label], isDoubtful(rock) ? 1 : 0,
-                         "visible " + twoDecimals(rock.longM) + " x " + twoDecimals(rock.wideM) + " m, ± " + twoDecimals(rock.toleranceM) +
-                             ", at " + twoDecimals(rock.distanceM) + " m; " + kRockCaveat});
+                         "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
+                             twoDecimals(rock.toleranceM) + ", at " + twoDecimals(rock.distanceM) + " m; " + rocks::kRockCaveat});
     return {{"colours", colours}, {"rocks", rocks}};
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

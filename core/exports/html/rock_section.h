@@ -8,15 +8,15 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Rows of the table; of more rocks the longest are shown, and the page says so.
 inline constexpr std::size_t kMostRockRows = 25;
 
 /// Markup. `faces`: rockFaces() of the study.
-[[nodiscard]] std::string rockSection(const Detection& detection, const RockStudy& study, const RockFaces& faces);
+[[nodiscard]] std::string rockSection(const edges::Detection& detection, const rocks::Study& study, const rocks::Faces& faces);
 
 /// For the script of the turning view: the colours, and of each rock its colour, whether it is striped, and a sentence.
-[[nodiscard]] nlohmann::ordered_json rockFaceData(const RockStudy& study);
+[[nodiscard]] nlohmann::ordered_json rockFaceData(const rocks::Study& study);
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -24,7 +24,7 @@
 #include <cmath>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -56,7 +56,7 @@ std::string placeText(const Scan& scan) {
     return "E " + fixedText(at.x(), 2) + ", N " + fixedText(at.y(), 2) + ", elevation " + fixedText(at.z(), 2) + " m (scanner)";
 }
 
-std::string factsOf(const Detection& detection, const Json& record, const PageWords& words) {
+std::string factsOf(const edges::Detection& detection, const Json& record, const PageWords& words) {
     const Scan& scan = *detection.scan;
     const Acquisition none;
     const Acquisition& measured = scan.acquisition ? *scan.acquisition : none;
@@ -81,7 +81,7 @@ std::string factsOf(const Detection& detection, const Json& record, const PageWo
     facts += fact("Where", placeText(scan)) + fact("Frame", frameText(scan));
     facts += fact("Edges", std::to_string(detection.edges->size()) + " cells, " +
                                fixedText(100 * edges / std::max(1.0, static_cast<double>(valid)), 1) + " % of those measured");
-    facts += fact("Method", choiceLabel(*findParameter("method"), detection.settings));
+    facts += fact("Method", edges::choiceLabel(*edges::findParameter("method"), detection.settings));
     facts += fact("Report by", by.empty() ? "not said" : by) + fact("Made", words.madeUtc);
     if (const std::string note = textAt(record, "/scan/note"); !note.empty()) facts += fact("Note", note);
     return facts + "</dl>\n";
@@ -118,15 +118,15 @@ std::string cssColour(const Rgb& colour) {
     return "rgb(" + std::to_string(colour.red) + "," + std::to_string(colour.green) + "," + std::to_string(colour.blue) + ")";
 }
 
-std::string edgeLegend(const Detection& detection) {
+std::string edgeLegend(const edges::Detection& detection) {
     constexpr const char* kNames[]{"edge", "jump", "convex crease", "concave crease", "border of the data", "outline before a void"};
     std::string html = "<div class=\"legend\">";
-    const auto counts = countClasses(detection);
+    const auto counts = edges::countClasses(detection);
     for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {
         const std::size_t count = detection.classes ? counts[kind] : detection.edges->size();
         if (count == 0 && detection.classes) continue;
-        html += "<span><i style=\"background:" + cssColour(kEdgeColours[kind]) + "\"></i>" + kNames[kind] + " (" + std::to_string(count) +
-                ")</span>";
+        html += "<span><i style=\"background:" + cssColour(files::kEdgeColours[kind]) + "\"></i>" + kNames[kind] + " (" +
+                std::to_string(count) + ")</span>";
     }
     return html + "</div>\n";
 }
@@ -142,9 +142,9 @@ std::string scaleOf(const Scan& scan) {
     return htmlText(text);
 }
 
-std::string picturesOf(const Detection& detection) {
+std::string picturesOf(const edges::Detection& detection) {
     const Scan& scan = *detection.scan;
-    const GrayScale& scale = detection.gray->scale;
+    const edges::GrayScale& scale = detection.gray->scale;
     const CloudPicture cloud = cloudPicture(detection, kCloudWidth, kCloudHeight);
     const double barMetres = cloud.metrePixels * 5 < kCloudWidth / 2.0 ? 5 : 1;
     std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n<figure class=\"picture\">" +
@@ -176,13 +176,13 @@ std::string viewOf(const ViewPoints& view) {
            part(view.points, view.pointsOf, "points") + " and " + part(view.edges, view.edgesOf, "edge cells") + ".</p>\n</section>\n";
 }
 
-std::string settingsOf(const Detection& detection) {
+std::string settingsOf(const edges::Detection& detection) {
     std::string html = "<h2>Settings</h2>\n<table>\n<thead><tr><th>Parameter</th><th>Value</th><th></th></tr></thead><tbody>\n";
-    const auto changed = changedFromDefault(detection.settings);
-    for (const Parameter& parameter : parameters()) {
+    const auto changed = edges::changedFromDefault(detection.settings);
+    for (const edges::Parameter& parameter : edges::parameters()) {
         if (!parameter.usedBy(detection.settings)) continue;
         const bool other = std::ranges::find(changed, std::string(parameter.key)) != changed.end();
-        const std::string value = formatValue(parameter, parameter.get(detection.settings));
+        const std::string value = edges::formatValue(parameter, parameter.get(detection.settings));
         html += "<tr><td>" + htmlText(parameter.label) + "</td><td>" +
                 htmlText(value + (numberOf(value) ? std::string(" ") + parameter.unit : std::string())) + "</td><td>" +
                 (other ? "changed from the default" : "") + "</td></tr>\n";
@@ -190,7 +190,7 @@ std::string settingsOf(const Detection& detection) {
     return html + "</tbody></table>\n";
 }
 
-std::string againOf(const Detection& detection, const Json& record, const PageWords& words) {
+std::string againOf(const edges::Detection& detection, const Json& record, const PageWords& words) {
     const auto hash = [](const std::string& name, const std::string& value) {
         return "<tr><td>" + htmlText(name) + "</td><td class=\"hash\">" + htmlText(value.empty() ? "none" : value) + "</td></tr>\n";
     };
@@ -204,9 +204,9 @@ std::string againOf(const Detection& detection, const Json& record, const PageWo
     return html;
 }
 
-std::string dataOf(const Detection& detection, const ViewPoints& view, const RockStudy* rocks) {
+std::string dataOf(const edges::Detection& detection, const ViewPoints& view, const rocks::Study* rocks) {
     Json colours = Json::array();
-    for (const Rgb& colour : kEdgeColours) colours.push_back({colour.red, colour.green, colour.blue});
+    for (const Rgb& colour : files::kEdgeColours) colours.push_back({colour.red, colour.green, colour.blue});
     Json data{{"count", view.count},
               {"beams", detection.scan->beams()},
               {"placed", detection.scan->placement != nullptr},
@@ -231,15 +231,15 @@ std::string dataOf(const Detection& detection, const ViewPoints& view, const Roc
 
 } // namespace
 
-std::string scanPage(const Detection& detection, const PageWords& words, const PageNotes& notes) {
-    const RockStudy* const rocks = notes.rocks;
+std::string scanPage(const edges::Detection& detection, const PageWords& words, const PageNotes& notes) {
+    const rocks::Study* const rocks = notes.rocks;
     const Scan& scan = *detection.scan;
     ExportOptions options;
     options.operatorName = words.operatorName;
     options.role = words.role;
     const auto parsed = parseOrderedJson(exportRecord(ExportContent::EdgeImage, detection, options), "record");
     const Json record = parsed ? *parsed : Json{{"warnings", Json::array()}, {"acquisition", Json::object()}};
-    const std::optional<RockFaces> faces = rocks == nullptr ? std::nullopt : std::optional(rockFaces(*rocks));
+    const std::optional<rocks::Faces> faces = rocks == nullptr ? std::nullopt : std::optional(rocks::rockFaces(*rocks));
     const ViewPoints view = viewPoints(detection, kMostPagePoints, kMostPageEdges, faces ? &*faces : nullptr);
     const std::string title = "Scan " + (scan.name.empty() ? scan.path : scan.name);
     std::string body =
@@ -255,4 +255,4 @@ std::string scanPage(const Detection& detection, const PageWords& words, const P
     return htmlPage(title, body, reportScript());
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

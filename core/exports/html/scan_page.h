@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Most points and edge cells of the turning view; of more, as many are chosen evenly, and the page says so.
 inline constexpr std::size_t kMostPagePoints = 60'000, kMostPageEdges = 40'000;
@@ -25,13 +25,13 @@ struct PageWords {
 
 /// What was worked out on the scan besides its edges; all of the same detection. Null: left out.
 struct PageNotes {
-    const RockStudy* rocks = nullptr;
-    const Notebook* notebook = nullptr;
-    const SceneChange* change = nullptr;
+    const rocks::Study* rocks = nullptr;
+    const inspect::Notebook* notebook = nullptr;
+    const inspect::SceneChange* change = nullptr;
     std::string earlier; ///< of a change: which scan it is compared with
 };
 
 /// The whole page. All of its text that comes from files is escaped.
-[[nodiscard]] std::string scanPage(const Detection& detection, const PageWords& words, const PageNotes& notes = {});
+[[nodiscard]] std::string scanPage(const edges::Detection& detection, const PageWords& words, const PageNotes& notes = {});
 
-} // namespace edgescan
+} // namespace edgescan::exports

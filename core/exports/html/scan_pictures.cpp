@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 // Cells of a picture's pixel: first and behind the last.
@@ -30,12 +30,12 @@ Block blockOf(int y, int x, int height, int width, int lines, int beams) {
 }
 
 // The colours on the page's dark ground; those of files are made for gray points.
-Rgb edgeColour(const Detection& detection, std::size_t k) {
-    return kEdgeColours[detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0];
+Rgb edgeColour(const edges::Detection& detection, std::size_t k) {
+    return files::kEdgeColours[detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0];
 }
 
 template <class Pixel, class Paint>
-Grid<Pixel> reduced(const Detection& detection, int mostPixels, const Paint& paint) {
+Grid<Pixel> reduced(const edges::Detection& detection, int mostPixels, const Paint& paint) {
     const int lines = detection.scan->lines(), beams = detection.scan->beams();
     Grid<Pixel> picture(std::min(lines, mostPixels), std::min(beams, mostPixels));
     for (int y = 0; y < picture.lines; ++y) {
@@ -44,7 +44,7 @@ Grid<Pixel> reduced(const Detection& detection, int mostPixels, const Paint& pai
     return picture;
 }
 
-int meanLevel(const Detection& detection, const Block& block) {
+int meanLevel(const edges::Detection& detection, const Block& block) {
     int sum = 0, count = 0;
     for (int i = block.lines[0]; i < block.lines[1]; ++i) {
         for (int j = block.beams[0]; j < block.beams[1]; ++j, ++count) sum += detection.gray->levels.at(i, j);
@@ -127,14 +127,14 @@ Camera cameraFor(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
 
 } // namespace
 
-std::string grayPicture(const Detection& detection, int mostPixels) {
+std::string grayPicture(const edges::Detection& detection, int mostPixels) {
     const auto picture = reduced<std::uint8_t>(detection, mostPixels,
                                                [&](const Block& block) { return static_cast<std::uint8_t>(meanLevel(detection, block)); });
-    const auto bytes = png8Bytes(picture, "report");
+    const auto bytes = containers::png8Bytes(picture, "report");
     return bytes ? *bytes : std::string();
 }
 
-std::string edgePicture(const Detection& detection, int mostPixels) {
+std::string edgePicture(const edges::Detection& detection, int mostPixels) {
     const auto picture = reduced<Rgb>(detection, mostPixels, [&](const Block& block) {
         for (int i = block.lines[0]; i < block.lines[1]; ++i) {
             for (int j = block.beams[0]; j < block.beams[1]; ++j) {
@@ -146,21 +146,21 @@ std::string edgePicture(const Detection& detection, int mostPixels) {
         const auto level = static_cast<std::uint8_t>(meanLevel(detection, block) * 2 / 5);
         return Rgb{level, level, level};
     });
-    const auto bytes = pngRgbBytes(picture, "report");
+    const auto bytes = containers::pngRgbBytes(picture, "report");
     return bytes ? *bytes : std::string();
 }
 
-std::string rockPicture(const Detection& detection, const RockFaces& faces, int mostPixels) {
+std::string rockPicture(const edges::Detection& detection, const rocks::Faces& faces, int mostPixels) {
     const auto picture = reduced<Rgb>(detection, mostPixels, [&](const Block& block) {
         if (const auto face = faces.at(block.lines[0], block.beams[0])) return *face;
         const auto level = static_cast<std::uint8_t>(meanLevel(detection, block) * 3 / 5);
         return Rgb{level, level, level};
     });
-    const auto bytes = pngRgbBytes(picture, "report");
+    const auto bytes = containers::pngRgbBytes(picture, "report");
     return bytes ? *bytes : std::string();
 }
 
-CloudPicture cloudPicture(const Detection& detection, int width, int height, const RockFaces* faces) {
+CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces) {
     const PagePoints place(*detection.scan);
     std::vector<Eigen::Vector3d> points;
     std::vector<std::size_t> cells;
@@ -196,12 +196,12 @@ CloudPicture cloudPicture(const Detection& detection, int width, int height, con
             }
         }
     }
-    const auto bytes = pngRgbBytes(picture, "report");
+    const auto bytes = containers::pngRgbBytes(picture, "report");
     const double middle = points.empty() ? 1 : std::max(0.1, depthSum / static_cast<double>(points.size()));
     return {bytes ? *bytes : std::string(), camera.focal / middle};
 }
 
-ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::size_t mostEdges, const RockFaces* faces) {
+ViewPoints viewPoints(const edges::Detection& detection, std::size_t mostPoints, std::size_t mostEdges, const rocks::Faces* faces) {
     const Scan& scan = *detection.scan;
     ViewPoints view;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
@@ -231,4 +231,4 @@ ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::s
     return view;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -6,16 +6,16 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// PNG bytes, rows = lines from the first one down, columns = beams; at most `mostPixels` along a side.
-[[nodiscard]] std::string grayPicture(const Detection& detection, int mostPixels);
+[[nodiscard]] std::string grayPicture(const edges::Detection& detection, int mostPixels);
 
 /// The same with the edges in the colours of their classes on darkened gray levels.
-[[nodiscard]] std::string edgePicture(const Detection& detection, int mostPixels);
+[[nodiscard]] std::string edgePicture(const edges::Detection& detection, int mostPixels);
 
 /// The same with the rocks as coloured faces.
-[[nodiscard]] std::string rockPicture(const Detection& detection, const RockFaces& faces, int mostPixels);
+[[nodiscard]] std::string rockPicture(const edges::Detection& detection, const rocks::Faces& faces, int mostPixels);
 
 /// The points as seen from behind the scanner, in perspective, with the edges, or the rocks where there are some, in their colours: PNG of
 /// width x height pixels.
@@ -23,7 +23,7 @@ struct CloudPicture {
     std::string png;
     double metrePixels = 0; ///< length of a metre at the distance of the cloud's middle
 };
-[[nodiscard]] CloudPicture cloudPicture(const Detection& detection, int width, int height, const RockFaces* faces = nullptr);
+[[nodiscard]] CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces = nullptr);
 
 /// The cloud's points in metres for the turning view, and what the page tells of each: little endian, one array after the other.
 struct ViewPoints {
@@ -39,7 +39,7 @@ struct ViewPoints {
     std::size_t pointsOf = 0, edgesOf = 0; ///< how many there are in the scan
     std::size_t points = 0, edges = 0;     ///< how many are shown
 };
-[[nodiscard]] ViewPoints viewPoints(const Detection& detection, std::size_t mostPoints, std::size_t mostEdges,
-                                    const RockFaces* faces = nullptr);
+[[nodiscard]] ViewPoints viewPoints(const edges::Detection& detection, std::size_t mostPoints, std::size_t mostEdges,
+                                    const rocks::Faces* faces = nullptr);
 
-} // namespace edgescan
+} // namespace edgescan::exports

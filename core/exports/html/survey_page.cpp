@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -90,4 +90,4 @@ std::string surveyPage(const std::string& title, const std::vector<std::string>&
     return htmlPage(title, body, surveyScript());
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

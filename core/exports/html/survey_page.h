@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Pictures of more scans than this are left out, evenly, and the page says so: it stays below 30 MB for any number of pictures.
 inline constexpr std::size_t kMostSurveyPictures = 5000;
@@ -15,4 +15,4 @@ inline constexpr std::size_t kMostSurveyPictures = 5000;
 [[nodiscard]] std::string surveyPage(const std::string& title, const std::vector<std::string>& rows,
                                      const std::function<std::string(const std::string& row)>& picture);
 
-} // namespace edgescan
+} // namespace edgescan::exports

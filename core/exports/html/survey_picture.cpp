@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::exports {
 
-std::string surveyPicture(const Detection& detection) {
+std::string surveyPicture(const edges::Detection& detection) {
     constexpr int kSide = 96;
     constexpr int kBrightestGround = 150;
     const Grid<std::uint8_t>& gray = detection.gray->levels;
@@ -34,8 +34,8 @@ std::string surveyPicture(const Detection& detection) {
             small.at(y, x) = static_cast<std::uint8_t>(ground + (255 - ground) * share);
         }
     }
-    const auto bytes = png8Bytes(small, "survey");
+    const auto bytes = containers::png8Bytes(small, "survey");
     return bytes ? *bytes : std::string();
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// The gray levels, darkened, with the edges white: PNG of at most 96 x 96 pixels, the scan's shape kept. Empty without cells.
-[[nodiscard]] std::string surveyPicture(const Detection& detection);
+[[nodiscard]] std::string surveyPicture(const edges::Detection& detection);
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 constexpr int kGap = 10;
@@ -138,4 +138,4 @@ Grid<Rgb> contactSheet(const std::vector<SheetTile>& tiles, const SheetLook& loo
     return pixels;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// The shape of a marked cell, so that colour is not its only sign; told apart from 3 pixels per cell on, below that all are squares.
 enum class MarkShape : std::uint8_t { Square, Ring, Cross, Plus, Slash };
@@ -38,4 +38,4 @@ struct SheetLook {
 /// Empty without tiles.
 [[nodiscard]] Grid<Rgb> contactSheet(const std::vector<SheetTile>& tiles, const SheetLook& look);
 
-} // namespace edgescan
+} // namespace edgescan::exports

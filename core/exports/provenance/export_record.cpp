@@ -24,7 +24,7 @@
 #include <array>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -111,9 +111,9 @@ Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame fr
     return object;
 }
 
-Json choicesJson(const WritingChoices& choices) {
+Json choicesJson(const files::WritingChoices& choices) {
     Json keys = Json::array();
-    for (const WritingChoice& choice : kWritingChoices) {
+    for (const files::WritingChoice& choice : files::kWritingChoices) {
         if (choices.*choice.member) keys.push_back(choice.key);
     }
     return keys;
@@ -146,7 +146,7 @@ std::optional<ExportContent> exportContentNamed(std::string_view name) {
 std::string gridSha256(const Scan& scan) {
     Sha256 hash;
     const auto add = [&hash](const auto& values) { hash.add(std::as_bytes(std::span(values))); };
-    add(descriptionText(headOf(scan), "", -1));
+    add(files::descriptionText(files::headOf(scan), "", -1));
     add(scan.rangeMm.cells);
     add(scan.state.cells);
     if (const auto* points = std::get_if<PointGeometry>(&scan.geometry)) add(points->pointsM.cells);
@@ -182,7 +182,7 @@ bool sidecarIsWhole(const Json& sidecar) { return sidecar.is_object() && sealedS
 
 bool recordIsWhole(const Json& record) { return record.is_object() && record.contains("record_sha256") && sealed(record) == ascii(record); }
 
-std::string exportRecord(ExportContent content, const Detection& detection, const ExportOptions& options) {
+std::string exportRecord(ExportContent content, const edges::Detection& detection, const ExportOptions& options) {
     const Scan& scan = *detection.scan;
     Json warnings = scan.warnings;
     if (scan.placement) {
@@ -203,9 +203,10 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (options.selection && isCloud(content)) record["selection"] = selectionRecord(options);
     if (content != ExportContent::WholeScan) {
-        record["settings"] = settingsToJson(detection.settings);
-        record["default_settings"] = {
-            {"name", kDefaultSet.name}, {"version", kDefaultSet.version}, {"changed", changedFromDefault(detection.settings)}};
+        record["settings"] = edges::settingsToJson(detection.settings);
+        record["default_settings"] = {{"name", edges::kDefaultSet.name},
+                                      {"version", edges::kDefaultSet.version},
+                                      {"changed", edges::changedFromDefault(detection.settings)}};
         record["edges"] = detection.edges->size();
         record["classes"] = classesReport(detection);
         record["edge_mask_sha256"] = maskSha256(*detection.mask);
@@ -227,4 +228,4 @@ std::string exportRecord(ExportContent content, const Detection& detection, cons
     return sealed(record);
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,4 +55,4 @@ Result<fs::path> findScan(const std::string& sha256, const std::string& oldName,
                  exported.string(), scansFolder ? "copy the scan there" : "give --scans the folder that holds it"};
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

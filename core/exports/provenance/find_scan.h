@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// The file with this SHA-256: first under its old name beside the export, then any file beside it, then any file under `scansFolder`.
 Result<std::filesystem::path> findScan(const std::string& sha256, const std::string& oldName, const std::filesystem::path& exported,
                                        const std::optional<std::filesystem::path>& scansFolder);
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -25,7 +25,7 @@
 #include <span>
 #include <system_error>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,10 +44,10 @@ struct Expected {
     const char* of = "cells"; ///< where there are no points
 };
 
-Expected expectedOf(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     if (isOfRocks(content) && !isCloud(content) && content != ExportContent::RockLabels)
         return Expected{options.rocks->rocks.size(), std::nullopt, "rocks"};
-    const bool points = isCloud(content) || (content == ExportContent::WholeScan && writtenFormat(path)->write != nullptr);
+    const bool points = isCloud(content) || (content == ExportContent::WholeScan && files::writtenFormat(path)->write != nullptr);
     if (!points) return Expected{detection.scan->cells(), std::nullopt};
     const PointBounds bounds = pointsToWrite(content, detection, options);
     return Expected{bounds.count, bounds};
@@ -61,10 +61,10 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 
 /// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
 std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
-    const Format* format = writtenFormat(path);
+    const files::Format* format = files::writtenFormat(path);
     const bool inside = content == ExportContent::WholeScan && format != nullptr &&
-                        (format->keepsPlace || (format->keeps == Keeps::Beside && options.choices.comments));
-    return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : descriptionText(scan, "", -1);
+                        (format->keepsPlace || (format->keeps == files::Keeps::Beside && options.choices.comments));
+    return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : files::descriptionText(scan, "", -1);
 }
 
 std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
@@ -81,19 +81,19 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
             about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
     }
     const auto parsed = parseOrderedJson(record, "");
-    Json sidecar{{"format", kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
+    Json sidecar{{"format", files::kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
     if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
 /// Any field that a cloud has stands in the file under its name.
 bool hasNamedFields(const fs::path& path) {
-    const std::string extension = Source::lowerCase(path.extension());
+    const std::string extension = files::Source::lowerCase(path.extension());
     return path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv";
 }
 
 /// What nobody measured is written only where the file tells it apart.
-Result<Done> checkFilled(ExportContent content, const Detection& detection, const fs::path& path, const ExportOptions& options) {
+Result<Done> checkFilled(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     if (!isCloud(content) || !options.choices.filled) return Done{};
     if (!detection.filled)
         return Error{"no gap was filled that could be written", path.string(),
@@ -156,17 +156,17 @@ Result<Done> readBack(const std::vector<FileContent>& contents) {
 
 } // namespace
 
-Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const fs::path& path,
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::Detection& detection, const fs::path& path,
                                            const std::string& record, const ExportOptions& options) {
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
     const Scan& scan = *chosen;
-    SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
+    files::SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
     if (auto can = checkFilled(content, detection, path, options); !can) return can.error();
     const bool filled = isCloud(content) && options.choices.filled;
     const Grid<float> filledSdMm = filled ? withFilled(*detection.scan, *detection.filled).sdMm : Grid<float>();
     if (filled) save.filledSdMm = &filledSdMm;
     if (auto can = checkConfidence(content, path, options); !can) return can.error();
-    const auto confidence = isCloud(content) && options.choices.confidence ? edgeConfidence(detection) : std::nullopt;
+    const auto confidence = isCloud(content) && options.choices.confidence ? edges::edgeConfidence(detection) : std::nullopt;
     if (confidence) save.confidence = &confidence->percent;
     const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
         if (!bytes) return bytes.error();
@@ -176,29 +176,29 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
     };
     switch (content) {
     case ExportContent::EdgeCloud:
-        return one(edgeBytes(scan, *detection.mask, path, save));
+        return one(files::edgeBytes(scan, *detection.mask, path, save));
     case ExportContent::FullCloud:
-        return one(cloudBytes(scan, path, detection.mask.get(), save));
+        return one(files::cloudBytes(scan, path, detection.mask.get(), save));
     case ExportContent::EdgeImage:
-        return one(png8Bytes(*detection.mask, path.string(), record));
+        return one(containers::png8Bytes(*detection.mask, path.string(), record));
     case ExportContent::GrayImage:
-        return one(png8Bytes(detection.gray->levels, path.string(), record));
+        return one(containers::png8Bytes(detection.gray->levels, path.string(), record));
     case ExportContent::WholeScan:
-        return scanFiles(scan, path, save);
+        return files::scanFiles(scan, path, save);
     case ExportContent::RockLabels: {
         const auto picture = labelPicture(*options.rocks, path.string());
         if (!picture) return picture.error();
-        return one(png16Bytes(*picture, path.string(), record));
+        return one(containers::png16Bytes(*picture, path.string(), record));
     }
     case ExportContent::RockTable:
         return one(tableBytes(*options.rocks, options.frame, path));
     case ExportContent::RockReport:
         return one(reportBytes(*options.rocks, options.frame, path, record));
     case ExportContent::RockCloud: {
-        const Grid<std::uint32_t> labels = rockLabels(*options.rocks->leaves, options.rocks->map);
-        SaveOptions withRocks = save;
+        const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
+        files::SaveOptions withRocks = save;
         withRocks.rocks = &labels;
-        return one(cloudBytes(scan, path, detection.mask.get(), withRocks));
+        return one(files::cloudBytes(scan, path, detection.mask.get(), withRocks));
     }
     case ExportContent::RockOutlines:
         return one(outlineBytes(*options.rocks, options.frame, path, record));
@@ -207,16 +207,16 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
     case ExportContent::RangeImage:
         break;
     }
-    return one(png16Bytes(rangePicture(scan), path.string(), record));
+    return one(containers::png16Bytes(rangePicture(scan), path.string(), record));
 }
 
 std::string embeddedRecord(std::string_view bytes) {
-    if (std::string record = pngRecord(bytes); !record.empty()) return record;
+    if (std::string record = containers::pngRecord(bytes); !record.empty()) return record;
     const ReadingOptions options;
-    return formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
+    return files::formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
 }
 
-Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const fs::path& path,
+Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const fs::path& path,
                                          const ExportOptions& options) {
     const std::string record = exportRecord(content, detection, options);
     const auto files = exportFiles(content, detection, path, record, options);
@@ -234,10 +234,10 @@ Result<std::size_t> exportWithProvenance(ExportContent content, const Detection&
     const std::string sidecar = sidecarText(named, record, gridBeside(content, *detection.scan, named.path, options), expected, *files);
     std::vector<FileContent> contents;
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
-    if (options.sidecar) contents.push_back({sidecarPath(named.path), bytesOf(sidecar)});
+    if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});
     if (auto written = writeWholeFiles(contents); !written) return written.error();
     if (auto same = readBack(contents); !same) return same.error();
     return expected.count;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

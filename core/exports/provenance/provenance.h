@@ -18,9 +18,11 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
+struct Study; // core/rocks/attributes/study.h
+} // namespace edgescan::rocks
 
-struct RockStudy; // core/rocks/attributes/study.h
+namespace edgescan::exports {
 
 enum class ExportContent : std::uint8_t {
     EdgeCloud,
@@ -50,22 +52,22 @@ struct ExportOptions {
     std::string operatorName{};                       ///< who exports; empty = not said
     std::string role{};
     bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
-    WritingChoices choices{};
-    std::shared_ptr<const RockStudy> rocks{};                      ///< of the detection's scan, for exports of rocks
+    files::WritingChoices choices{};
+    std::shared_ptr<const rocks::Study> rocks{};                   ///< of the detection's scan, for exports of rocks
     std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
     bool sidecar = true;                                           ///< the record also beside the export
 };
 
 /// The record: one line of ASCII JSON, the same for the same scan, settings and options on the same program, whatever the time and
 /// the folder. It ends with a SHA-256 of itself.
-[[nodiscard]] std::string exportRecord(ExportContent content, const Detection& detection, const ExportOptions& options);
+[[nodiscard]] std::string exportRecord(ExportContent content, const edges::Detection& detection, const ExportOptions& options);
 
 /// True when a record's own SHA-256 is that of the rest of it.
 [[nodiscard]] bool recordIsWhole(const nlohmann::ordered_json& record);
 
 /// The files of an export in the order they must appear: one, or two of a raw grid. `path` chooses the format of a cloud; the record stands
 /// inside where the format has room.
-Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detection& detection, const std::filesystem::path& path,
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::Detection& detection, const std::filesystem::path& path,
                                            const std::string& record, const ExportOptions& options);
 
 /// The record inside an export's bytes; empty when there is none.
@@ -74,7 +76,7 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const Detectio
 /// Writes the export and, unless told otherwise, its sidecar, both whole or neither, reads the export back and compares bytes, count and
 /// bounds. Gives the number of points or cells written. A device or pipe gets the export only. Error: no pose for the frame asked for,
 /// cannot be written, or what was read back is not what was written.
-Result<std::size_t> exportWithProvenance(ExportContent content, const Detection& detection, const std::filesystem::path& path,
+Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const std::filesystem::path& path,
                                          const ExportOptions& options = {});
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 inline constexpr const char* kRecordFormat = "edgescan-record/1";
 
@@ -34,7 +34,7 @@ inline constexpr const char* kRecordFormat = "edgescan-record/1";
 
 /// The scan that the points of an export are taken from: filled cells have ranges where the choices ask for them, and with a selection all
 /// other cells are masked.
-[[nodiscard]] std::shared_ptr<const Scan> chosenScan(const Detection& detection, const ExportOptions& options);
+[[nodiscard]] std::shared_ptr<const Scan> chosenScan(const edges::Detection& detection, const ExportOptions& options);
 
 /// What a record says of a selection: {"cells": n, "runs": [[first, count], ...]}; null for none. And back: empty where it is damaged.
 [[nodiscard]] nlohmann::ordered_json selectionRecord(const ExportOptions& options);
@@ -48,9 +48,9 @@ struct PointBounds {
 };
 
 /// What a cloud should hold. The scan must have the place that the options ask for.
-[[nodiscard]] PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options);
+[[nodiscard]] PointBounds pointsToWrite(ExportContent content, const edges::Detection& detection, const ExportOptions& options);
 
 /// What a file of points holds, by the reader of its format; empty when no reader gives the bare points of that format.
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path);
 
-} // namespace edgescan
+} // namespace edgescan::exports

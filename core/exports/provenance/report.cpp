@@ -16,7 +16,7 @@
 #include <cmath>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using json = nlohmann::ordered_json; // keys stay in the order in which they are set
@@ -78,11 +78,11 @@ json poseReport(const Scan& scan) {
 json pointsReport(const Scan& scan) { return {{"in_file", scan.pointsRead}, {"without_cell", scan.pointsLeftOut}}; }
 
 // The noise by scale, and what is held against folds.
-json noiseReport(const DepthResponses& responses) {
-    const NoiseScales& scales = responses.scales;
+json noiseReport(const edges::DepthResponses& responses) {
+    const edges::NoiseScales& scales = responses.scales;
     json byLag = json::object();
-    for (std::size_t n = 0; n < kNoiseLags.size(); ++n) {
-        if (scales.sigmaMm[n] > 0) byLag[std::to_string(kNoiseLags[n])] = tidy(scales.sigmaMm[n], 1000);
+    for (std::size_t n = 0; n < edges::kNoiseLags.size(); ++n) {
+        if (scales.sigmaMm[n] > 0) byLag[std::to_string(edges::kNoiseLags[n])] = tidy(scales.sigmaMm[n], 1000);
     }
     return {{"kind", responses.neighboursAlike ? "neighbours_alike"
                      : scales.inSteps          ? "in_steps"
@@ -129,19 +129,19 @@ nlohmann::ordered_json infoReport(const Scan& scan) {
     if (scan.intensity.size() > 0) report["intensity"] = intensityReport(scan);
     if (!scan.attached.empty()) report["attached_points"] = scan.attached.size();
     if (scan.pointsRead > 0) report["points"] = pointsReport(scan);
-    if (scan.acquisition) report["acquisition"] = acquisitionToJson(*scan.acquisition);
+    if (scan.acquisition) report["acquisition"] = files::acquisitionToJson(*scan.acquisition);
     if (!scan.note.empty()) report["note"] = scan.note;
     return report;
 }
 
-nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
+nlohmann::ordered_json detectReport(const edges::Detection& detection, double loadMs) {
     const Scan& scan = *detection.scan;
     json timings{{"load", tidy(loadMs, 1000)}};
-    for (const StageTime& time : detection.timings) timings[time.stage] = tidy(time.milliseconds, 1000);
+    for (const edges::StageTime& time : detection.timings) timings[time.stage] = tidy(time.milliseconds, 1000);
     timings["total"] = tidy(loadMs + detection.totalMs, 1000);
-    const GrayScale& scale = detection.gray->scale;
+    const edges::GrayScale& scale = detection.gray->scale;
     std::vector<std::string> warnings = scan.warnings;
-    if (scale.farMm <= scale.nearMm && detection.settings.method == Method::Canny)
+    if (scale.farMm <= scale.nearMm && detection.settings.method == edges::Method::Canny)
         warnings.emplace_back("Near and far leave no depth between them: the gray image is blank and has no edge.");
     json report{{"input", scan.path},
                 {"sha256", scan.sha256},
@@ -149,7 +149,7 @@ nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
                 {"beams", scan.beams()},
                 {"cells", cellsReport(scan)},
                 {"range_mm", rangeReport(scan)},
-                {"settings", settingsToJson(detection.settings)},
+                {"settings", edges::settingsToJson(detection.settings)},
                 {"upper", detection.settings.upper()},
                 {"gray",
                  {{"near_mm", scale.nearMm},
@@ -173,11 +173,12 @@ nlohmann::ordered_json detectReport(const Detection& detection, double loadMs) {
     return report;
 }
 
-nlohmann::ordered_json classesReport(const Detection& detection) {
+nlohmann::ordered_json classesReport(const edges::Detection& detection) {
     if (!detection.classes) return nullptr;
-    const auto counts = countClasses(detection);
+    const auto counts = edges::countClasses(detection);
     json report = json::object();
-    for (std::size_t kind = 1; kind < counts.size(); ++kind) report[edgeClassName(static_cast<DepthEdge>(kind))] = counts[kind];
+    for (std::size_t kind = 1; kind < counts.size(); ++kind)
+        report[edges::edgeClassName(static_cast<edges::DepthEdge>(kind))] = counts[kind];
     return report;
 }
 
@@ -196,4 +197,4 @@ std::string reportText(const nlohmann::ordered_json& report, bool indented) { re
 
 std::string maskSha256(const Grid<std::uint8_t>& mask) { return sha256Hex(std::as_bytes(std::span(mask.cells))); }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// {"valid": n, "no_return": n, ...}; the values add up to lines x beams.
 [[nodiscard]] nlohmann::ordered_json cellsReport(const Scan& scan);
@@ -17,10 +17,10 @@ namespace edgescan {
 [[nodiscard]] nlohmann::ordered_json infoReport(const Scan& scan);
 
 /// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
-[[nodiscard]] nlohmann::ordered_json detectReport(const Detection& detection, double loadMs);
+[[nodiscard]] nlohmann::ordered_json detectReport(const edges::Detection& detection, double loadMs);
 
 /// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n}, or null where the method tells no classes apart.
-[[nodiscard]] nlohmann::ordered_json classesReport(const Detection& detection);
+[[nodiscard]] nlohmann::ordered_json classesReport(const edges::Detection& detection);
 
 /// {"gaps": n, "cells": n, "by_plane": n, "by_line": n, "sd_mm_p50": x}: what was filled; `filling` of the scan.
 [[nodiscard]] nlohmann::ordered_json filledReport(const GapFilling& filling);
@@ -31,4 +31,4 @@ namespace edgescan {
 /// SHA-256 of the lines x beams mask bytes, 0 or 255.
 [[nodiscard]] std::string maskSha256(const Grid<std::uint8_t>& mask);
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -19,14 +19,14 @@
 #include <array>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kSureLayer = "ROCKS";
 constexpr const char* kDoubtfulLayer = "ROCKS_DOUBTFUL";
-constexpr std::array<DxfLayer, 2> kRockLayers{{{kSureLayer, "3"}, {kDoubtfulLayer, "2"}}};
+constexpr std::array<files::DxfLayer, 2> kRockLayers{{{kSureLayer, "3"}, {kDoubtfulLayer, "2"}}};
 constexpr std::size_t kFewestCorners = 3;
 
 // Points of cells in the frame asked for.
@@ -45,7 +45,7 @@ public:
         return placed_->inFrame(frame_, static_cast<int>(k / beams), static_cast<int>(k % beams), point);
     }
     /// One line that says which numbers these are.
-    [[nodiscard]] std::string text() const { return frameText(cloud_); }
+    [[nodiscard]] std::string text() const { return files::frameText(cloud_); }
     [[nodiscard]] int decimals() const { return frame_ == CoordinateFrame::Mine ? 4 : 6; }
 
 private:
@@ -53,17 +53,17 @@ private:
     CartesianTables tables_;
     CoordinateFrame frame_;
     std::optional<PlacedPoints> placed_;
-    CloudColumns cloud_; // without points
+    files::CloudColumns cloud_; // without points
 };
 
 Error noSuchFormat(const std::filesystem::path& path, const char* formats) {
     return {"the extension names no format for this", path.string(), std::string("use ") + formats};
 }
 
-std::string dxfOutlines(const RockStudy& study, const FramePoints& points, const std::string& record) {
-    const auto outlines = outlinesOf(rockLabels(*study.leaves, study.map), study.map.rocks);
-    const Scan& scan = *study.leaves->inputs.scan;
-    const auto placesOf = [&](const OutlineRing& ring) {
+std::string dxfOutlines(const rocks::Study& study, const FramePoints& points, const std::string& record) {
+    const auto outlines = rocks::outlinesOf(rocks::rockLabels(*study.segmentation, study.map), study.map.rocks);
+    const Scan& scan = *study.segmentation->inputs.scan;
+    const auto placesOf = [&](const rocks::OutlineRing& ring) {
         std::vector<Eigen::Vector3d> places;
         for (const std::uint32_t k : ring.inside) {
             if (scan.state[k] == CellState::Valid) places.push_back(points.at(k));
@@ -72,18 +72,18 @@ std::string dxfOutlines(const RockStudy& study, const FramePoints& points, const
     };
     Eigen::AlignedBox3d box;
     for (const auto& rings : outlines) {
-        for (const OutlineRing& ring : rings) {
+        for (const rocks::OutlineRing& ring : rings) {
             for (const Eigen::Vector3d& place : placesOf(ring)) box.extend(place);
         }
     }
-    DxfText drawing(false);
+    files::DxfText drawing(false);
     drawing.comment(points.text());
-    drawing.comment(kRockCaveat);
-    for (const std::string& line : commentLines(record, kRecordMark)) drawing.comment(line);
+    drawing.comment(rocks::kRockCaveat);
+    for (const std::string& line : files::commentLines(record, files::kRecordMark)) drawing.comment(line);
     drawing.begin(box, kRockLayers);
-    for (const Rock& rock : study.rocks) {
-        const char* layer = rock.confidence < kSureConfidence && !rock.byHand ? kDoubtfulLayer : kSureLayer;
-        for (const OutlineRing& ring : outlines[rock.label]) {
+    for (const rocks::Rock& rock : study.rocks) {
+        const char* layer = rock.confidence < rocks::kSureConfidence && !rock.byHand ? kDoubtfulLayer : kSureLayer;
+        for (const rocks::OutlineRing& ring : outlines[rock.label]) {
             const std::vector<Eigen::Vector3d> places = placesOf(ring);
             if (places.size() < kFewestCorners) continue;
             drawing.beginLine(layer, true);
@@ -94,20 +94,20 @@ std::string dxfOutlines(const RockStudy& study, const FramePoints& points, const
     return drawing.end();
 }
 
-Json cornersJson(const OutlineRing& ring) {
+Json cornersJson(const rocks::OutlineRing& ring) {
     Json corners = Json::array();
-    for (const CellCorner& corner : ring.corners) corners.push_back({corner.beam, corner.line});
+    for (const rocks::CellCorner& corner : ring.corners) corners.push_back({corner.beam, corner.line});
     if (!ring.corners.empty()) corners.push_back({ring.corners.front().beam, ring.corners.front().line});
     return corners;
 }
 
-std::string geoJsonOutlines(const RockStudy& study, CoordinateFrame frame, const std::string& record) {
-    const auto outlines = outlinesOf(rockLabels(*study.leaves, study.map), study.map.rocks);
+std::string geoJsonOutlines(const rocks::Study& study, CoordinateFrame frame, const std::string& record) {
+    const auto outlines = rocks::outlinesOf(rocks::rockLabels(*study.segmentation, study.map), study.map.rocks);
     const Json report = rocksReport(study, frame);
     Json features = Json::array();
-    for (const Rock& rock : study.rocks) {
+    for (const rocks::Rock& rock : study.rocks) {
         Json polygons = Json::array();
-        for (const OutlineRing& ring : outlines[rock.label]) {
+        for (const rocks::OutlineRing& ring : outlines[rock.label]) {
             if (!ring.hole) polygons.push_back(Json::array());
             polygons.back().push_back(cornersJson(ring));
         }
@@ -118,7 +118,7 @@ std::string geoJsonOutlines(const RockStudy& study, CoordinateFrame frame, const
     }
     const auto parsed = parseOrderedJson(record, "");
     const Json collection{{"type", "FeatureCollection"},
-                          {"note", kRockCaveat},
+                          {"note", rocks::kRockCaveat},
                           {"coordinates", "of the picture: x = beam, y = line, corners of cells; lines go down"},
                           {"frame", report["frame"]},
                           {"edgescan-record", parsed ? *parsed : Json()},
@@ -133,26 +133,26 @@ void appendPlace(std::string& text, const Eigen::Vector3d& place, int decimals) 
     }
 }
 
-std::string plyHulls(const std::vector<RockHull>& hulls, const FramePoints& points, const std::string& record) {
+std::string plyHulls(const std::vector<rocks::Hull>& hulls, const FramePoints& points, const std::string& record) {
     std::size_t corners = 0;
     std::size_t triangles = 0;
-    for (const RockHull& hull : hulls) {
+    for (const rocks::Hull& hull : hulls) {
         corners += hull.cells.size();
         triangles += hull.triangles.size();
     }
     std::string text = "ply\nformat ascii 1.0\ncomment " + points.text() +
-                       "\ncomment convex hulls of visible points, never a volume\ncomment " + kRockCaveat + "\n";
-    for (const std::string& line : commentLines(record, kRecordMark)) text += "comment " + line + "\n";
+                       "\ncomment convex hulls of visible points, never a volume\ncomment " + rocks::kRockCaveat + "\n";
+    for (const std::string& line : files::commentLines(record, files::kRecordMark)) text += "comment " + line + "\n";
     text += "element vertex " + std::to_string(corners) + "\nproperty double x\nproperty double y\nproperty double z\nproperty uint rock\n";
     text += "element face " + std::to_string(triangles) + "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const RockHull& hull : hulls) {
+    for (const rocks::Hull& hull : hulls) {
         for (const std::uint32_t k : hull.cells) {
             appendPlace(text, points.at(k), points.decimals());
             text += " " + std::to_string(hull.label) + "\n";
         }
     }
     std::size_t first = 0;
-    for (const RockHull& hull : hulls) {
+    for (const rocks::Hull& hull : hulls) {
         for (const auto& [a, b, c] : hull.triangles)
             text += "3 " + std::to_string(first + a) + " " + std::to_string(first + b) + " " + std::to_string(first + c) + "\n";
         first += hull.cells.size();
@@ -160,11 +160,11 @@ std::string plyHulls(const std::vector<RockHull>& hulls, const FramePoints& poin
     return text;
 }
 
-std::string objHulls(const std::vector<RockHull>& hulls, const FramePoints& points, const std::string& record) {
-    std::string text = "# " + points.text() + "\n# convex hulls of visible points, never a volume\n# " + kRockCaveat + "\n";
-    for (const std::string& line : commentLines(record, kRecordMark)) text += "# " + line + "\n";
+std::string objHulls(const std::vector<rocks::Hull>& hulls, const FramePoints& points, const std::string& record) {
+    std::string text = "# " + points.text() + "\n# convex hulls of visible points, never a volume\n# " + rocks::kRockCaveat + "\n";
+    for (const std::string& line : files::commentLines(record, files::kRecordMark)) text += "# " + line + "\n";
     std::size_t first = 1;
-    for (const RockHull& hull : hulls) {
+    for (const rocks::Hull& hull : hulls) {
         if (hull.triangles.empty()) continue;
         text += "o rock_" + std::to_string(hull.label) + "\n";
         for (const std::uint32_t k : hull.cells) {
@@ -182,28 +182,28 @@ std::string objHulls(const std::vector<RockHull>& hulls, const FramePoints& poin
 } // namespace
 
 bool namesFrame(ExportContent content, const std::filesystem::path& path) {
-    const bool inSpace = content == ExportContent::RockOutlines && Source::lowerCase(path.extension()) != ".geojson";
+    const bool inSpace = content == ExportContent::RockOutlines && files::Source::lowerCase(path.extension()) != ".geojson";
     return isCloud(content) || inSpace || content == ExportContent::RockTable || content == ExportContent::RockHulls;
 }
 
-Result<Grid<std::uint16_t>> labelPicture(const RockStudy& study, const std::string& where) {
+Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where) {
     if (study.map.rocks > UINT16_MAX)
         return Error{"there are " + std::to_string(study.map.rocks) + " rocks and a picture of 16 bits numbers 65535", where,
                      "ask for larger rocks with --min-cells"};
-    const Grid<std::uint32_t> labels = rockLabels(*study.leaves, study.map);
+    const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);
     Grid<std::uint16_t> picture(labels.lines, labels.beams);
     for (std::size_t k = 0; k < labels.size(); ++k) picture[k] = static_cast<std::uint16_t>(labels[k]);
     return picture;
 }
 
-Result<std::string> tableBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path) {
-    if (auto known = checkFrame(*study.leaves->inputs.scan, frame, path.string()); !known) return known.error();
+Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path) {
+    if (auto known = files::checkFrame(*study.segmentation->inputs.scan, frame, path.string()); !known) return known.error();
     return rocksTable(study, frame);
 }
 
-Result<std::string> reportBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path,
+Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                 const std::string& record) {
-    if (auto known = checkFrame(*study.leaves->inputs.scan, frame, path.string()); !known) return known.error();
+    if (auto known = files::checkFrame(*study.segmentation->inputs.scan, frame, path.string()); !known) return known.error();
     Json whole{{"schema", kRocksSchema}};
     whole.update(rocksReport(study, frame));
     // Verifying makes the same file from a scan that was moved, by a later version.
@@ -215,31 +215,32 @@ Result<std::string> reportBytes(const RockStudy& study, CoordinateFrame frame, c
     return jsonText(whole, 2) + "\n";
 }
 
-Result<std::string> outlineBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path,
+Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                  const std::string& record) {
-    const Scan& scan = *study.leaves->inputs.scan;
-    if (auto known = checkFrame(scan, frame, path.string()); !known) return known.error();
-    if (Source::lowerCase(path.extension()) == ".dxf") return dxfOutlines(study, FramePoints(scan, frame), record);
-    if (Source::lowerCase(path.extension()) == ".geojson") return geoJsonOutlines(study, frame, record);
+    const Scan& scan = *study.segmentation->inputs.scan;
+    if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
+    if (files::Source::lowerCase(path.extension()) == ".dxf") return dxfOutlines(study, FramePoints(scan, frame), record);
+    if (files::Source::lowerCase(path.extension()) == ".geojson") return geoJsonOutlines(study, frame, record);
     return noSuchFormat(path, ".dxf or .geojson");
 }
 
-Result<std::string> hullBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path, const std::string& record) {
-    const Scan& scan = *study.leaves->inputs.scan;
-    if (auto known = checkFrame(scan, frame, path.string()); !known) return known.error();
-    const bool isPly = Source::lowerCase(path.extension()) == ".ply";
-    if (!isPly && Source::lowerCase(path.extension()) != ".obj") return noSuchFormat(path, ".ply or .obj");
-    const std::vector<RockHull> hulls = rockHulls(*study.leaves, study.map);
+Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
+                              const std::string& record) {
+    const Scan& scan = *study.segmentation->inputs.scan;
+    if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
+    const bool isPly = files::Source::lowerCase(path.extension()) == ".ply";
+    if (!isPly && files::Source::lowerCase(path.extension()) != ".obj") return noSuchFormat(path, ".ply or .obj");
+    const std::vector<rocks::Hull> hulls = rocks::rockHulls(*study.segmentation, study.map);
     return (isPly ? plyHulls : objHulls)(hulls, FramePoints(scan, frame), record);
 }
 
-Json rocksRecord(const RockStudy& study) {
-    const Scan& scan = *study.leaves->inputs.scan;
-    return {{"settings", rockSettingsToJson(study.settings)},
-            {"edits", rockEditsToJson(study.edits, scan.lines(), scan.beams())},
+Json rocksRecord(const rocks::Study& study) {
+    const Scan& scan = *study.segmentation->inputs.scan;
+    return {{"settings", rocks::rockSettingsToJson(study.settings)},
+            {"edits", rocks::rockEditsToJson(study.edits, scan.lines(), scan.beams())},
             {"count", study.map.rocks},
-            {"labels_sha256", labelsSha256(rockLabels(*study.leaves, study.map))},
-            {"note", kRockCaveat}};
+            {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
+            {"note", rocks::kRockCaveat}};
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -11,28 +11,29 @@
 #include <filesystem>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 /// Whether names of files of this content say in which frame their coordinates are: clouds, tables, hulls, outlines in space.
 [[nodiscard]] bool namesFrame(ExportContent content, const std::filesystem::path& path);
 
 /// 0 none, then the rocks. Error: more rocks than a picture of 16 bits can number.
-Result<Grid<std::uint16_t>> labelPicture(const RockStudy& study, const std::string& where);
+Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where);
 
 /// A row per rock, and the whole report, whose input and version are those of the record. Error: no place for the frame.
-Result<std::string> tableBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path);
-Result<std::string> reportBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path,
+Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path);
+Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                 const std::string& record);
 
 /// Outlines by extension: .dxf (closed polylines in space on the layers ROCKS and ROCKS_DOUBTFUL, and the numbers' places) or .geojson
 /// (polygons in the picture, x = beam, y = line, corners of cells). Error: another extension, no place for the frame.
-Result<std::string> outlineBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path,
+Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                  const std::string& record);
 
 /// Convex hulls of the visible points by extension: .ply or .obj. Error: as above.
-Result<std::string> hullBytes(const RockStudy& study, CoordinateFrame frame, const std::filesystem::path& path, const std::string& record);
+Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
+                              const std::string& record);
 
 /// {"settings", "edits", "count", "labels_sha256", "note"}.
-[[nodiscard]] nlohmann::ordered_json rocksRecord(const RockStudy& study);
+[[nodiscard]] nlohmann::ordered_json rocksRecord(const rocks::Study& study);
 
-} // namespace edgescan
+} // namespace edgescan::exports

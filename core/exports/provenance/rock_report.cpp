@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,12 +23,12 @@ double thousandths(double share) { return rounded(share, 1000); }
 // A row's columns in order, as JSON: the table writes the same.
 class RowWriter {
 public:
-    RowWriter(const RockStudy& study, CoordinateFrame frame)
-        : scan_(*study.leaves->inputs.scan), frame_(frame), curve_(sizeCurve(study.rocks, study.settings.oversizeM)) {
+    RowWriter(const rocks::Study& study, CoordinateFrame frame)
+        : scan_(*study.segmentation->inputs.scan), frame_(frame), curve_(rocks::sizeCurve(study.rocks, study.settings.oversizeM)) {
         if (frame != CoordinateFrame::Scanner) placed_.emplace(scan_);
     }
 
-    [[nodiscard]] Json row(const Rock& rock) const {
+    [[nodiscard]] Json row(const rocks::Rock& rock) const {
         const auto beams = static_cast<std::uint32_t>(scan_.beams());
         const int line = static_cast<int>(rock.cell / beams);
         const int beam = static_cast<int>(rock.cell % beams);
@@ -41,34 +41,34 @@ public:
                 {"y_m", millimetres(centre.y())},
                 {"z_m", millimetres(centre.z())},
                 {"distance_m", millimetres(rock.distanceM)},
-                {"visible_long_m", millimetres(rock.longM)},
-                {"visible_wide_m", millimetres(rock.wideM)},
+                {"visible_long_m", millimetres(rock.longestCaliperM)},
+                {"visible_wide_m", millimetres(rock.shortestCaliperM)},
                 {"tolerance_m", millimetres(rock.toleranceM)},
                 {"visible_area_m2", rounded(rock.areaM2, 1e4)},
                 {"unoccluded_share", thousandths(rock.unoccluded)},
-                {"in_front_of", rock.before},
-                {"behind", rock.behind},
+                {"in_front_of", rock.rocksBehind},
+                {"behind", rock.rocksInFront},
                 {"contacts_at_least", rock.contacts},
                 {"touches_other", rock.touchesOther},
-                {"free_below_at_least_m", rounded(rock.freeBelowM, 100)},
+                {"free_below_at_least_m", rounded(rock.freeHeightM, 100)},
                 {"arch_deg", rock.archDeg ? Json(rounded(*rock.archDeg, 1)) : Json()},
-                {"arch_tolerance_deg", rock.archDeg ? Json(kArchToleranceDeg) : Json()},
-                {"hangs_below", rock.archDeg ? Json(rock.hangsBelow) : Json()},
-                {"finer_share", thousandths(curve_.shareUpTo(rock.wideM))},
+                {"arch_tolerance_deg", rock.archDeg ? Json(rocks::kArchToleranceDeg) : Json()},
+                {"hangs_below", rock.archDeg ? Json(rock.isBelowContacts) : Json()},
+                {"finer_share", thousandths(curve_.shareUpTo(rock.shortestCaliperM))},
                 {"confidence", thousandths(rock.confidence)},
                 {"by_hand", rock.byHand},
-                {"note", kRockCaveat}};
+                {"note", rocks::kRockCaveat}};
     }
-    [[nodiscard]] const SizeCurve& curve() const { return curve_; }
+    [[nodiscard]] const rocks::SizeCurve& curve() const { return curve_; }
 
 private:
     const Scan& scan_;
     CoordinateFrame frame_;
-    SizeCurve curve_;
+    rocks::SizeCurve curve_;
     std::optional<PlacedPoints> placed_;
 };
 
-Json curveJson(const SizeCurve& curve) {
+Json curveJson(const rocks::SizeCurve& curve) {
     const bool isSaid = curve.oversizeM > 0;
     return {{"rocks", curve.rocks()},
             {"visible_wide_p20_m", millimetres(curve.p20M)},
@@ -77,10 +77,10 @@ Json curveJson(const SizeCurve& curve) {
             {"visible_wide_top_m", millimetres(curve.topM)},
             {"oversize_m", isSaid ? Json(millimetres(curve.oversizeM)) : Json()},
             {"oversize_share", isSaid ? Json(thousandths(curve.oversizeShare)) : Json()},
-            {"note", kSizeCurveCaveat}};
+            {"note", rocks::kSizeCurveCaveat}};
 }
 
-Json countsJson(const RegionCounts& counts) {
+Json countsJson(const rocks::RegionCounts& counts) {
     return {{"regions", counts.regions}, {"cells", counts.cells}, {"visible_area_m2", rounded(counts.areaM2, 1e4)}};
 }
 
@@ -99,40 +99,40 @@ std::string cellText(const Json& value) {
 
 std::string labelsSha256(const Grid<std::uint32_t>& labels) { return sha256Hex(std::as_bytes(std::span(labels.cells))); }
 
-Json rocksReport(const RockStudy& study, CoordinateFrame frame) {
-    const Scan& scan = *study.leaves->inputs.scan;
-    const UpDirection up = upOf(scan);
+Json rocksReport(const rocks::Study& study, CoordinateFrame frame) {
+    const Scan& scan = *study.segmentation->inputs.scan;
+    const rocks::UpDirection up = rocks::upOf(scan);
     const RowWriter writer(study, frame);
     Json rows = Json::array();
-    for (const Rock& rock : study.rocks) rows.push_back(writer.row(rock));
+    for (const rocks::Rock& rock : study.rocks) rows.push_back(writer.row(rock));
     Json report{{"input", scan.path},
                 {"sha256", scan.sha256},
                 {"lines", scan.lines()},
                 {"beams", scan.beams()},
-                {"note", kRockCaveat},
-                {"settings", rockSettingsToJson(study.settings)},
-                {"edits", rockEditsToJson(study.edits, scan.lines(), scan.beams())["edits"]},
+                {"note", rocks::kRockCaveat},
+                {"settings", rocks::rockSettingsToJson(study.settings)},
+                {"edits", rocks::rockEditsToJson(study.edits, scan.lines(), scan.beams())["edits"]},
                 {"frame", frameName(frame)},
                 {"up", {{"direction", {up.up.x(), up.up.y(), up.up.z()}}, {"assumed", up.assumed}}},
                 {"rock_count", study.rocks.size()},
                 {"size_curve", curveJson(writer.curve())},
-                {"fines", countsJson(regionCounts(study.map, RegionKind::Fines))},
-                {"not_rock", countsJson(regionCounts(study.map, RegionKind::NotRock))},
-                {"outside_region", countsJson(regionCounts(study.map, RegionKind::Outside))},
-                {"labels_sha256", labelsSha256(rockLabels(*study.leaves, study.map))},
+                {"fines", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::Fines))},
+                {"not_rock", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::NotRock))},
+                {"outside_region", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::Outside))},
+                {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
                 {"rocks", rows},
                 {"warnings", scan.warnings},
                 {"version", version()}};
     return report;
 }
 
-std::string rocksTable(const RockStudy& study, CoordinateFrame frame) {
+std::string rocksTable(const rocks::Study& study, CoordinateFrame frame) {
     const RowWriter writer(study, frame);
     std::string text;
-    const Json names = writer.row(Rock{}); // the header of a table without rocks too
+    const Json names = writer.row(rocks::Rock{}); // the header of a table without rocks too
     for (const auto& [key, value] : names.items()) text += (text.empty() ? "" : ",") + key;
     text += '\n';
-    for (const Rock& rock : study.rocks) {
+    for (const rocks::Rock& rock : study.rocks) {
         std::string line;
         bool first = true;
         const Json row = writer.row(rock);
@@ -146,26 +146,26 @@ std::string rocksTable(const RockStudy& study, CoordinateFrame frame) {
     return text;
 }
 
-Json whyReport(const RockStudy& study, const BorderWhy& why) {
-    const auto width = static_cast<std::uint32_t>(study.leaves->leaf.beams);
+Json whyReport(const rocks::Study& study, const rocks::BorderWhy& why) {
+    const auto width = static_cast<std::uint32_t>(study.segmentation->segment.beams);
     const auto cellJson = [&](std::uint32_t k) { return Json{{"line", k / width}, {"beam", k % width}}; };
     const auto regionJson = [&](std::uint32_t region) -> Json {
         if (region == 0) return nullptr;
-        const RockRegion& r = study.map.regions[region];
+        const rocks::Region& r = study.map.regions[region];
         return {{"rock", region <= study.map.rocks ? Json(region) : Json()},
-                {"kind", regionKindName(r.kind)},
+                {"kind", rocks::regionKindName(r.kind)},
                 {"by_hand", r.byHand},
                 {"cells", r.sums.cells},
                 {"bulge", thousandths(r.bulge)},
-                {"near", thousandths(r.near)},
-                {"edges", thousandths(r.edges)},
-                {"depth", thousandths(r.depth)},
-                {"fill", thousandths(r.fill)},
+                {"near", thousandths(r.nearShare)},
+                {"edges", thousandths(r.edgeShare)},
+                {"depth", thousandths(r.depthRatio)},
+                {"fill", thousandths(r.boxShare)},
                 {"long_m", millimetres(r.longM)},
                 {"score", thousandths(r.score)},
                 {"confidence", thousandths(r.confidence)}};
     };
-    Json report{{"input", study.leaves->inputs.scan->path},
+    Json report{{"input", study.segmentation->inputs.scan->path},
                 {"cells", {cellJson(why.cells[0]), cellJson(why.cells[1])}},
                 {"level", study.settings.level},
                 {"regions", {regionJson(why.regions[0]), regionJson(why.regions[1])}},
@@ -174,9 +174,9 @@ Json whyReport(const RockStudy& study, const BorderWhy& why) {
                 {"always_one", why.alwaysOne},
                 {"border", nullptr},
                 {"verdict", why.verdict},
-                {"note", kRockCaveat}};
+                {"note", rocks::kRockCaveat}};
     if (why.border) {
-        const RegionBorder& b = *why.border;
+        const rocks::RegionBorder& b = *why.border;
         report["border"] = {{"cracks", b.cracks},
                             {"e1", thousandths(b.mean(b.sumE1))},
                             {"e2", thousandths(b.mean(b.sumE2))},
@@ -190,4 +190,4 @@ Json whyReport(const RockStudy& study, const BorderWhy& why) {
     return report;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

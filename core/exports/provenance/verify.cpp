@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,10 +72,10 @@ void compareSidecar(const Json& sidecar, const std::string& bytes, Verification&
 /// The record and where it was found; what is wrong with either place goes into the findings.
 Result<Json> recordOf(const std::string& bytes, Verification& v) {
     Json fromSidecar;
-    if (const auto sidecar = readWholeFile(sidecarPath(v.exported))) {
+    if (const auto sidecar = readWholeFile(files::sidecarPath(v.exported))) {
         const Json whole = parsed(textOf(*sidecar));
-        if (const auto known = knownFormat(whole, kSidecarFormat, v); !known) return known.error();
-        if (wordAt(whole, "/format") == kSidecarFormat) fromSidecar = at(whole, "/record");
+        if (const auto known = knownFormat(whole, files::kSidecarFormat, v); !known) return known.error();
+        if (wordAt(whole, "/format") == files::kSidecarFormat) fromSidecar = at(whole, "/record");
         if (const auto known = knownFormat(fromSidecar, kRecordFormat, v); !known) return known.error();
         if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record beside the export is damaged or was altered.");
         compareSidecar(whole, bytes, v);
@@ -91,7 +91,7 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
     const bool none = embedded.empty() && v.findings.empty();
     return Error{none ? "there is no record in the export and none beside it" : "no record of the export is left unaltered",
                  v.exported.string(),
-                 none ? "copy " + sidecarPath(v.exported).filename().string() + " beside it" : "export the scan again"};
+                 none ? "copy " + files::sidecarPath(v.exported).filename().string() + " beside it" : "export the scan again"};
 }
 
 Error notUnderstood(const Verification& v, const std::string& what) {
@@ -109,7 +109,7 @@ Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::option
     const Json openedWith = at(record, "/scan/opened_with");
     const auto options = parseReadingOptions(openedWith.empty() ? std::string() : jsonText(openedWith), v.exported.string());
     if (!options) return options.error();
-    auto opened = openAsAsked(*path, *options);
+    auto opened = files::openAsAsked(*path, *options);
     if (!opened) return opened.error();
     if (gridSha256(*opened) != wordAt(record, "/scan/grid_sha256"))
         v.findings.emplace_back(
@@ -123,7 +123,7 @@ Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::option
     return std::make_shared<const Scan>(std::move(*opened));
 }
 
-void compareResults(const Json& record, const Detection& detection, Verification& v) {
+void compareResults(const Json& record, const edges::Detection& detection, Verification& v) {
     const std::string recorded = wordAt(record, "/edge_mask_sha256");
     if (maskSha256(*detection.mask) != recorded) v.findings.emplace_back("The method finds other edges here than the record says.");
     const Json cells = cellsReport(*detection.scan);
@@ -131,39 +131,40 @@ void compareResults(const Json& record, const Detection& detection, Verification
 }
 
 /// The scan and, unless it alone was exported, its edges.
-Result<std::shared_ptr<const Detection>> detectionOf(const Json& record, ExportContent content, const std::optional<fs::path>& scansFolder,
-                                                     Verification& v) {
+Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, ExportContent content,
+                                                            const std::optional<fs::path>& scansFolder, Verification& v) {
     const bool method = content != ExportContent::WholeScan;
-    const auto settings = method ? settingsFromJson(nlohmann::json(at(record, "/settings")), cannySettings(), v.exported.string())
-                                 : Result<Settings>(Settings{});
+    const auto settings =
+        method ? edges::settingsFromJson(nlohmann::json(at(record, "/settings")), edges::cannySettings(), v.exported.string())
+               : Result<edges::Settings>(edges::Settings{});
     if (!settings) return settings.error();
     const auto scan = scanOf(record, scansFolder, v);
     if (!scan) return scan.error();
     if (!method) {
-        auto bare = std::make_shared<Detection>();
+        auto bare = std::make_shared<edges::Detection>();
         bare->scan = *scan;
-        return std::shared_ptr<const Detection>(bare);
+        return std::shared_ptr<const edges::Detection>(bare);
     }
-    auto detection = detectEdges(*scan, *settings, isOfRocks(content) ? KeepFor::Rocks : KeepFor::Edges);
+    auto detection = edges::detectEdges(*scan, *settings, isOfRocks(content) ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
     compareResults(record, *detection, v);
     return detection;
 }
 
 /// The rocks with the settings and edits of the record.
-Result<std::shared_ptr<const RockStudy>> rocksOf(const Json& record, const Detection& detection, const Verification& v) {
+Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const edges::Detection& detection, const Verification& v) {
     const std::string where = v.exported.string();
-    const auto settings = rockSettingsFromJson(nlohmann::json(at(record, "/rocks/settings")), where);
+    const auto settings = rocks::rockSettingsFromJson(nlohmann::json(at(record, "/rocks/settings")), where);
     if (!settings) return settings.error();
     const Scan& scan = *detection.scan;
-    const auto edits = rockEditsFromJson(nlohmann::json(at(record, "/rocks/edits")), scan.lines(), scan.beams(), where);
+    const auto edits = rocks::rockEditsFromJson(nlohmann::json(at(record, "/rocks/edits")), scan.lines(), scan.beams(), where);
     if (!edits) return edits.error();
-    return std::make_shared<const RockStudy>(studyRocks(rockInputs(detection), *settings, *edits));
+    return std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
 }
 
 /// What a record of an earlier version does not name yet: settings at their defaults, classes that no cell has.
 void takeLater(Json& then, const Json& now) {
     if (!then.is_object()) return;
-    const Json usual = settingsToJson(Settings{});
+    const Json usual = edges::settingsToJson(edges::Settings{});
     for (const auto& [key, value] : now.items()) {
         if (!then.contains(key) && (value == 0 || (usual.contains(key) && usual[key] == value))) then[key] = value;
     }
@@ -208,8 +209,8 @@ void compareBytes(const std::string& found, const std::string& expected, Verific
 
 /// A picture says the same when its pixels do: how tightly zlib packs them is no part of it.
 bool samePixels(const std::string& found, const std::string& expected, const Json& record, Verification& v) {
-    const auto here = pngValues(expected, "");
-    const auto there = pngValues(found, v.exported.string());
+    const auto here = containers::pngValues(expected, "");
+    const auto there = containers::pngValues(found, v.exported.string());
     if (!here || !there || here->lines != there->lines || here->beams != there->beams) return false;
     const auto [a, b] = std::mismatch(here->cells.begin(), here->cells.end(), there->cells.begin());
     if (a != here->cells.end()) {
@@ -257,8 +258,9 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     if (wordAt(*record, "/format") != kRecordFormat || !content) return notUnderstood(v, "format");
     ExportOptions options;
     for (const Json& key : at(*record, "/choices")) {
-        const auto choice = std::ranges::find_if(kWritingChoices, [&](const WritingChoice& known) { return key == Json(known.key); });
-        if (choice == kWritingChoices.end()) return notUnderstood(v, "choice");
+        const auto choice =
+            std::ranges::find_if(files::kWritingChoices, [&](const files::WritingChoice& known) { return key == Json(known.key); });
+        if (choice == files::kWritingChoices.end()) return notUnderstood(v, "choice");
         options.choices.*choice->member = true;
     }
     options.ascii = at(*record, "/text") == true;
@@ -308,4 +310,4 @@ Json verificationReport(const Verification& v) {
             {"remarks", v.remarks}};
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

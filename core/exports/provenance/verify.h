@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::exports {
 
 struct Verification {
     bool identical = false;                       ///< the export, its record and what the scan gives are one
@@ -31,4 +31,4 @@ Result<Verification> verifyExport(const std::filesystem::path& exported, const s
 [[nodiscard]] std::string verificationText(const Verification& verification);
 [[nodiscard]] nlohmann::ordered_json verificationReport(const Verification& verification);
 
-} // namespace edgescan
+} // namespace edgescan::exports

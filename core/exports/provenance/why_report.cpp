@@ -10,21 +10,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 using json = nlohmann::ordered_json;
 
-json cellReport(const CellStrength& cell) { return {{"line", cell.line}, {"beam", cell.beam}, {"strength", cell.strength}}; }
+json cellReport(const edges::CellStrength& cell) { return {{"line", cell.line}, {"beam", cell.beam}, {"strength", cell.strength}}; }
 
-const char* standingName(Standing standing) {
+const char* standingName(edges::StrengthLevel standing) {
     static constexpr const char* kNames[]{"below", "between", "above"};
     return kNames[static_cast<std::size_t>(standing)];
 }
 
-const char* alongName(Along along) { return along == Along::Beams ? "beams" : "lines"; }
+const char* alongName(edges::Along along) { return along == edges::Along::Beams ? "beams" : "lines"; }
 
-json stepReport(const DepthStepAtCell& step) {
+json stepReport(const edges::DepthStepAtCell& step) {
     return {
         {"along", alongName(step.along)},
         {"line", step.line},
@@ -36,7 +36,7 @@ json stepReport(const DepthStepAtCell& step) {
         {"strength", step.strength}};
 }
 
-json foldReport(const FoldAtCell& fold, double creaseDeg) {
+json foldReport(const edges::FoldAtCell& fold, double creaseDeg) {
     return {{"along", alongName(fold.along)},
             {"dihedral_deg", fold.dihedralDeg},
             {"class", fold.convex ? "convex" : "concave"},
@@ -46,9 +46,9 @@ json foldReport(const FoldAtCell& fold, double creaseDeg) {
             {"strength", fold.strength}};
 }
 
-json thinnedReport(const ThinnedStrength& thinned) {
+json thinnedReport(const edges::ThinnedStrength& thinned) {
     return {{"strength", std::abs(thinned.before)},
-            {"kept", thinned.kept != 0},
+            {"kept", thinned.after != 0},
             {"suppressed_by", thinned.stronger ? cellReport(*thinned.stronger) : json(nullptr)}};
 }
 
@@ -57,7 +57,7 @@ const char* supportName(Support support) {
     return kNames[static_cast<std::size_t>(support)];
 }
 
-json depthReport(const DepthProbe& depth) {
+json depthReport(const edges::DepthProbe& depth) {
     json report{{"support", supportName(depth.support)},
                 {"mixed_pixel_taken_at_mm", depth.snappedMm ? json(*depth.snappedMm) : json(nullptr)},
                 {"noise_mm", depth.noiseMm},
@@ -65,9 +65,9 @@ json depthReport(const DepthProbe& depth) {
                 {"noise_mm_for_folds", depth.foldNoiseMm},
                 {"interlaced", depth.interlaced}};
     report["steps"] = json::array();
-    for (const DepthStepAtCell& step : depth.steps) report["steps"].push_back(stepReport(step));
+    for (const edges::DepthStepAtCell& step : depth.steps) report["steps"].push_back(stepReport(step));
     report["folds"] = json::array();
-    for (const FoldAtCell& fold : depth.folds) report["folds"].push_back(foldReport(fold, depth.creaseDeg));
+    for (const edges::FoldAtCell& fold : depth.folds) report["folds"].push_back(foldReport(fold, depth.creaseDeg));
     report["jump"] = thinnedReport(depth.jump);
     report["crease"] = thinnedReport(depth.crease);
     return report;
@@ -86,8 +86,8 @@ json linesOf(const std::string& text) {
 
 } // namespace
 
-nlohmann::ordered_json whyReport(const Detection& detection, const Why& why) {
-    const Probe& probe = why.probe;
+nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges::Why& why) {
+    const edges::Probe& probe = why.probe;
     const bool valid = probe.state == CellState::Valid;
     json report{{"input", detection.scan->path},
                 {"line", probe.line},
@@ -97,9 +97,9 @@ nlohmann::ordered_json whyReport(const Detection& detection, const Why& why) {
                 {"gray", probe.gray},
                 {"smoothed", why.smoothed ? json(*why.smoothed) : json(nullptr)},
                 {"takes_part", why.takesPart},
-                {"method", formatValue(*findParameter("method"), static_cast<double>(detection.settings.method))},
+                {"method", edges::formatValue(*edges::findParameter("method"), static_cast<double>(detection.settings.method))},
                 {"edge", probe.edge},
-                {"class", probe.edge && detection.classes ? json(edgeClassName(probe.kind)) : json(nullptr)}};
+                {"class", probe.edge && detection.classes ? json(edges::edgeClassName(probe.kind)) : json(nullptr)}};
     report["gradient"] = nullptr;
     if (why.alongBeams) {
         report["gradient"] = {{"along_beams", *why.alongBeams},
@@ -108,23 +108,23 @@ nlohmann::ordered_json whyReport(const Detection& detection, const Why& why) {
     }
     if (!why.alongBeams && why.directionDeg) report["gradient"] = {{"direction_deg", *why.directionDeg}};
     report["measured"] = why.depth ? depthReport(*why.depth) : json(nullptr);
-    report["response_class"] = why.kind != DepthEdge::None ? json(edgeClassName(why.kind)) : json(nullptr);
-    report["round_gap"] = why.roundGap;
+    report["response_class"] = why.kind != edges::DepthEdge::None ? json(edges::edgeClassName(why.kind)) : json(nullptr);
+    report["round_gap"] = why.movedFromGap;
     report["unit"] = why.unit;
     report["strength"] = why.strength;
     report["thresholds"] = {{"lower", why.lower}, {"upper", why.upper}};
-    const std::string meaning = thresholdText(detection.settings, detection.gray->scale);
+    const std::string meaning = edges::thresholdText(detection.settings, detection.gray->scale);
     if (!meaning.empty()) report["thresholds"]["meaning"] = meaning;
-    report["standing"] = standingName(why.standing);
+    report["standing"] = standingName(why.level);
     report["suppressed_by"] = why.suppressedBy ? cellReport(*why.suppressedBy) : json(nullptr);
     report["chain"] = json::array();
-    for (const CellStrength& cell : why.chain) report["chain"].push_back(cellReport(cell));
+    for (const edges::CellStrength& cell : why.chain) report["chain"].push_back(cellReport(cell));
     report["chain_cells"] = why.chainCells;
     report["chain_strongest"] = why.chainTop ? cellReport(*why.chainTop) : json(nullptr);
     report["appears_at"] = why.appearsAt ? json{{why.parameter, *why.appearsAt}} : json(nullptr);
     report["verdict"] = why.verdict;
-    report["text"] = linesOf(whyText(why, detection.settings));
+    report["text"] = linesOf(edges::whyText(why, detection.settings));
     return report;
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace edgescan {
+namespace edgescan::exports {
 
-[[nodiscard]] nlohmann::ordered_json whyReport(const Detection& detection, const Why& why);
+[[nodiscard]] nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges::Why& why);
 
-} // namespace edgescan
+} // namespace edgescan::exports

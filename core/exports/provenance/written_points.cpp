@@ -10,7 +10,7 @@
 #include <span>
 #include <type_traits>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 void addTo(PointBounds& bounds, std::span<const Eigen::Vector3d> points) {
@@ -88,7 +88,7 @@ PointBounds boundsOf(const std::vector<T>& x, const std::vector<T>& y, const std
     return bounds;
 }
 
-PointBounds boundsOf(const CloudColumns& cloud) {
+PointBounds boundsOf(const files::CloudColumns& cloud) {
     const auto of = [&]<class T>(const std::vector<T>& x) -> PointBounds {
         if constexpr (std::is_floating_point_v<T>)
             return boundsOf(x, std::get<std::vector<T>>(cloud.columns[1].values), std::get<std::vector<T>>(cloud.columns[2].values));
@@ -100,23 +100,23 @@ PointBounds boundsOf(const CloudColumns& cloud) {
 
 } // namespace
 
-PointBounds pointsToWrite(ExportContent content, const Detection& detection, const ExportOptions& options) {
+PointBounds pointsToWrite(ExportContent content, const edges::Detection& detection, const ExportOptions& options) {
     const bool edges = content == ExportContent::EdgeCloud;
     const std::shared_ptr<const Scan> scan = chosenScan(detection, options);
     const bool attached = options.includeAttached && !scan->attached.empty();
     if (!edges && !attached && options.frame == CoordinateFrame::Scanner) {
         if (const auto bounds = boundsOfCells(*scan)) return *bounds;
     }
-    return boundsOf(placesOfPoints(*scan, edges ? detection.mask.get() : nullptr, options.frame, options.includeAttached));
+    return boundsOf(files::placesOfPoints(*scan, edges ? detection.mask.get() : nullptr, options.frame, options.includeAttached));
 }
 
 Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const std::filesystem::path& path) {
     const ReadingOptions options;
-    Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
+    files::Source source{path, std::as_bytes(std::span(bytes.data(), bytes.size())), &options};
     source.placesOnly = true;
     PointBounds bounds;
     source.takePlaces = [&bounds](std::span<const Eigen::Vector3d> points) { addTo(bounds, points); };
-    const Format* format = writtenFormat(path);
+    const files::Format* format = files::writtenFormat(path);
     if (format == nullptr || format->points == nullptr) return std::optional<PointBounds>();
     const auto table = format->points(source);
     if (!table) return table.error();
@@ -124,4 +124,4 @@ Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const s
     return std::optional(bounds);
 }
 
-} // namespace edgescan
+} // namespace edgescan::exports

@@ -2,7 +2,7 @@
 #include "core/files/formats/format.h"
 #include "core/files/packet_capture/read_capture.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 Format packetCaptureFormat() {
     return {.title = "Network capture",
@@ -16,4 +16,4 @@ Format colaCaptureFormat() {
     return {.title = "CoLa stream", .reads = {".bin"}, .recognises = looksLikeColaStream, .read = readColaCapture, .placesItself = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 struct Zone {
@@ -89,4 +89,4 @@ std::string coordinateSystemWkt(const CloudColumns& cloud) {
     return "LOCAL_CS[\"" + quotable(name) + "\",LOCAL_DATUM[\"" + quotable(name) + "\",0],UNIT[\"metre\",1]," + axes + "]";
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// The EPSG system where the pose names one that is known here (UTM on WGS 84, by name or code) and the coordinates are its own; else a
 /// local system that no program takes for a place on earth. One line of ASCII.
 [[nodiscard]] std::string coordinateSystemWkt(const CloudColumns& cloud);
 
-} // namespace edgescan
+} // namespace edgescan::files

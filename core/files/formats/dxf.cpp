@@ -14,7 +14,7 @@
 #include <charconv>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 260;
@@ -126,4 +126,4 @@ Format dxfFormat() {
     return {.title = "Drawing with edge lines", .writes = {".dxf"}, .points = dxfPoints, .write = dxfBytes, .keeps = Keeps::Points};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr int kDecimals = 4; // tenths of a millimetre
@@ -219,4 +219,4 @@ std::string DxfText::end() {
     return std::move(text_);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct DxfLayer {
     const char* name;
@@ -51,4 +51,4 @@ private:
     std::string line_;          ///< of the polyline that is being written
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,7 +11,7 @@
 #include <limits>
 #include <tuple>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 const Eigen::Vector3d kNoPoint = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -31,12 +31,12 @@ struct E57Columns {
     }
 };
 
-std::optional<std::size_t> wholeField(const E57Scan& scan, const char* name) {
+std::optional<std::size_t> wholeField(const containers::E57Scan& scan, const char* name) {
     const auto field = scan.field(name);
-    return field && scan.fields[*field].kind == E57Field::Kind::Integer ? field : std::nullopt;
+    return field && scan.fields[*field].kind == containers::E57Field::Kind::Integer ? field : std::nullopt;
 }
 
-std::optional<E57Columns> columnsOf(const E57Scan& scan) {
+std::optional<E57Columns> columnsOf(const containers::E57Scan& scan) {
     struct Names {
         std::array<const char*, 3> place;
         const char* invalid;
@@ -62,7 +62,7 @@ std::optional<E57Columns> columnsOf(const E57Scan& scan) {
     return std::nullopt;
 }
 
-std::string fieldNames(const E57Scan& scan, const E57Columns* read) {
+std::string fieldNames(const containers::E57Scan& scan, const E57Columns* read) {
     const std::vector<std::size_t> known = read != nullptr ? read->all() : std::vector<std::size_t>{};
     std::string names;
     for (std::size_t i = 0; i < scan.fields.size(); ++i) {
@@ -72,11 +72,11 @@ std::string fieldNames(const E57Scan& scan, const E57Columns* read) {
 }
 
 /// How exactly x y z are written. What angles are written with grows with the range.
-Precision precisionOf(const E57Scan& scan, const E57Columns& columns) {
+Precision precisionOf(const containers::E57Scan& scan, const E57Columns& columns) {
     constexpr double kLargestAngle = 3.15;
     Precision precision{0.0, kFloatError};
     for (std::size_t i = 0; i < 3; ++i) {
-        const E57Field& field = scan.fields[columns.place[i]];
+        const containers::E57Field& field = scan.fields[columns.place[i]];
         const bool angle = columns.spherical && i > 0;
         double& shared = angle ? precision.relative : precision.absolute;
         shared = std::max(shared, field.absoluteError());
@@ -91,8 +91,9 @@ struct E57Numbers {
     std::vector<double>*invalid = nullptr, *row = nullptr, *column = nullptr, *intensity = nullptr;
 };
 
-Result<E57Numbers> numbersOf(E57File& file, const E57Scan& scan, const E57Columns& columns, const Source& source) {
-    auto lists = readE57Columns(file, scan, columns.all(), [&](double done) { return source.goOn("reading points", 0.4 * done); });
+Result<E57Numbers> numbersOf(containers::E57File& file, const containers::E57Scan& scan, const E57Columns& columns, const Source& source) {
+    auto lists =
+        containers::readE57Columns(file, scan, columns.all(), [&](double done) { return source.goOn("reading points", 0.4 * done); });
     if (!lists) return lists.error();
     E57Numbers numbers;
     numbers.lists = std::move(*lists);
@@ -137,7 +138,7 @@ IndexExtent extentOf(const std::vector<double>& numbers) {
 }
 
 /// Which cells the points lie in: empty when the indexes make no grid, or one that is nearly all holes.
-std::optional<E57Grid> gridOf(const E57Scan& scan, const E57Numbers& numbers, bool linesAreRows, std::uint64_t fileBytes) {
+std::optional<E57Grid> gridOf(const containers::E57Scan& scan, const E57Numbers& numbers, bool linesAreRows, std::uint64_t fileBytes) {
     constexpr double kMostAlongOneSide = 1U << 30U;
     constexpr std::uint64_t kCellsPerByte = 4, kCellsAnyway = 500'000;
     if (numbers.row == nullptr || numbers.row->empty()) return std::nullopt;
@@ -197,11 +198,11 @@ void spread(PointTable& table, const E57Grid& grid, const E57Numbers& numbers, b
 
 /// The scan that the options ask for, its columns and its points in their own frame.
 struct E57Choice {
-    E57Scan scan;
+    containers::E57Scan scan;
     PointTable table;
 };
 
-Result<E57Choice> chosenScan(E57File& file, const Source& source) {
+Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
     const std::size_t wanted = source.options->scanIndex;
     if (file.scans.empty()) {
         return source.refused("this E57 file holds no scan" +
@@ -222,7 +223,7 @@ Result<E57Choice> chosenScan(E57File& file, const Source& source) {
 }
 
 /// Puts the points of a scan onto the grid of the file's own indexes, where they make one.
-Result<Done> takeGrid(PointTable& table, const E57Scan& scan, const E57Numbers& numbers, const Source& source) {
+Result<Done> takeGrid(PointTable& table, const containers::E57Scan& scan, const E57Numbers& numbers, const Source& source) {
     if (numbers.row == nullptr) return Done{};
     const bool linesAreRows = scan.lineIndex == "rowIndex";
     const auto grid = gridOf(scan, numbers, linesAreRows, source.bytes.size());
@@ -241,11 +242,11 @@ Result<Done> takeGrid(PointTable& table, const E57Scan& scan, const E57Numbers& 
 }
 
 Result<E57Choice> readChoice(const Source& source) {
-    auto file = openE57(source.bytes, source.path.string());
+    auto file = containers::openE57(source.bytes, source.path.string());
     if (!file) return file.error();
     auto choice = chosenScan(*file, source);
     if (!choice) return choice;
-    E57Scan& scan = choice->scan;
+    containers::E57Scan& scan = choice->scan;
     PointTable& table = choice->table;
     const std::string which = "scan " + std::to_string(source.options->scanIndex + 1) + " of this E57 file";
     if (scan.points == 0) return source.refused(which + " holds no points", "choose another scan or file");
@@ -271,7 +272,7 @@ Result<E57Choice> readChoice(const Source& source) {
     return choice;
 }
 
-bool looksLikeE57(const Source& source) { return source.text().starts_with(kE57Magic); }
+bool looksLikeE57(const Source& source) { return source.text().starts_with(containers::kE57Magic); }
 
 /// The points of the scan that the options ask for, moved by its pose.
 Result<PointTable> readE57Points(const Source& source) {
@@ -284,7 +285,7 @@ Result<PointTable> readE57Points(const Source& source) {
     return table;
 }
 
-void nameSensor(Scan& scan, const E57Scan& e57) {
+void nameSensor(Scan& scan, const containers::E57Scan& e57) {
     if (e57.vendor.empty() && e57.model.empty() && e57.serial.empty()) return;
     auto acquisition = std::make_shared<Acquisition>();
     acquisition->vendor = e57.vendor;
@@ -298,7 +299,7 @@ void nameSensor(Scan& scan, const E57Scan& e57) {
 Result<Scan> readE57(const Source& source) {
     auto choice = readChoice(source);
     if (!choice) return choice.error();
-    const E57Scan& e57 = choice->scan;
+    const containers::E57Scan& e57 = choice->scan;
     Result<Scan> scan = scanFromPoints(std::move(choice->table), source);
     if (!scan) return scan;
     if (e57.pose) placeAsWritten(*scan, e57.pose->rotation, e57.pose->translationM, "E57", source);
@@ -311,4 +312,4 @@ Result<Scan> readE57(const Source& source) {
 
 Format e57Format() { return {.title = "E57", .reads = {".e57"}, .recognises = looksLikeE57, .points = readE57Points, .read = readE57}; }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr float kJumpShare = 0.03F;
@@ -106,4 +106,4 @@ std::vector<std::vector<std::size_t>> chainsOf(std::span<const EdgeCell> cells) 
     return chains;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct EdgeCell {
     std::uint32_t line = 0, beam = 0;
@@ -18,4 +18,4 @@ struct EdgeCell {
 /// without a neighbour is in none.
 [[nodiscard]] std::vector<std::vector<std::size_t>> chainsOf(std::span<const EdgeCell> cells);
 
-} // namespace edgescan
+} // namespace edgescan::files

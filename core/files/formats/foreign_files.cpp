@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 struct ForeignKind {
@@ -122,11 +122,11 @@ constexpr ForeignKind kSpreadsheet{"mimetype"sv, "an OpenDocument spreadsheet, n
 
 /// Archives that office programs call documents, by the names in their directory.
 const ForeignKind* officeKind(const Source& source) {
-    if (!isZip(source.bytes)) return nullptr;
-    const auto entries = zipEntries(source.bytes, source.path.string());
+    if (!containers::isZip(source.bytes)) return nullptr;
+    const auto entries = containers::zipEntries(source.bytes, source.path.string());
     if (!entries) return nullptr;
     const auto has = [&](std::string_view start) {
-        return std::ranges::any_of(*entries, [&](const ZipEntry& entry) { return entry.name.starts_with(start); });
+        return std::ranges::any_of(*entries, [&](const containers::ZipEntry& entry) { return entry.name.starts_with(start); });
     };
     if (has("xl/")) return &kWorkbook;
     return has("mimetype") && has("content.xml") ? &kSpreadsheet : nullptr;
@@ -176,4 +176,4 @@ Format fileThatIsNoScan() { return refusing<kindByBytes>(); }
 
 Format fileOfAnotherProgram() { return refusing<kindByName>(); }
 
-} // namespace edgescan
+} // namespace edgescan::files

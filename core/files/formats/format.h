@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// What of a scan's cells comes back from a file.
 enum class Keeps : std::uint8_t {
@@ -40,4 +40,4 @@ struct Format {
     bool placesItself = false;   ///< pose and calibration are taken into account by `read`
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

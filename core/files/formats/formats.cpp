@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 Format rawGridFormat();
 Format numpyFormat();
@@ -80,4 +80,4 @@ std::string writtenExtensions(bool wholeScans) {
     return text;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

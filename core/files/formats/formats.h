@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// All formats, as dialogs list them.
 [[nodiscard]] std::span<const Format> formats();
@@ -19,4 +19,4 @@ namespace edgescan {
 /// ".pcd, .ply or .csv": the usual extensions of what can be written; of clouds only, or of whole scans too.
 [[nodiscard]] std::string writtenExtensions(bool wholeScans);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostCloudFields = 64;
@@ -24,15 +24,15 @@ ByteView viewOf(std::string_view bytes) { return {reinterpret_cast<const std::ui
 
 bool looksLikeFoxglove(const Source& source) {
     const std::string_view text = source.text();
-    return text.starts_with(kMcapMagic) && text.substr(0, 128).find(kFoxgloveLibrary) != std::string_view::npos;
+    return text.starts_with(containers::kMcapMagic) && text.substr(0, 128).find(kFoxgloveLibrary) != std::string_view::npos;
 }
 
-const McapMetadata* aboutCloud(const McapContent& content) {
-    const auto found = std::ranges::find(content.metadata, kFoxgloveMetadata, &McapMetadata::name);
+const containers::McapMetadata* aboutCloud(const containers::McapContent& content) {
+    const auto found = std::ranges::find(content.metadata, kFoxgloveMetadata, &containers::McapMetadata::name);
     return found == content.metadata.end() ? nullptr : &*found;
 }
 
-std::string entryOf(const McapMetadata& about, const char* key) {
+std::string entryOf(const containers::McapMetadata& about, const char* key) {
     const auto found = about.entries.find(key);
     return found == about.entries.end() ? std::string() : found->second;
 }
@@ -76,7 +76,7 @@ std::optional<std::vector<RecordField>> fieldsOf(const nlohmann::json& message, 
     return fields;
 }
 
-Result<Done> readCloud(PointTable& table, const McapMessage& message, const Source& source) {
+Result<Done> readCloud(PointTable& table, const containers::McapMessage& message, const Source& source) {
     const std::string_view text(reinterpret_cast<const char*>(message.payload.data()), message.payload.size());
     const auto json = parseJson(text, source.path.string(), {text.size(), 6, 1000});
     if (!json) return json.error();
@@ -98,9 +98,9 @@ Result<Done> readCloud(PointTable& table, const McapMessage& message, const Sour
 }
 
 Result<PointTable> readFoxglovePoints(const Source& source) {
-    const auto content = readMcap(viewOf(source.text()), source.path.string());
+    const auto content = containers::readMcap(viewOf(source.text()), source.path.string());
     if (!content) return content.error();
-    const McapMetadata* about = aboutCloud(*content);
+    const containers::McapMetadata* about = aboutCloud(*content);
     if (about == nullptr) return source.refused("the record \"edgescan\" that says what the messages are is not there", kCopyAgain);
     PointTable table;
     table.format = "Foxglove";
@@ -109,8 +109,8 @@ Result<PointTable> readFoxglovePoints(const Source& source) {
     table.description = entryOf(*about, "description");
     table.sensor = vectorFrom(entryOf(*about, "sensor_m")).value_or(Eigen::Vector3d::Zero());
     const std::string topic = entryOf(*about, "topic");
-    const auto cloud = std::ranges::find_if(content->messages, [&](const McapMessage& message) {
-        const McapChannel* channel = channelOf(*content, message);
+    const auto cloud = std::ranges::find_if(content->messages, [&](const containers::McapMessage& message) {
+        const containers::McapChannel* channel = containers::channelOf(*content, message);
         return channel != nullptr && channel->topic == topic;
     });
     if (cloud == content->messages.end()) return source.refused("there is no message on " + topic.substr(0, 40), kCopyAgain);
@@ -123,8 +123,8 @@ Result<PointTable> readFoxglovePoints(const Source& source) {
 }
 
 std::string recordOfFoxglove(std::string_view bytes) {
-    const auto content = readMcap(viewOf(bytes), "");
-    const McapMetadata* about = content ? aboutCloud(*content) : nullptr;
+    const auto content = containers::readMcap(viewOf(bytes), "");
+    const containers::McapMetadata* about = content ? aboutCloud(*content) : nullptr;
     return about != nullptr ? entryOf(*about, "record") : std::string();
 }
 
@@ -141,4 +141,4 @@ Format foxgloveFormat() {
             .keepsIntensity = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// The library in the header of such a file, by which it is known again.
 inline constexpr const char* kFoxgloveLibrary = "edgescan-foxglove/1";
@@ -19,4 +19,4 @@ inline constexpr const char* kFoxgloveLinesTopic = "/edgescan/lines"; ///< line 
 /// MCAP with the messages foxglove.PointCloud and foxglove.FrameTransform as JSON. Error: not enough memory.
 Result<std::string> foxgloveBytes(CloudColumns cloud, const std::string& where, bool asText);
 
-} // namespace edgescan
+} // namespace edgescan::files

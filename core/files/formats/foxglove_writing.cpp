@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using FoxgloveJson = nlohmann::ordered_json;
@@ -131,7 +131,7 @@ public:
     }
 
 private:
-    McapEncoder encoder_;
+    containers::McapEncoder encoder_;
     std::array<std::uint32_t, 4> sequence_{};
 };
 
@@ -209,4 +209,4 @@ Result<std::string> foxgloveBytes(CloudColumns cloud, const std::string& where, 
     return file.finish(about);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

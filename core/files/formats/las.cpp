@@ -17,7 +17,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "LAS is read as the machine stores numbers");
@@ -282,4 +282,4 @@ Format lasFormat() {
             .keepsPlace = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

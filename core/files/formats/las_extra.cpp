@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-namespace edgescan::las {
+namespace edgescan::files::las {
 namespace {
 
 constexpr std::size_t kDescriptor = 192;
@@ -65,4 +65,4 @@ std::vector<RecordField> extraFields(std::span<const std::byte> file, std::uint6
     return {};
 }
 
-} // namespace edgescan::las
+} // namespace edgescan::files::las

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan::las {
+namespace edgescan::files::las {
 
 // Byte offsets in the public header.
 inline constexpr std::size_t kGlobalEncoding = 6, kVersionMajor = 24, kVersionMinor = 25, kSystem = 26, kSoftware = 58, kDay = 90,
@@ -40,11 +40,11 @@ inline constexpr std::size_t kCellBytes = 5;
 [[nodiscard]] std::vector<RecordField> extraFields(std::span<const std::byte> file, std::uint64_t recordsAt, std::uint64_t records,
                                                    std::uint64_t recordsEnd, std::size_t from, std::size_t pointBytes);
 
-} // namespace edgescan::las
+} // namespace edgescan::files::las
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// LAS 1.4: whole millimetres, columns behind x y z as extra bytes. Error: no points, or farther apart than LAS can hold.
 Result<std::string> lasBytes(CloudColumns cloud, const std::string& where, bool asText);
 
-} // namespace edgescan
+} // namespace edgescan::files

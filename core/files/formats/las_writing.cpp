@@ -16,7 +16,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "LAS is written as the machine stores numbers");
@@ -246,4 +246,4 @@ Result<std::string> lasBytes(CloudColumns cloud, const std::string& where, bool)
     return bytes;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

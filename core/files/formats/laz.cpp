@@ -15,7 +15,7 @@
 #include <streambuf>
 #endif
 
-namespace edgescan {
+namespace edgescan::files {
 
 #ifdef EDGESCAN_WITH_LASZIP
 namespace {
@@ -168,4 +168,4 @@ Result<LasPoints> readLazPoints(const Source& source) {
 
 #endif
 
-} // namespace edgescan
+} // namespace edgescan::files

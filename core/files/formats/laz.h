@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Coordinates of the file and what it holds of each return's strength.
 struct LasPoints {
@@ -19,4 +19,4 @@ struct LasPoints {
 /// The points of a LAZ file. Error: built without LASzip, damaged, larger than the memory.
 Result<LasPoints> readLazPoints(const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::uint64_t kFewestBeams = 16; // narrower tables are points, as in text
@@ -171,10 +171,10 @@ Result<Scan> readArray(const Source& source) {
 bool looksLikeNumpy(const Source& source) { return isNumpy(source.bytes); }
 
 /// The entry whose name says what it is, or the only one.
-const ZipEntry* scanEntry(const std::vector<ZipEntry>& arrays) {
+const containers::ZipEntry* scanEntry(const std::vector<containers::ZipEntry>& arrays) {
     if (arrays.size() == 1) return &arrays[0];
     for (const std::string_view wanted : {"ranges", "range_mm", "range", "distances", "distance", "depth", "points", "xyz", "cloud"}) {
-        for (const ZipEntry& entry : arrays) {
+        for (const containers::ZipEntry& entry : arrays) {
             std::string name = entry.name.substr(0, entry.name.size() - 4);
             std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
             if (name == wanted) return &entry;
@@ -183,23 +183,25 @@ const ZipEntry* scanEntry(const std::vector<ZipEntry>& arrays) {
     return nullptr;
 }
 
-std::vector<ZipEntry> arraysIn(const Source& source) {
-    auto entries = zipEntries(source.bytes, source.path.string());
+std::vector<containers::ZipEntry> arraysIn(const Source& source) {
+    auto entries = containers::zipEntries(source.bytes, source.path.string());
     if (!entries) return {};
-    std::erase_if(*entries, [](const ZipEntry& entry) { return !entry.name.ends_with(".npy"); });
+    std::erase_if(*entries, [](const containers::ZipEntry& entry) { return !entry.name.ends_with(".npy"); });
     return std::move(*entries);
 }
 
-bool looksLikeNpz(const Source& source) { return isZip(source.bytes) && (source.extension() == ".npz" || !arraysIn(source).empty()); }
+bool looksLikeNpz(const Source& source) {
+    return containers::isZip(source.bytes) && (source.extension() == ".npz" || !arraysIn(source).empty());
+}
 
 Result<Scan> readNpz(const Source& source) {
-    if (auto whole = zipEntries(source.bytes, source.path.string()); !whole) return whole.error();
-    const std::vector<ZipEntry> arrays = arraysIn(source);
+    if (auto whole = containers::zipEntries(source.bytes, source.path.string()); !whole) return whole.error();
+    const std::vector<containers::ZipEntry> arrays = arraysIn(source);
     std::string names;
-    for (const ZipEntry& entry : arrays) {
+    for (const containers::ZipEntry& entry : arrays) {
         if (names.size() < 200) names += (names.empty() ? "" : ", ") + entry.name.substr(0, entry.name.size() - 4);
     }
-    const ZipEntry* chosen = scanEntry(arrays);
+    const containers::ZipEntry* chosen = scanEntry(arrays);
     if (arrays.empty()) return source.refused("this archive holds no numpy array", "choose another file");
     if (chosen == nullptr) {
         return source.refused("this archive holds " + std::to_string(arrays.size()) + " arrays (" + names +
@@ -207,7 +209,7 @@ Result<Scan> readNpz(const Source& source) {
                               "save the ranges alone, or call them ranges");
     }
     const auto bytes =
-        unzip(source.bytes, *chosen, source.path.string(), [&](double done) { return source.goOn("unpacking", 0.2 * done); });
+        containers::unzip(source.bytes, *chosen, source.path.string(), [&](double done) { return source.goOn("unpacking", 0.2 * done); });
     if (!bytes) return bytes.error();
     Source inside = source;
     inside.bytes = *bytes;
@@ -225,4 +227,4 @@ Format numpyFormat() { return {.title = "numpy array", .reads = {".npy"}, .recog
 
 Format numpyArchiveFormat() { return {.title = "numpy archive", .reads = {".npz"}, .recognises = looksLikeNpz, .read = readNpz}; }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using namespace std::string_view_literals;
@@ -264,4 +264,4 @@ Result<NumpyArray> readNumpy(const Source& source) {
     return array;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

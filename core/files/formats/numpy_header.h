@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// How one number is stored.
 struct NumpyScalar {
@@ -48,4 +48,4 @@ struct NumpyArray {
 /// Error: damaged, cut off, or of things that are no numbers (Python objects, text ...).
 Result<NumpyArray> readNumpy(const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

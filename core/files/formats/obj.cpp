@@ -14,7 +14,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kLinesLookedAt = 200;
@@ -129,4 +129,4 @@ Format objFormat() {
             .keeps = Keeps::Points};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostFields = 4096;
@@ -284,4 +284,4 @@ Format pcdFormat() {
             .writesByLines = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Behind these stand three numbers in a comment of our own PCD files with metres from the origin of a mine grid: what is to be added to
 /// x y z, and where the sensor stood, because VIEWPOINT holds the origin there.
@@ -15,4 +15,4 @@ inline constexpr const char* kPcdSensor = "edgescan-sensor ";
 /// Binary, or text. Error: not enough memory.
 Result<std::string> pcdBytes(CloudColumns cloud, const std::string& where, bool ascii);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Of each kind of column.
@@ -92,4 +92,4 @@ Result<std::string> pcdBytes(CloudColumns cloud, const std::string& where, bool 
     return text;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

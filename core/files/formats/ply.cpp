@@ -11,7 +11,7 @@
 #include <array>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostProperties = 4096;
@@ -192,4 +192,4 @@ Format plyFormat() {
             .writesByLines = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -16,7 +16,7 @@
 #include <limits>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kRowsLookedAt = 200;
@@ -346,4 +346,4 @@ Format pointTableFormat() {
 
 Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .points = readTextPoints}; }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -17,7 +17,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kHeaderLines = 10;
@@ -313,4 +313,4 @@ Format ptxFormat() {
             .keepsIntensity = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

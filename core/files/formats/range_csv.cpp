@@ -13,7 +13,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kFewestRangeColumns = 16; // point lists have x y z and a few attributes
@@ -226,4 +226,4 @@ Format rangeTableFormat() {
     return {.title = "Range or point table", .reads = {".csv"}, .recognises = looksLikeRangeCsv, .read = readRangeCsv};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

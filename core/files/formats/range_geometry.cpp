@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kLms511Beams = 1141;
@@ -117,4 +117,4 @@ Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const 
     return angles;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

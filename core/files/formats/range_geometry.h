@@ -4,7 +4,7 @@
 #include "core/files/grid_recovery/recover_grid.h"
 #include "core/files/point_tables/source.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct AssumedAngles {
     PolarGeometry polar;
@@ -34,4 +34,4 @@ Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& s
 /// A number that stands for "no range" in tables: -1, or -9 and less.
 [[nodiscard]] constexpr bool isNoRangeMark(double number) { return number == -1 || number == -0.001 || number <= -9; }
 
-} // namespace edgescan
+} // namespace edgescan::files

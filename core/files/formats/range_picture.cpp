@@ -14,7 +14,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 struct Reading {
@@ -150,4 +150,4 @@ Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Sourc
     return scan;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr std::uint64_t kBytesPerPixel = 16; ///< while a picture becomes a scan
 
@@ -19,4 +19,4 @@ Result<Scan> readRangeTiff(const Source& source);
 /// The scan that a picture's numbers are. Values that are not finite or not above 0 are no returns.
 Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -12,7 +12,7 @@
 #include <memory>
 #endif
 
-namespace edgescan {
+namespace edgescan::files {
 
 #ifdef EDGESCAN_WITH_TIFF
 namespace {
@@ -117,4 +117,4 @@ Result<Scan> readRangeTiff(const Source& source) {
 
 #endif
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -18,7 +18,7 @@
 #include <cstring>
 #include <system_error>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ Format rawGridFormat() {
             .keepsPlace = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -4,10 +4,10 @@
 #include "core/files/recording/replay.h"
 #include "core/files/recording/save_recording.h"
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
-bool looksLikeRecording(const Source& source) { return source.text().starts_with(kMcapMagic); }
+bool looksLikeRecording(const Source& source) { return source.text().starts_with(containers::kMcapMagic); }
 
 Result<std::vector<FileBytes>> recordingFile(const Scan& scan, const std::filesystem::path& path) {
     const auto bytes = recordingOf(scan, path.string());
@@ -28,4 +28,4 @@ Format recordingFormat() {
             .placesItself = true};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -13,7 +13,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kNumbers = 4; ///< string number, northing, easting, elevation
@@ -121,4 +121,4 @@ Result<PointTable> readSurpacPoints(const Source& source) {
 
 Format surpacFormat() { return {.title = "Surpac strings", .reads = {".str"}, .recognises = looksLikeSurpac, .points = readSurpacPoints}; }
 
-} // namespace edgescan
+} // namespace edgescan::files

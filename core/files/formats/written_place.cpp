@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 
 void placeAsWritten(Scan& scan, const Eigen::Matrix3d& turn, const Eigen::Vector3d& place, const char* format, const Source& source) {
     if (scan.placement || (place.isZero(0.0) && turn.isIdentity(0.0))) return;
@@ -32,4 +32,4 @@ void placeAsWritten(Scan& scan, const Eigen::Matrix3d& turn, const Eigen::Vector
     scan.placement = std::move(placement);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 struct Steps {
@@ -261,4 +261,4 @@ std::vector<double> tidyAngles(const std::vector<double>& degrees, const std::ve
     return roundedBelowError(degrees, errors);
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

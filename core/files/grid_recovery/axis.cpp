@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-namespace edgescan {
+namespace edgescan::files {
 
 std::optional<Eigen::Matrix3d> turnToAxis(const Grid<Eigen::Vector3d>& points) {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -37,4 +37,4 @@ std::optional<Eigen::Matrix3d> turnToAxis(const Grid<Eigen::Vector3d>& points) {
     return turn;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,10 +7,10 @@
 
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// `points`: lines x beams about the sensor, any unit; not finite or (0, 0, 0) = none. A turn that makes the axis the z axis: all points of
 /// a beam have the same angle from it. Empty when too few tell.
 [[nodiscard]] std::optional<Eigen::Matrix3d> turnToAxis(const Grid<Eigen::Vector3d>& points);
 
-} // namespace edgescan
+} // namespace edgescan::files

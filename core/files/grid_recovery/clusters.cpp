@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kOnCell = 0.45;                              // of a step
@@ -163,4 +163,4 @@ Placed placeOnCells(std::span<const OnCell> returns, std::span<const AxisPoint> 
     return Placer(returns, points, pointOf).place();
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

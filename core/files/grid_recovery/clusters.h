@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 /// A return and where it lies on a grid.
 struct OnCell {
@@ -30,4 +30,4 @@ struct Placed {
 /// that remain free within their errors. `points` tells equal points.
 Placed placeOnCells(std::span<const OnCell> returns, std::span<const AxisPoint> points, Grid<std::uint32_t>& pointOf);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

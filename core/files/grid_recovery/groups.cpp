@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kTelling = 1.0 / 12;  // of a step: a more precise angle shows whether it lies on a group
@@ -239,4 +239,4 @@ std::optional<Fit> fitGroups(std::span<const AxisPoint> points, const Precision&
     return whole;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kSameBeam = 0.25;      // steps
@@ -76,4 +76,4 @@ bool unfoldHalves(Fit& fit) {
     return true;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -3,7 +3,7 @@
 
 #include "core/files/grid_recovery/parts.h"
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 /// A scanner that turns round and round with several beams to one side (a spinning lidar) puts two of its lines into one plane through the
 /// axis. Points in any order are found as such planes, with beams to both sides. Where both sides have the same beams, none comes near the
@@ -11,4 +11,4 @@ namespace edgescan::recognition {
 /// Returns whether it was so.
 bool unfoldHalves(Fit& fit);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

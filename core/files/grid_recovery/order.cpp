@@ -5,7 +5,7 @@
 #include <complex>
 #include <numeric>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kRoughlyPlane = 0.02; // radians: rows of the right length are far flatter, others are not
@@ -275,4 +275,4 @@ std::optional<Fit> fitFileOrder(std::span<const AxisPoint> points, const Precisi
     return std::nullopt;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

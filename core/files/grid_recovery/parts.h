@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr std::uint32_t kNone = RecognisedGrid::kNoPoint;
@@ -87,4 +87,4 @@ struct OnGrid {
 /// Median of absolute differences between neighbours; 0 when there are none.
 [[nodiscard]] double medianStep(const std::vector<double>& angles);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -5,7 +5,7 @@
 #include <array>
 #include <numeric>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr int kMostPhases = 8;
@@ -98,4 +98,4 @@ int foldPhases(RecognisedGrid& grid) {
     return turns.phases;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -3,11 +3,11 @@
 
 #include "core/files/grid_recovery/recover_grid.h"
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 /// Puts two to eight lines that follow each other side by side where each of them has every so many beams only, the next one those beside
 /// them, in turn over the whole grid; each beam keeps the angle of its line as its skew. Returns how many lines make one, 1 when nothing
 /// was changed.
 int foldPhases(RecognisedGrid& grid);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr double kOfOthers = 0.25; // of the points that have a whole number in reach only by chance: at most so many have none
@@ -50,4 +50,4 @@ std::vector<float> wholeRangesMm(const DirectedPoints& points) {
     return whole;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

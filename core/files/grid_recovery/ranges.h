@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Points along known directions.
 struct DirectedPoints {
@@ -19,4 +19,4 @@ struct DirectedPoints {
 /// all points allow one, and clearly more of them than would by chance.
 [[nodiscard]] std::vector<float> wholeRangesMm(const DirectedPoints& points);
 
-} // namespace edgescan
+} // namespace edgescan::files

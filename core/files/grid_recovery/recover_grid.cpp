@@ -11,7 +11,7 @@
 #include <array>
 #include <iterator>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using namespace recognition;
@@ -317,4 +317,4 @@ Result<RecognisedGrid> recogniseGrid(const PointList& list) {
     return Error{sentenceFor(seen, hypotheses, returns), "", "open the scan as the scanner stored it, with its origin at the scanner"};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

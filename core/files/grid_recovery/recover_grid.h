@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Largest rounding error of a written coordinate v: absolute + relative * |v|.
 struct Precision {
@@ -51,4 +51,4 @@ struct RecognisedGrid {
 /// Error: the points lie on no such grid; says in numbers what was found instead. `where` is left empty for the caller.
 Result<RecognisedGrid> recogniseGrid(const PointList& list);
 
-} // namespace edgescan
+} // namespace edgescan::files

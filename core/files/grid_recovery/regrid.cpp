@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using namespace regridding;
@@ -239,4 +239,4 @@ Result<Regridded> regrid(const LooseCloud& cloud) {
     return grid;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// A cloud without a grid and where it is looked at from.
 struct LooseCloud {
@@ -55,4 +55,4 @@ Result<Regridded> regrid(const LooseCloud& cloud);
 /// "100769 points in, 61234 of 412 x 380 cells filled (39.1 %) ...": what became of the points.
 [[nodiscard]] std::string accountOf(const Regridded& grid);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan::regridding {
+namespace edgescan::files::regridding {
 namespace {
 
 using recognition::AxisPoint;
@@ -106,4 +106,4 @@ std::optional<Fan> findFan(const LooseCloud& cloud) {
     return std::nullopt;
 }
 
-} // namespace edgescan::regridding
+} // namespace edgescan::files::regridding

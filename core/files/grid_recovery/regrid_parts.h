@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace edgescan::regridding {
+namespace edgescan::files::regridding {
 
 /// A return as seen from the sensor. Radians, growing to the right and downwards.
 struct Sight {
@@ -43,4 +43,4 @@ struct Fan {
 };
 [[nodiscard]] std::optional<Fan> findFan(const LooseCloud& cloud);
 
-} // namespace edgescan::regridding
+} // namespace edgescan::files::regridding

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace edgescan::regridding {
+namespace edgescan::files::regridding {
 namespace {
 
 // Share of the neighbours of filled cells that are filled. Cells of the points' own spacing, laid askew, give about 0.8; random points, two
@@ -76,4 +76,4 @@ double spacingOf(const std::vector<Sight>& sights, const Window& window, double 
     return std::find_if(tried.begin(), tried.end(), [&](auto& t) { return t.second >= kNearlyBest * best; })->first;
 }
 
-} // namespace edgescan::regridding
+} // namespace edgescan::files::regridding

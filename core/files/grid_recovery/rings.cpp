@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr std::size_t kThresholdsTried = 4;
@@ -102,4 +102,4 @@ std::vector<Ring> ringsIn(std::vector<double> angles, double period) {
     return rings;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 inline constexpr std::size_t kPointsPerGroup = 3; // on average, at least
 
@@ -29,4 +29,4 @@ struct Ring {
 /// The rings that the voids between the angles suggest, the clearest first.
 [[nodiscard]] std::vector<Ring> ringsIn(std::vector<double> angles, double period);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

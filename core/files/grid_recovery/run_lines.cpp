@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kOnBeam = 0.3; // of a step: nearer and more precise, a return is on that beam
@@ -334,4 +334,4 @@ std::optional<Fit> fitRuns(std::span<const AxisPoint> points, const Precision& p
     return fit;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <complex>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kDrift = 2e-4;       // radians from beam to beam: the stepper moves on while the mirror turns
@@ -252,4 +252,4 @@ std::optional<Runs> runsOf(std::span<const Seen> seen) {
     return found;
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

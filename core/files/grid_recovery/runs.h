@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 /// Returns `from` to `to` - 1 of the list: one scan line.
 struct Run {
@@ -29,4 +29,4 @@ struct Runs {
 /// Tilt of a return on a line, -pi to pi; where the return may be on either side of the axis, the one nearer to `near`.
 [[nodiscard]] double tiltOn(double plane, const Seen& seen, double near);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

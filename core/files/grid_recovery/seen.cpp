@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 namespace {
 
 constexpr double kBound = 1.75; // of a point's distance from what was measured, to the rounding of one coordinate: sqrt(3) at most
@@ -118,4 +118,4 @@ double placeAmong(const std::vector<double>& centres, double angle) {
     return at - (*right - angle) / (*right - *(right - 1));
 }
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan::recognition {
+namespace edgescan::files::recognition {
 
 /// One return. Radians; the errors are bounds, not deviations.
 struct Seen {
@@ -41,4 +41,4 @@ struct Angle {
 /// Where an angle lies among ascending centres, in places: 2.5 is midway between the third and the fourth. Beyond the ends at their steps.
 [[nodiscard]] double placeAmong(const std::vector<double>& centres, double angle);
 
-} // namespace edgescan::recognition
+} // namespace edgescan::files::recognition

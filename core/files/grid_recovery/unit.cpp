@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr double kLongestInMetres = 1000.0; // no scanner of rocks sees farther; larger numbers are millimetres
@@ -90,4 +90,4 @@ std::vector<std::uint32_t> lms2xxStatusCodes(const Grid<float>& rangeMm, const G
     return {};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct RangeUnit {
     double mmPerUnit = 1000.0;
@@ -30,4 +30,4 @@ struct RangeUnit {
 [[nodiscard]] std::vector<std::uint32_t> lms2xxStatusCodes(const Grid<float>& rangeMm, const Grid<CellState>& state,
                                                            const PolarGeometry& geometry);
 
-} // namespace edgescan
+} // namespace edgescan::files

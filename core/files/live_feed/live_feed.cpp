@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kLinesOfRate = 64;         // that the rate is taken from
@@ -12,27 +12,28 @@ constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
 
 } // namespace
 
-LiveFeed::LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed, std::size_t keptBytes)
+LiveFeed::LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
+                   std::size_t keptBytes)
     : changed_(std::move(changed)), sweepSettings_(sweep), recent_(kKeptNs, keptBytes), feed_(sweep) {
-    SessionEvents events;
-    events.stateChanged = [this](const SessionState& state) {
+    scanner::SessionEvents events;
+    events.stateChanged = [this](const scanner::SessionState& state) {
         {
             const std::lock_guard lock(mutex_);
             state_ = state;
-            if (state.phase == SessionPhase::Lost) feed_.assembler().reconnected();
+            if (state.phase == scanner::SessionPhase::Lost) feed_.assembler().reconnected();
         }
         changed_();
     };
-    events.identified = [this](const ScannerIdentity& identity) {
+    events.identified = [this](const scanner::ScannerIdentity& identity) {
         {
             const std::lock_guard lock(mutex_);
             identity_ = identity;
         }
         changed_();
     };
-    events.frameReceived = [this](const ColaFrame& frame) { received(frame); };
-    events.frameSent = [this](const ColaFrame& frame) { record(sentMessage(frame, clock_)); };
-    session_ = std::make_unique<ScannerSession>(std::move(scanner), std::move(events));
+    events.frameReceived = [this](const scanner::ColaFrame& frame) { received(frame); };
+    events.frameSent = [this](const scanner::ColaFrame& frame) { record(sentMessage(frame, clock_)); };
+    session_ = std::make_unique<scanner::ScannerSession>(std::move(scanner), std::move(events));
 }
 
 LiveFeed::~LiveFeed() { session_->stop(); }
@@ -43,7 +44,7 @@ void LiveFeed::record(RecordingMessagePtr message) {
     if (recorder_) recorder_->post(std::move(message));
 }
 
-void LiveFeed::received(const ColaFrame& frame) {
+void LiveFeed::received(const scanner::ColaFrame& frame) {
     const RecordingMessagePtr message = receivedMessage(frame, clock_);
     record(message); // before anything looks into it
     bool line = false;
@@ -67,7 +68,7 @@ std::shared_ptr<const Scan> LiveFeed::snapshot() {
     return feed_.assembler().snapshot();
 }
 
-SweepSoFar LiveFeed::sweep() {
+scanner::SweepState LiveFeed::sweep() {
     const std::lock_guard lock(mutex_);
     return {feed_.assembler().snapshot(), feed_.assembler().progress()};
 }
@@ -82,7 +83,7 @@ LiveStatus LiveFeed::status() const {
     status.lines = lines_;
     status.undecodable = feed_.undecodable();
     if (!lineNs_.empty()) {
-        status.secondsSinceLine = static_cast<double>(hostNow().monotonicNs - lineNs_.back()) * 1e-9;
+        status.secondsSinceLine = static_cast<double>(scanner::hostNow().monotonicNs - lineNs_.back()) * 1e-9;
         const double seconds = static_cast<double>(lineNs_.back() - lineNs_.front()) * 1e-9;
         if (seconds > 0.0) status.linesPerSecond = static_cast<double>(lineNs_.size() - 1) / seconds;
     }
@@ -90,7 +91,7 @@ LiveStatus LiveFeed::status() const {
     return status;
 }
 
-std::vector<FinishedSweep> LiveFeed::takeFinished() {
+std::vector<scanner::FinishedSweep> LiveFeed::takeFinished() {
     const std::lock_guard lock(mutex_);
     return feed_.assembler().takeFinished();
 }
@@ -101,7 +102,8 @@ Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
         if (recorder_ || starting_) return Error{"a recording is being written already", path.string(), "stop it first"};
         starting_ = true;
     }
-    auto writer = RecordingWriter::start(path, metadataOf(sweepSettings())); // waits for the disk: what arrives must not wait with it
+    auto writer =
+        RecordingWriter::start(path, scanner::metadataOf(sweepSettings())); // waits for the disk: what arrives must not wait with it
     const std::lock_guard lock(mutex_);
     starting_ = false;
     if (!writer) return writer.error();
@@ -119,12 +121,12 @@ std::vector<RecordingMessagePtr> LiveFeed::messagesOfSweep() const {
     return messages;
 }
 
-SweepSettings LiveFeed::sweepSettings() const {
+scanner::SweepSettings LiveFeed::sweepSettings() const {
     const std::lock_guard lock(mutex_);
     return sweepSettings_;
 }
 
-std::optional<int> LiveFeed::useSweep(const SweepSettings& sweep) {
+std::optional<int> LiveFeed::useSweep(const scanner::SweepSettings& sweep) {
     int gone = 0;
     {
         const std::lock_guard lock(mutex_);
@@ -152,7 +154,7 @@ Result<RecordingState> LiveFeed::stopRecording() {
 }
 
 Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
-    return saveMessages(path, metadataOf(sweepSettings()), recent_.messages());
+    return saveMessages(path, scanner::metadataOf(sweepSettings()), recent_.messages());
 }
 
 void LiveFeed::stop() {
@@ -161,4 +163,4 @@ void LiveFeed::stop() {
     feed_.assembler().finish();
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,14 +11,14 @@
 #include <mutex>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Everything the health of a live scan is told by (docs/operator.md, "S2", "S4", "S5"). A copy, true at the moment it was asked for.
 struct LiveStatus {
-    SessionState session;
-    std::optional<ScannerIdentity> scanner;
-    SessionStatistics statistics;
-    SweepProgress sweep;
+    scanner::SessionState session;
+    std::optional<scanner::ScannerIdentity> scanner;
+    scanner::SessionStatistics statistics;
+    scanner::SweepProgress sweep;
     std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
     std::optional<double> secondsSinceLine;  ///< empty before the first
@@ -31,7 +31,8 @@ class LiveFeed {
 public:
     /// `changed` is called on the scanner's thread after every line and change of state; it must return at once and must not call back
     /// into the feed. `keptBytes`: of the last minute at most.
-    LiveFeed(SessionSettings scanner, const SweepSettings& sweep, std::function<void()> changed, std::size_t keptBytes = 128U << 20U);
+    LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
+             std::size_t keptBytes = 128U << 20U);
     ~LiveFeed();
     LiveFeed(const LiveFeed&) = delete;
     LiveFeed& operator=(const LiveFeed&) = delete;
@@ -39,15 +40,15 @@ public:
     /// The sweep so far; the same pointer while nothing changed, null before the first line.
     [[nodiscard]] std::shared_ptr<const Scan> snapshot();
     /// The same with how far it is, both of one moment.
-    [[nodiscard]] SweepSoFar sweep();
+    [[nodiscard]] scanner::SweepState sweep();
     [[nodiscard]] LiveStatus status() const;
     /// Sweeps finished since the last call.
-    [[nodiscard]] std::vector<FinishedSweep> takeFinished();
+    [[nodiscard]] std::vector<scanner::FinishedSweep> takeFinished();
 
     /// Other mounting, steps or lines from now on; the lines of the sweep under way, as far as they are remembered, are put into their new
     /// places. A recording that is being written keeps the settings it began with. Gives the number of lines that are no longer remembered;
     /// nothing where the settings are those in use.
-    std::optional<int> useSweep(const SweepSettings& sweep);
+    std::optional<int> useSweep(const scanner::SweepSettings& sweep);
 
     /// Begins with what is remembered of the sweep that is growing, so that pressing Record a moment late loses nothing.
     /// Error: a recording is being written already, or the file cannot be made.
@@ -61,25 +62,25 @@ public:
     void stop();
 
 private:
-    void received(const ColaFrame& frame);
+    void received(const scanner::ColaFrame& frame);
     void record(RecordingMessagePtr message);
     [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock
-    [[nodiscard]] SweepSettings sweepSettings() const;
+    [[nodiscard]] scanner::SweepSettings sweepSettings() const;
 
     const std::function<void()> changed_;
-    SweepSettings sweepSettings_; // with the lock below, after the constructor
+    scanner::SweepSettings sweepSettings_; // with the lock below, after the constructor
     RecordingClock clock_;
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the session
     SweepFeed feed_;
-    SessionState state_;
-    std::optional<ScannerIdentity> identity_;
+    scanner::SessionState state_;
+    std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
     bool starting_ = false;          // somebody makes a recorder
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0;
-    std::deque<std::int64_t> lineNs_;         // of the last lines, monotonic
-    std::unique_ptr<ScannerSession> session_; // last: its thread uses all of the above
+    std::deque<std::int64_t> lineNs_;                  // of the last lines, monotonic
+    std::unique_ptr<scanner::ScannerSession> session_; // last: its thread uses all of the above
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 std::string ageText(double seconds) {
@@ -17,17 +17,17 @@ std::string ageText(double seconds) {
 }
 
 /// Seconds since the newest line that is shown arrived; empty before the first.
-std::optional<double> ageOf(const LiveStatus& status, const SweepProgress* shown) {
+std::optional<double> ageOf(const LiveStatus& status, const scanner::SweepProgress* shown) {
     if (!status.secondsSinceLine || shown == nullptr) return status.secondsSinceLine;
     return *status.secondsSinceLine + static_cast<double>(status.sweep.newestNs - shown->newestNs) * 1e-9;
 }
 
 Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
-    const SessionPhase phase = status.session.phase;
-    if (phase == SessionPhase::Stopped) return Liveness::Stopped;
-    if (!ageSeconds) return phase == SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
-    if (phase == SessionPhase::Lost || phase == SessionPhase::Connecting) return Liveness::Lost;
-    const bool late = phase != SessionPhase::Live || *ageSeconds >= kStaleAfterSeconds;
+    const scanner::SessionPhase phase = status.session.phase;
+    if (phase == scanner::SessionPhase::Stopped) return Liveness::Stopped;
+    if (!ageSeconds) return phase == scanner::SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
+    if (phase == scanner::SessionPhase::Lost || phase == scanner::SessionPhase::Connecting) return Liveness::Lost;
+    const bool late = phase != scanner::SessionPhase::Live || *ageSeconds >= kStaleAfterSeconds;
     return late ? Liveness::Stale : Liveness::Live;
 }
 
@@ -48,7 +48,7 @@ std::string badgeOf(Liveness liveness, std::optional<double> ageSeconds) {
     return "STOPPED";
 }
 
-std::string noReturnOf(const SweepProgress& sweep) {
+std::string noReturnOf(const scanner::SweepProgress& sweep) {
     const std::size_t all = std::accumulate(sweep.cells.begin(), sweep.cells.end(), std::size_t{0});
     if (all == 0) return {};
     const auto none = static_cast<double>(sweep.cells[static_cast<std::size_t>(CellState::NoReturn)]);
@@ -56,7 +56,7 @@ std::string noReturnOf(const SweepProgress& sweep) {
 }
 
 std::string endOf(const LiveStatus& status, Liveness liveness) {
-    const SweepProgress& sweep = status.sweep;
+    const scanner::SweepProgress& sweep = status.sweep;
     if (sweep.expected == 0) return {};
     const int left = sweep.expected - sweep.lines;
     if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
@@ -64,7 +64,7 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
 }
 
-void tellWindow(LiveHealth& health, const SweepProgress& sweep) {
+void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
     const bool error = sweep.device.contaminationError || sweep.deviceEver.contaminationError;
     const bool warning = sweep.device.contaminationWarning || sweep.deviceEver.contaminationWarning;
     health.window = error ? Condition::Failure : warning ? Condition::OutOfSpec : Condition::Good;
@@ -74,7 +74,7 @@ void tellWindow(LiveHealth& health, const SweepProgress& sweep) {
 }
 
 /// What is wrong with the telegrams themselves.
-void tellTelegrams(LiveHealth& health, const LiveStatus& status, const SweepProgress& sweep) {
+void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::SweepProgress& sweep) {
     health.remarks = sweep.irregular.sentences();
     if (!sweep.assumed.empty()) health.remarks.push_back(sweep.assumed);
     const auto tell = [&](std::uint64_t count, const char* what) {
@@ -106,9 +106,9 @@ void tellRecording(LiveHealth& health, const RecordingState& recording) {
 
 } // namespace
 
-LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const SweepProgress* shown) {
-    const SweepProgress& sweep = status.sweep;
-    const SweepProgress& lines = shown != nullptr ? *shown : sweep;
+LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const scanner::SweepProgress* shown) {
+    const scanner::SweepProgress& sweep = status.sweep;
+    const scanner::SweepProgress& lines = shown != nullptr ? *shown : sweep;
     const std::optional<double> age = ageOf(status, shown);
     LiveHealth health;
     health.liveness = livenessOf(status, age);
@@ -125,7 +125,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
                              : sweep.device.error             ? "DEVICE ERROR"
                                                               : "DEVICE ERROR earlier in this sweep";
     }
-    if (!lines.lost.empty()) health.lost = std::to_string(lines.lost.size()) + " lost: " + rowsText(lines.lost, 4);
+    if (!lines.lost.empty()) health.lost = std::to_string(lines.lost.size()) + " lost: " + scanner::rowsText(lines.lost, 4);
     tellTelegrams(health, status, lines);
     if (placement == nullptr)
         health.pose = "no pose";
@@ -135,4 +135,4 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     return health;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (docs/operator.md, "S4")
 
@@ -53,6 +53,7 @@ struct LiveHealth {
 
 /// `placement`: of the scan shown; null: none. `shown`: of the growing sweep that the picture on the screen was computed from, where it
 /// follows the scanner: lines and age are those of the picture, which may be older than what has arrived.
-[[nodiscard]] LiveHealth healthOf(const LiveStatus& status, const Placement* placement = nullptr, const SweepProgress* shown = nullptr);
+[[nodiscard]] LiveHealth healthOf(const LiveStatus& status, const Placement* placement = nullptr,
+                                  const scanner::SweepProgress* shown = nullptr);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr double kFinestStepDeg = 1e-6; // a thousandth of what any scanner tells apart
@@ -79,4 +79,4 @@ Result<Done> checkMeasured(const Scan& scan, const std::string& where) {
     return scan.placement ? checkPlace(*scan.placement, where) : Done{};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -6,10 +6,10 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Error: a valid range, an angle, the unit or the place leaves the table of core/base/physical_limits.h, or all beams look the same way.
 /// `where` is the path.
 Result<Done> checkMeasured(const Scan& scan, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -3,7 +3,7 @@
 
 #include "core/scan/angle_correction/straighten_scan.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 Result<Scan> openAsAsked(const std::filesystem::path& path, const ReadingOptions& options) {
     auto scan = openScan(path, options);
@@ -19,4 +19,4 @@ Result<Scan> openAsAsked(const std::filesystem::path& path, const ReadingOptions
     });
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

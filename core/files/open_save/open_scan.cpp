@@ -17,7 +17,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,7 +53,7 @@ Result<Scan> readPlain(const Source& source) {
     const Format& format = formatOfContent(source);
     auto scan = readAs(format, source);
     if (!scan) return scan;
-    useGivenAngles(*scan, *source.options);
+    applyGivenAngles(*scan, *source.options);
     if (!format.placesItself) {
         if (auto placed = placeAsAsked(*scan, *source.options, source.path.string()); !placed) return placed.error();
     }
@@ -64,7 +64,7 @@ Result<Scan> readPlain(const Source& source) {
 /// What is packed, as if it were not; places in it are told as such.
 Result<Scan> readPacked(const Source& source) {
     const std::string path = source.path.string();
-    auto unpacked = gunzip(source.bytes, path, [&](double done) { return source.goOn("unpacking", done); });
+    auto unpacked = containers::gunzip(source.bytes, path, [&](double done) { return source.goOn("unpacking", done); });
     if (!unpacked) return unpacked.error();
     Source inside = source;
     inside.bytes = *unpacked;
@@ -83,7 +83,7 @@ std::future<std::string> sha256Beside(std::span<const std::byte> bytes) {
 
 Result<Scan> readWhole(const Source& source) {
     auto sha256 = sha256Beside(source.bytes);
-    const bool packed = isGzip(source.bytes);
+    const bool packed = containers::isGzip(source.bytes);
     auto scan = packed ? readPacked(source) : readPlain(source);
     if (!scan) return scan;
     ReadingOptions done = *source.options;
@@ -138,4 +138,4 @@ Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& 
     return withinMemory(path, [&] { return readWhole({path, bytes, &options, true}); });
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 class Replay;
 
@@ -29,4 +29,4 @@ Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& 
 /// What `make` gives; memory that runs out on the way is one sentence like everything else that can go wrong with the file.
 Result<Scan> withinMemory(const std::filesystem::path& path, const std::function<Result<Scan>()>& make);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 Error unknownFormat(const std::filesystem::path& path, bool wholeScans) {
@@ -130,4 +130,4 @@ Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMa
         *format, path, options);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

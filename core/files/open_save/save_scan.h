@@ -15,16 +15,18 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
+enum class DepthEdge : std::uint8_t;
+} // namespace edgescan::edges
 
-enum class DepthEdge : std::uint8_t; // core/edges/edgescan_plus/edgescan_plus.h: 0 none, 1 jump, 2 convex, 3 concave
+namespace edgescan::files {
 
 struct SaveOptions {
     bool ascii = false; ///< PCD and PLY as text
     CoordinateFrame frame = CoordinateFrame::Scanner;
-    std::string record{};                     ///< provenance JSON for the comment lines; empty = none
-    bool includeAttached = false;             ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
-    const Grid<DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
+    std::string record{};         ///< provenance JSON for the comment lines; empty = none
+    bool includeAttached = false; ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
+    const Grid<edges::DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
     WritingChoices choices{};
     const Grid<std::uint32_t>* rocks = nullptr; ///< lines x beams: clouds get a field "rock" with it, 0 = none; null = no field
     const Grid<float>* filledSdMm = nullptr;    ///< lines x beams: clouds get a field "filled_sd_mm" with it, 0 = measured; null = no field
@@ -52,4 +54,4 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
 /// Error: the format is unknown, cannot carry this scan (says why), or the file cannot be written; the old file stays.
 Result<Done> saveScan(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options = {});
 
-} // namespace edgescan
+} // namespace edgescan::files

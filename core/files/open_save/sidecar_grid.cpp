@@ -23,7 +23,7 @@
 #include <numbers>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ std::optional<Scan> scanOfGridBeside(PointTable& table, const Source& source) {
     return std::move(scan);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 
@@ -23,4 +23,4 @@ inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 /// no angles or does not fit the points; a remark says why.
 [[nodiscard]] std::optional<Scan> scanOfGridBeside(PointTable& table, const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

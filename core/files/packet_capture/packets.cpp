@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::int64_t kNsPerS = 1'000'000'000;
@@ -189,4 +189,4 @@ Result<PacketFile> readPackets(ByteView file, const std::string& where) {
     return Error{"this is no capture of network packets", where, "choose a PCAP or PCAPNG file"};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

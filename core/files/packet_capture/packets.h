@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// What a packet begins with (tcpdump.org, "Link-layer header types"); others are in the file as they are.
 enum class LinkType : std::uint32_t {
@@ -38,4 +38,4 @@ struct PacketFile {
 /// Error: no such file, or damaged at a byte that it names.
 Result<PacketFile> readPackets(ByteView file, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::files

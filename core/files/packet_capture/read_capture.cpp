@@ -14,7 +14,7 @@
 #include <map>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 ByteView bytesOf(const Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
@@ -24,10 +24,10 @@ struct Heard {
     std::vector<RecordingMessagePtr> messages;
     std::size_t scans = 0;
     std::uint64_t skipped = 0; ///< bytes that belong to no telegram
-    Dialect dialect = Dialect::B;
+    scanner::Dialect dialect = scanner::Dialect::B;
 
-    void take(ColaFrame&& frame, std::int64_t hostNs) {
-        const bool scan = isScanTelegram(frame.payload());
+    void take(scanner::ColaFrame&& frame, std::int64_t hostNs) {
+        const bool scan = scanner::isScanTelegram(frame.payload());
         if (scan && scans++ == 0) dialect = frame.dialect;
         messages.push_back(
             std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, hostNs, std::move(frame.bytes)}));
@@ -36,11 +36,11 @@ struct Heard {
 
 Heard heardIn(const TcpStream& stream) {
     Heard heard;
-    ColaStream frames;
+    scanner::ColaStream frames;
     std::int64_t latestNs = 0; // packets that came out of order must not turn time back
     for (const StreamPiece& piece : stream.pieces) {
         latestNs = std::max(latestNs, piece.timeNs);
-        for (ColaFrame& frame : frames.push(piece.bytes, {latestNs, latestNs})) {
+        for (scanner::ColaFrame& frame : frames.push(piece.bytes, {latestNs, latestNs})) {
             const std::int64_t receivedNs = frame.received.utcNs;
             heard.take(std::move(frame), receivedNs);
         }
@@ -50,13 +50,13 @@ Heard heardIn(const TcpStream& stream) {
 }
 
 /// What the user said of the mounting; what is left out is assumed where recordings are opened.
-SweepMetadata metadataFor(const Heard& heard, const ReadingOptions& options) {
-    SweepSettings settings;
+scanner::SweepMetadata metadataFor(const Heard& heard, const ReadingOptions& options) {
+    scanner::SweepSettings settings;
     if (options.axis) settings.axis = *options.axis;
     if (options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
     if (options.lineStepDeg) settings.degPerLine = *options.lineStepDeg;
-    const SweepMetadata all = metadataOf(settings);
-    SweepMetadata said;
+    const scanner::SweepMetadata all = scanner::metadataOf(settings);
+    scanner::SweepMetadata said;
     const auto say = [&](bool given, const char* key) {
         if (given) said[key] = all.at(key);
     };
@@ -64,7 +64,7 @@ SweepMetadata metadataFor(const Heard& heard, const ReadingOptions& options) {
     say(options.lineStartDeg.has_value(), "stepper.phi0_deg");
     say(options.lineStepDeg.has_value(), "stepper.deg_per_step");
     say(options.lineStepDeg.has_value(), "stepper.dir");
-    said["lidar.dialect"] = heard.dialect == Dialect::A ? "cola-a" : "cola-b";
+    said["lidar.dialect"] = heard.dialect == scanner::Dialect::A ? "cola-a" : "cola-b";
     return said;
 }
 
@@ -85,10 +85,10 @@ Result<Scan> scanOfHeard(Heard heard, const char* format, const Source& source) 
 /// The scanner's own clock as time, for a stream that has none: it wraps every 71.6 minutes and begins anew with the scanner.
 class DeviceTime {
 public:
-    std::int64_t of(const ColaFrame& frame) {
+    std::int64_t of(const scanner::ColaFrame& frame) {
         constexpr std::int64_t kStartNs = kNsPerSecondWhole; // no date is known
-        if (isScanTelegram(frame.payload())) {
-            const auto telegram = decodeScanTelegram(frame);
+        if (scanner::isScanTelegram(frame.payload())) {
+            const auto telegram = scanner::decodeScanTelegram(frame);
             if (telegram) takeUs(telegram->transmittedUs);
         }
         return kStartNs + us_ * 1000;
@@ -185,10 +185,10 @@ void tellLosses(std::vector<std::string>& warnings, const PacketFile& file, cons
 bool looksLikePackets(const Source& source) { return isPacketFile(bytesOf(source)); }
 
 bool looksLikeColaStream(const Source& source) {
-    constexpr std::size_t kFirstPart = 4 * kLongestFrame;
+    constexpr std::size_t kFirstPart = 4 * scanner::kLongestFrame;
     const ByteView bytes = bytesOf(source);
     if (bytes.empty() || source.text().substr(0, kFirstPart).find('\x02') == std::string_view::npos) return false;
-    ColaStream stream;
+    scanner::ColaStream stream;
     return !stream.push(bytes.first(std::min(bytes.size(), kFirstPart))).empty();
 }
 
@@ -226,10 +226,10 @@ Result<Scan> readColaCapture(const Source& source) {
     constexpr std::size_t kAtOnce = 1U << 20U;
     const ByteView bytes = bytesOf(source);
     Heard heard;
-    ColaStream stream;
+    scanner::ColaStream stream;
     DeviceTime time;
     for (std::size_t at = 0; at < bytes.size(); at += kAtOnce) {
-        for (ColaFrame& frame : stream.push(bytes.subspan(at, std::min(kAtOnce, bytes.size() - at)))) {
+        for (scanner::ColaFrame& frame : stream.push(bytes.subspan(at, std::min(kAtOnce, bytes.size() - at)))) {
             const std::int64_t hostNs = time.of(frame);
             heard.take(std::move(frame), hostNs);
         }
@@ -256,4 +256,4 @@ Result<Scan> readColaCapture(const Source& source) {
     return scan;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

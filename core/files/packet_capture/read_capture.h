@@ -4,7 +4,7 @@
 #include "core/files/point_tables/source.h"
 #include "core/scan/grid/scan.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// A PCAP or PCAPNG file.
 [[nodiscard]] bool looksLikePackets(const Source& source);
@@ -17,4 +17,4 @@ Result<Scan> readPacketCapture(const Source& source);
 /// The same of the bytes as they came from the scanner, without times.
 Result<Scan> readColaCapture(const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

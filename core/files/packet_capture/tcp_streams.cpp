@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::uint32_t kIpv4 = 0x0800, kIpv6 = 0x86DD;
@@ -217,4 +217,4 @@ TcpStreams tcpStreams(const std::vector<Packet>& packets) {
     return found;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

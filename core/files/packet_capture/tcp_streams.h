@@ -6,7 +6,7 @@
 #include <compare>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// An address and a port.
 struct Endpoint {
@@ -46,4 +46,4 @@ struct TcpStreams {
 /// Streams whose bytes are those of the packets. Linear in the packets, but for their sorting.
 [[nodiscard]] TcpStreams tcpStreams(const std::vector<Packet>& packets);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr double kPieceDeg = 5.0;
@@ -112,4 +112,4 @@ bool clearlyFlatter(const CommonPlanes& other, const CommonPlanes& now) {
            static_cast<double>(other.onPlanes) >= kClearTimes * static_cast<double>(now.onPlanes);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -3,7 +3,7 @@
 
 #include "core/scan/grid/scan.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Flat pieces of the sweep, about 5 degrees wide each way, and how many of them lie on the three planes that hold most.
 struct CommonPlanes {
@@ -19,4 +19,4 @@ struct CommonPlanes {
 /// So many more that chance and rough ground are no reason.
 [[nodiscard]] bool clearlyFlatter(const CommonPlanes& other, const CommonPlanes& now);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using Source = OpeningPoint::Source;
@@ -180,7 +180,7 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
 }
 
 std::optional<OpeningPoint> displacementOf(const Scan& scan, const ReadingOptions& options) {
-    const auto told = std::ranges::find_if(scan.warnings, tellsOfDisplacement);
+    const auto told = std::ranges::find_if(scan.warnings, isDisplacementWarning);
     if (told == scan.warnings.end() && !options.straighten) return std::nullopt;
     OpeningPoint point{kDisplacedPoint.data(), options.straighten ? Source::Typed : Source::Said};
     point.taken = options.straighten ? Sentence{"straightened"} : Sentence{"where their angles say"};
@@ -221,4 +221,4 @@ bool looksGuessed(const std::vector<OpeningPoint>& points) {
     return std::ranges::any_of(points, [](const OpeningPoint& point) { return point.source == Source::Guessed; });
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

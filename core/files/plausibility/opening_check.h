@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// The scan read in another way.
 struct OtherReading {
@@ -41,4 +41,4 @@ inline constexpr std::string_view kDisplacedPoint = "Beams and lines";
 /// One of them was found out rather than said.
 [[nodiscard]] bool looksGuessed(const std::vector<OpeningPoint>& points);
 
-} // namespace edgescan
+} // namespace edgescan::files

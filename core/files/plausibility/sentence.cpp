@@ -1,7 +1,7 @@
 // Values into their places.
 #include "core/files/plausibility/sentence.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 std::string filledIn(std::string_view pattern, const std::vector<std::string>& values) {
     std::string text;
@@ -18,4 +18,4 @@ std::string filledIn(std::string_view pattern, const std::vector<std::string>& v
     return text;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

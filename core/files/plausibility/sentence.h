@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// `pattern` with %1 to %9 replaced by `values`; what has no value stays. UTF-8.
 [[nodiscard]] std::string filledIn(std::string_view pattern, const std::vector<std::string>& values);
@@ -18,4 +18,4 @@ struct Sentence {
     [[nodiscard]] std::string text() const { return filledIn(pattern, values); }
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::array<std::pair<const char*, std::string Acquisition::*>, 9> kTexts{{
@@ -46,4 +46,4 @@ Result<std::shared_ptr<const Acquisition>> acquisitionFromJson(const nlohmann::j
     return std::shared_ptr<const Acquisition>(acquisition);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

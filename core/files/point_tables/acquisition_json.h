@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Only what is known; without the times of the lines.
 [[nodiscard]] nlohmann::ordered_json acquisitionToJson(const Acquisition& acquisition);
@@ -17,4 +17,4 @@ namespace edgescan {
 /// Error: an unknown key, or no text where text is needed. `where` goes into it.
 Result<std::shared_ptr<const Acquisition>> acquisitionFromJson(const nlohmann::json& object, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::files {
 
 enum class Scalar : std::uint8_t { Int8, Int16, Int32, Int64, UInt8, UInt16, UInt32, UInt64, Float32, Float64 };
 
@@ -79,4 +79,4 @@ void forEachScalar(Scalar scalar, const std::byte* first, std::size_t stride, st
     return number;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 std::string sizeOfReach() { return significantText(physical::kRangeMm.limits.most * 1e-6, 6) + " km"; }
@@ -71,4 +71,4 @@ PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& 
     return geometry;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

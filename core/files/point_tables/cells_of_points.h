@@ -4,7 +4,7 @@
 #include "core/files/grid_recovery/unit.h"
 #include "core/files/point_tables/point_table.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr double kMetresPerMm = 0.001;
 
@@ -20,4 +20,4 @@ void takeStates(Scan& scan, const PointTable& table, const Grid<std::uint32_t>& 
 /// The points themselves in metres, about the table's sensor.
 [[nodiscard]] PointGeometry pointGeometry(const PointTable& table, const Grid<std::uint32_t>& pointOf, const RangeUnit& unit);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -19,7 +19,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostHeaderLines = 4096;
@@ -193,7 +193,7 @@ T valueAt(const Grid<T>& grid, const CellOfPoint& cell) {
 }
 
 void addClasses(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* edgeMask,
-                const Grid<DepthEdge>* classes) {
+                const Grid<edges::DepthEdge>* classes) {
     if (classes != nullptr)
         addColumn<std::uint8_t>(cloud, "class", cells, [&](const CellOfPoint& cell) { return valueAt(*classes, cell); });
     const auto colour = [&](const CellOfPoint& cell) {
@@ -297,7 +297,7 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm,
+                         const Grid<edges::DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm,
                          const Grid<std::uint8_t>* confidence) {
     const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
@@ -312,7 +312,7 @@ CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, C
 }
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
-                        const Grid<DepthEdge>* classes, const Grid<float>* filledSdMm, const Grid<std::uint8_t>* confidence) {
+                        const Grid<edges::DepthEdge>* classes, const Grid<float>* filledSdMm, const Grid<std::uint8_t>* confidence) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
     addFilled(cloud, edges.cells, filledSdMm);
@@ -373,4 +373,4 @@ std::string recordInComments(std::string_view bytes) {
     return record;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -14,9 +14,11 @@
 #include <variant>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
+enum class DepthEdge : std::uint8_t;
+} // namespace edgescan::edges
 
-enum class DepthEdge : std::uint8_t; // core/edges/edgescan_plus/edgescan_plus.h
+namespace edgescan::files {
 
 struct CloudColumn {
     std::string name; ///< "x", "range_mm" ...
@@ -59,13 +61,13 @@ void makeAll(CloudColumns& cloud);
 /// `withAttached` the points that are attached to these cells follow, and a column tells them.
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                       const Grid<DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr,
+                                       const Grid<edges::DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr,
                                        const Grid<float>* filledSdMm = nullptr, const Grid<std::uint8_t>* confidence = nullptr);
 
 /// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, class and colours as above; and what is attached to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                      const Grid<DepthEdge>* classes = nullptr, const Grid<float>* filledSdMm = nullptr,
+                                      const Grid<edges::DepthEdge>* classes = nullptr, const Grid<float>* filledSdMm = nullptr,
                                       const Grid<std::uint8_t>* confidence = nullptr);
 
 /// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
@@ -87,4 +89,4 @@ inline constexpr const char* kRecordMark = "edgescan-record ";
 /// The provenance in the comment lines of a file; empty when there is none.
 [[nodiscard]] std::string recordInComments(std::string_view bytes);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr double kMostCellsPerPoint = 64; // fewer points are no grid but cells picked from one
@@ -158,4 +158,4 @@ bool layOutByColumns(PointTable& table, bool sensorGiven, std::vector<AttachedPo
     return true;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

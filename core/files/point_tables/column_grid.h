@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Lays the points out as an organised cloud, line by line, with NaN where a cell has none and the nearest where it has several (the others
 /// stay in `behind`, in the numbers of the file). Unless `sensorGiven`, the sensor becomes the place from which the ranges of the file were
@@ -13,4 +13,4 @@ namespace edgescan {
 /// stays as it is, when line and beam are no grid; a remark says why.
 [[nodiscard]] bool layOutByColumns(PointTable& table, bool sensorGiven, std::vector<AttachedPoint>& behind);
 
-} // namespace edgescan
+} // namespace edgescan::files

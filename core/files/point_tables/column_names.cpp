@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 struct KnownName {
@@ -249,4 +249,4 @@ std::optional<std::string> contentsNamed(std::span<const std::string> names) {
     return std::nullopt;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ, Intensity, FilledSdMm };
 inline constexpr std::size_t kColumnRoles = 12;
@@ -37,4 +37,4 @@ struct NamedColumns {
 /// names do not tell, or where they name x, y and z.
 [[nodiscard]] std::optional<std::string> contentsNamed(std::span<const std::string> names);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PCD and PLY are written as the machine stores them");
@@ -135,7 +135,7 @@ void appendRows(std::string& text, const CloudColumns& cloud, char separator) {
     std::vector<std::size_t> written(bands);
     for (std::size_t first = 0; first < rows; first += bands * rowsOfPiece) {
         const auto rowOf = [&](std::size_t band) { return std::min(rows, first + band * rowsOfPiece); };
-        inBands(static_cast<int>(bands), static_cast<int>(bands), [&](int one, int) {
+        runInBands(static_cast<int>(bands), static_cast<int>(bands), [&](int one, int) {
             const auto band = static_cast<std::size_t>(one);
             std::size_t from = rowOf(band), to = rowOf(band + 1);
             const CloudColumns& rowsOfBand = rowsFrom(cloud, made[band], from, to);
@@ -182,4 +182,4 @@ Result<Done> checkRoom(const CloudColumns& cloud, const std::string& where, std:
     return checkMemory(std::uint64_t{rowsOf(cloud)} * cloud.columns.size() * bytesPerNumber, where);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

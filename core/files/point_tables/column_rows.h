@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::files {
 
 [[nodiscard]] inline std::size_t rowsOf(const CloudColumns& cloud) { return cloud.width * cloud.height; }
 
@@ -53,4 +53,4 @@ void appendComments(std::string& text, const CloudColumns& cloud, const std::str
 /// Error when the memory does not suffice for so many bytes per number.
 Result<Done> checkRoom(const CloudColumns& cloud, const std::string& where, std::uint64_t bytesPerNumber);
 
-} // namespace edgescan
+} // namespace edgescan::files

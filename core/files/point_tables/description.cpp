@@ -16,7 +16,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr const char* kFormat = "edgescan-raw-grid/1";
@@ -265,4 +265,4 @@ std::optional<CellState> cellStateNamed(std::string_view name) {
     return std::nullopt;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

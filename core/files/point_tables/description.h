@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// {"start","step"}: even angles.
 struct AngleSteps {
@@ -78,4 +78,4 @@ void applyStateRuns(Scan& scan, const GridDescription& grid);
 /// "lost" -> CellState::Lost.
 [[nodiscard]] std::optional<CellState> cellStateNamed(std::string_view name);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr Rgb kNoEdgeColour{128, 128, 128};
 /// By DepthEdge: an edge of a method without classes, jump, convex, concave, data border, outline before a void. Each of the last four has
@@ -13,4 +13,4 @@ inline constexpr Rgb kNoEdgeColour{128, 128, 128};
 inline constexpr std::array<Rgb, 6> kEdgeColours{
     {{0, 255, 0}, {0, 255, 0}, {0, 255, 255}, {255, 205, 255}, {255, 215, 150}, {255, 255, 130}}};
 
-} // namespace edgescan
+} // namespace edgescan::files

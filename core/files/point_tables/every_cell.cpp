@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 template <class T>
@@ -84,4 +84,4 @@ void makeAll(CloudColumns& cloud) {
     cloud.linesLater = nullptr;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr double kLargestInFloat = 1e4; ///< metres; beyond it a 4-byte float steps by a millimetre and more
 
@@ -17,4 +17,4 @@ inline constexpr double kLargestInFloat = 1e4; ///< metres; beyond it a 4-byte f
 /// is not all there is. The scan must outlive it.
 [[nodiscard]] std::optional<CloudColumns> cellsByLines(const Scan& scan, CoordinateFrame frame);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr int kLeastPower = -10, kMostPower = 16; // of two: from 0.001 to 131072
@@ -119,4 +119,4 @@ char* writeFloat(char* to, char* end, float value) {
     return to + decimal.decimals + (decimal.decimals > 0 ? 1 : 0);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kRowsSearched = 200;
@@ -141,4 +141,4 @@ std::optional<GroupedNumber> findGroupedNumber(std::string_view text) {
     return std::nullopt;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

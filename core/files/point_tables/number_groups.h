@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Bytes of a row that is cut up to see what is wrong: of a longer one the cells would take more memory than the file.
 inline constexpr std::size_t kLongestRowLookedAt = 1U << 16U;
@@ -28,4 +28,4 @@ struct GroupedNumber {
 /// Looks at the first rows, cut at semicolons or tabs, else at commas outside quotes, else at blanks. Rows have three numbers at least.
 [[nodiscard]] std::optional<GroupedNumber> findGroupedNumber(std::string_view text);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 Result<std::vector<CellState>> statesOf(const PointTable& table, const Source& source) {
@@ -69,4 +69,4 @@ Result<Scan> ownScan(PointTable& table, const Source& source) {
     return scan;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

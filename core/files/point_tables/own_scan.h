@@ -3,7 +3,7 @@
 
 #include "core/files/point_tables/point_table.h"
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// The table's description, ranges and states as the scan they were. Error: they do not fit each other.
 Result<Scan> ownScan(PointTable& table, const Source& source);
@@ -12,4 +12,4 @@ Result<Scan> ownScan(PointTable& table, const Source& source);
 /// line and beam need not be kept.
 [[nodiscard]] bool takesRangesOnly(const std::string& description);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -13,7 +13,7 @@
 
 #define EDGESCAN_AVX2 __attribute__((target("avx2,bmi")))
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kBlock = 64;
@@ -127,12 +127,12 @@ PlainRowReader plainRowReader() {
     return reader;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files
 
 #else
 
-namespace edgescan {
+namespace edgescan::files {
 PlainRowReader plainRowReader() { return nullptr; }
-} // namespace edgescan
+} // namespace edgescan::files
 
 #endif

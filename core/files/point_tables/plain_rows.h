@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Bytes that must be there from the beginning of a row on.
 inline constexpr std::size_t kPlainRowReach = 128;
@@ -22,4 +22,4 @@ using PlainRowReader = PlainRow (*)(const char* from, const char* end, char sepa
 /// Null where the processor has not what it takes (x86-64 with AVX2).
 [[nodiscard]] PlainRowReader plainRowReader();
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kRecordsAtOnce = 4096; // stay in the cache while their fields are read one after the other
@@ -202,4 +202,4 @@ std::optional<std::uint64_t> wholeNumber(std::string_view word) {
     return value;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 inline constexpr const char* kCopyAgain = "copy the file again, it may be cut off"; ///< what to do about fewer bytes than promised
 inline constexpr std::uint64_t kMostPoints = 0xFFFFFFF0;                            ///< that a header may promise
@@ -82,4 +82,4 @@ private:
 /// A whole number without sign; empty when the word is none or too large.
 [[nodiscard]] std::optional<std::uint64_t> wholeNumber(std::string_view word);
 
-} // namespace edgescan
+} // namespace edgescan::files

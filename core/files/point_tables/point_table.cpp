@@ -20,7 +20,7 @@
 #include <limits>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
@@ -369,4 +369,4 @@ Result<Scan> scanFromPoints(PointTable table, const Source& source) {
     return scan;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Twice the relative rounding error of a 4-byte float. Whatever a file's numbers look like, most programs computed them in float.
 inline constexpr double kFloatError = 1.2e-7;
@@ -60,4 +60,4 @@ Result<Scan> scanFromPoints(PointTable table, const Source& source);
 /// Adds one line of a comment to the description when it is ours ("edgescan {..."): true when it was.
 bool addToDescription(std::string_view comment, std::string& description);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 
 std::vector<std::string> namesIn(std::string_view header, const TextLayout& layout) {
     std::vector<std::string> names;
@@ -44,4 +44,4 @@ std::optional<RowBelowNames> rowBelowNames(std::string_view text, char separator
     return std::nullopt;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

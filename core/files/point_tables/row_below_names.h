@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Rows at the beginning of a text that are looked at to find out how it is laid out.
 inline constexpr std::size_t kSampleRows = 20;
@@ -30,4 +30,4 @@ struct RowBelowNames {
 /// Rows beyond kLongestRowLookedAt bytes are passed over. The text must outlive the cells.
 [[nodiscard]] std::optional<RowBelowNames> rowBelowNames(std::string_view text, char separator);
 
-} // namespace edgescan
+} // namespace edgescan::files

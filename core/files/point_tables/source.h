@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::files {
 
 class Replay;
 /// Called behind every line of a recording that is played.
@@ -55,4 +55,4 @@ struct Source {
     [[nodiscard]] Error cancelled() const { return {"cancelled", path.string(), ""}; }
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Distance in metres that few points exceed.
@@ -158,4 +158,4 @@ void takeGivenSensor(PointTable& table, const Source& source) {
                             ", in which the numbers fit the sensor position given.");
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
 [[nodiscard]] Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points);
@@ -35,4 +35,4 @@ void takeGivenSensor(PointTable& table, const Source& source);
 /// the scanner stood. Empty: nothing speaks against the origin, or a sensor's place is known.
 [[nodiscard]] std::optional<Error> seenFromAfar(const PointTable& table, const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostHeading = 120; ///< bytes of a heading that are told
@@ -318,4 +318,4 @@ Result<TextLayout> textLayoutOf(const Source& source) {
     return layout;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// White space within a row; quotes count as such.
 [[nodiscard]] constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '"'; }
@@ -119,4 +119,4 @@ private:
     std::optional<Error> problem_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

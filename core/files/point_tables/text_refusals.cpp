@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostQuoted = 40; ///< bytes of a cell that are told
@@ -107,4 +107,4 @@ Error textWithoutNumbers(const Source& source) {
     return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Text in which no row of numbers was found.
 [[nodiscard]] Error textWithoutNumbers(const Source& source);
@@ -17,4 +17,4 @@ namespace edgescan {
 /// A cell that is no number, in a line (from 1) of the text.
 [[nodiscard]] Error noNumber(const Source& source, std::size_t line, std::string_view cell);
 
-} // namespace edgescan
+} // namespace edgescan::files

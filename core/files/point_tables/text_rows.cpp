@@ -12,7 +12,7 @@
 #include <cstring>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
@@ -307,4 +307,4 @@ void RowReader::countDigits(const char* from, const char* to) {
     digits_.significant = std::max(digits_.significant, significant);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

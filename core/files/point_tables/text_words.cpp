@@ -7,7 +7,7 @@
 #include <array>
 #include <charconv>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostHeadLines = 2000;
@@ -190,4 +190,4 @@ TextHead readHead(std::string_view text, bool labels) {
     return head;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
@@ -42,4 +42,4 @@ struct TextHead {
 /// `labels`: a row may begin with a word, with a separator behind it.
 [[nodiscard]] TextHead readHead(std::string_view text, bool labels);
 
-} // namespace edgescan
+} // namespace edgescan::files

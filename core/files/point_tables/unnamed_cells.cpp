@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kFewestPoints = 12;
@@ -64,4 +64,4 @@ bool areCells(const PointTable& table) {
     return valueInOrder(beside, beside.size() / 2) * kNeighboursAre < valueInOrder(apart, apart.size() / 2);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct WritingChoices {
     bool comments = false;
@@ -38,4 +38,4 @@ inline constexpr std::array<WritingChoice, 6> kWritingChoices{{
      &WritingChoices::confidence},
 }};
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -37,7 +37,7 @@ std::string jsonSchema(const char* title, std::initializer_list<std::pair<const 
     return jsonText(schema);
 }
 
-std::vector<McapSchema> schemas() {
+std::vector<containers::McapSchema> schemas() {
     constexpr const char* kNumber = "number";
     constexpr const char* kInteger = "integer";
     constexpr const char* kString = "string";
@@ -85,7 +85,7 @@ std::optional<DeviceTimes> deviceTimes(ByteView frame) {
     constexpr std::size_t kBinaryTimes = 38;
     const bool binary = frame.size() > kBinaryPayload && std::all_of(frame.begin(), frame.begin() + 4, [](auto b) { return b == 2; });
     const ByteView payload = frame.subspan(std::min(frame.size(), binary ? kBinaryPayload : std::size_t{1}));
-    if (!isScanTelegram(payload)) return std::nullopt;
+    if (!scanner::isScanTelegram(payload)) return std::nullopt;
     if (binary) {
         if (frame.size() < kBinaryTimes + 8) return std::nullopt;
         const auto number = [&](std::size_t at) {
@@ -124,7 +124,7 @@ std::optional<RecordingTopic> topicNamed(std::string_view name) {
     return std::nullopt;
 }
 
-Bytes stepperJson(const StepperReading& reading) {
+Bytes stepperJson(const scanner::StepperReading& reading) {
     const Json object{{"step", reading.step},
                       {"phi_deg", reading.phiDeg},
                       {"rate_deg_s", reading.degPerSecond},
@@ -134,12 +134,12 @@ Bytes stepperJson(const StepperReading& reading) {
     return {text.begin(), text.end()};
 }
 
-std::optional<StepperReading> parseStepper(ByteView json, std::int64_t hostNs) {
+std::optional<scanner::StepperReading> parseStepper(ByteView json, std::int64_t hostNs) {
     const auto parsed = parseOrderedJson({reinterpret_cast<const char*>(json.data()), json.size()}, "", kReadingJson);
     if (!parsed) return std::nullopt;
     const Json& object = *parsed;
     if (!object.is_object() || !object.contains("phi_deg") || !object["phi_deg"].is_number()) return std::nullopt;
-    StepperReading reading;
+    scanner::StepperReading reading;
     reading.phiDeg = object["phi_deg"].get<double>();
     reading.degPerSecond = numberOr(object, "rate_deg_s", 0.0);
     reading.step = numberOr<std::int64_t>(object, "step", 0);
@@ -150,18 +150,18 @@ std::optional<StepperReading> parseStepper(ByteView json, std::int64_t hostNs) {
     return sane ? std::optional(reading) : std::nullopt;
 }
 
-RecordingEncoder::RecordingEncoder(const SweepMetadata& metadata, McapLimits limits)
+RecordingEncoder::RecordingEncoder(const scanner::SweepMetadata& metadata, containers::McapLimits limits)
     : encoder_(std::string("edgescan ") + version(), limits) {
-    for (const McapSchema& schema : schemas()) encoder_.schema(schema);
+    for (const containers::McapSchema& schema : schemas()) encoder_.schema(schema);
     const auto dialect = metadata.find("lidar.dialect");
     for (std::size_t i = 0; i < kTopics.size(); ++i) {
         const bool cola = i < 2;
-        McapChannel channel{
+        containers::McapChannel channel{
             static_cast<std::uint16_t>(i + 1), static_cast<std::uint16_t>(cola ? 1 : i), kTopics[i], cola ? "x-sick-cola" : "json", {}};
         if (cola && dialect != metadata.end()) channel.metadata["dialect"] = dialect->second;
         encoder_.channel(channel);
     }
-    SweepMetadata all{{"format", "sweep/1"}, {"software", std::string("edgescan ") + version()}};
+    scanner::SweepMetadata all{{"format", "sweep/1"}, {"software", std::string("edgescan ") + version()}};
     for (const auto& [key, value] : metadata) all[key] = value;
     encoder_.metadata({"sweep", all});
 }
@@ -192,4 +192,4 @@ void RecordingEncoder::message(const RecordingMessage& message) {
     encoder_.message({channelIdOf(message.topic), sequence++, logNs, published, message.payload});
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

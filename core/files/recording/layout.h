@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 enum class RecordingTopic : std::uint8_t { ColaRx, ColaTx, Stepper, Inclinometer, Talin, Line };
 inline constexpr int kRecordingTopics = 6;
@@ -26,14 +26,14 @@ struct RecordingMessage {
 using RecordingMessagePtr = std::shared_ptr<const RecordingMessage>;
 
 /// {"step":..,"phi_deg":..,"rate_deg_s":..,"moving":..,"t_host_ns":..}
-[[nodiscard]] Bytes stepperJson(const StepperReading& reading);
+[[nodiscard]] Bytes stepperJson(const scanner::StepperReading& reading);
 /// Nothing when the JSON has no number "phi_deg". `hostNs` is taken when it does not say when it was read.
-[[nodiscard]] std::optional<StepperReading> parseStepper(ByteView json, std::int64_t hostNs);
+[[nodiscard]] std::optional<scanner::StepperReading> parseStepper(ByteView json, std::int64_t hostNs);
 
 /// Turns messages into the bytes of a recording.
 class RecordingEncoder {
 public:
-    explicit RecordingEncoder(const SweepMetadata& metadata, McapLimits limits = {});
+    explicit RecordingEncoder(const scanner::SweepMetadata& metadata, containers::McapLimits limits = {});
 
     void message(const RecordingMessage& message);
     void endChunk() { encoder_.endChunk(); }
@@ -45,10 +45,10 @@ public:
 private:
     [[nodiscard]] std::int64_t publishNs(const RecordingMessage& message);
 
-    McapEncoder encoder_;
+    containers::McapEncoder encoder_;
     std::array<std::uint32_t, kRecordingTopics> sequence_{};
-    DeviceClock clock_;
+    scanner::DeviceClock clock_;
     std::optional<std::int64_t> deviceUs_; // of the last line, unwrapped
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Raw counts are what the telegrams carried; the description says what they mean.
@@ -25,7 +25,7 @@ void readCounts(Scan& scan, const GridDescription& grid) {
 
 } // namespace
 
-Result<Scan> withRecordedGrid(Scan scan, const SweepMetadata& metadata, const std::string& where) {
+Result<Scan> withRecordedGrid(Scan scan, const scanner::SweepMetadata& metadata, const std::string& where) {
     const auto found = metadata.find(kRecordedGridKey);
     if (found == metadata.end()) return scan;
     const auto grid = parseDescription(found->second, where);
@@ -49,4 +49,4 @@ Result<Scan> withRecordedGrid(Scan scan, const SweepMetadata& metadata, const st
     return scan;
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Key of the metadata record "sweep" with the description of the grid (core/files/point_tables/description.h).
 inline constexpr const char* kRecordedGridKey = "edgescan.grid";
@@ -16,6 +16,6 @@ inline constexpr const char* kRecordedGridKey = "edgescan.grid";
 inline constexpr const char* kMadeFromKey = "made_from";
 
 /// Angles, states, unit and note as the metadata describe them, for as many lines as there are; the scan as it is when they do not.
-Result<Scan> withRecordedGrid(Scan scan, const SweepMetadata& metadata, const std::string& where);
+Result<Scan> withRecordedGrid(Scan scan, const scanner::SweepMetadata& metadata, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::files

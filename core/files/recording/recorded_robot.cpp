@@ -16,7 +16,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using PlainJson = nlohmann::json;
@@ -35,7 +35,7 @@ PlainJson jsonOf(std::string_view text) {
 /// The robot's keys of a metadata record. A value that cannot be used is a warning, and then nothing of it is used.
 class RobotKeys {
 public:
-    explicit RobotKeys(const SweepMetadata& metadata) : metadata_(metadata) {}
+    explicit RobotKeys(const scanner::SweepMetadata& metadata) : metadata_(metadata) {}
 
     [[nodiscard]] bool has(const char* key) const { return metadata_.contains(key); }
     [[nodiscard]] std::string text(const char* key) const {
@@ -83,11 +83,11 @@ private:
         refused_.push_back("the recording's \"" + std::string(key) + "\" is \"" + text(key).substr(0, 40) + "\", which cannot be used.");
     }
 
-    const SweepMetadata& metadata_;
+    const scanner::SweepMetadata& metadata_;
     std::vector<std::string> refused_;
 };
 
-std::optional<Calibration> calibrationOf(const SweepMetadata& metadata, std::vector<std::string>& warnings) {
+std::optional<Calibration> calibrationOf(const scanner::SweepMetadata& metadata, std::vector<std::string>& warnings) {
     RobotKeys keys(metadata);
     if (!keys.has("R_IA") || !keys.has("talin_in_robot_m")) return std::nullopt;
     Calibration c;
@@ -314,21 +314,21 @@ void nameScanner(Scan& scan, const Recording& recording) {
     named->model = keys.text("lidar.model");
     named->firmware = keys.text("lidar.firmware");
     if (named->serial.empty()) named->serial = keys.text("lidar.serial");
-    ColaStream stream;
+    scanner::ColaStream stream;
     for (const RecordedMessage& message : recording.messages()) {
         if (message.topic != RecordingTopic::ColaRx || message.payload.size() > kLongestAnswer) continue;
-        for (const ColaFrame& frame : stream.push(message.payload)) {
-            if (isScanTelegram(frame.payload())) continue;
-            const auto answer = parseAnswer(frame.payload(), frame.dialect);
+        for (const scanner::ColaFrame& frame : stream.push(message.payload)) {
+            if (scanner::isScanTelegram(frame.payload())) continue;
+            const auto answer = scanner::parseAnswer(frame.payload(), frame.dialect);
             if (!answer) continue;
             if (answer->name == "DeviceIdent") {
-                if (const auto identity = parseDeviceIdentity(*answer)) named->model = identity->name;
+                if (const auto identity = scanner::parseDeviceIdentity(*answer)) named->model = identity->name;
             } else if (answer->name == "FirmwareVersion") {
-                if (const auto text = parseText(*answer)) named->firmware = *text;
+                if (const auto text = scanner::parseText(*answer)) named->firmware = *text;
             }
         }
     }
     scan.acquisition = std::move(named);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

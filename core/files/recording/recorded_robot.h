@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct RecordedRobot {
     std::optional<Calibration> calibration; ///< metadata R_IA, head_in_robot_m, talin_in_robot_m and their like
@@ -28,4 +28,4 @@ Result<Done> placeRecordedSweep(Scan& scan, const Recording& recording, const Re
 /// Model, serial number and firmware from metadata and from the scanner's recorded answers.
 void nameScanner(Scan& scan, const Recording& recording);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Times that no clock shows are cut to what the arithmetic of times can bear.
@@ -28,14 +28,14 @@ Result<std::shared_ptr<const Recording>> Recording::fromBytes(Bytes bytes, const
 
 Result<Done> Recording::take(Bytes bytes, const std::string& where) {
     bytes_ = std::move(bytes);
-    auto content = readMcap(bytes_, where);
+    auto content = containers::readMcap(bytes_, where);
     if (!content) return content.error();
     content_ = std::move(*content);
-    for (const McapMetadata& record : content_.metadata) {
+    for (const containers::McapMetadata& record : content_.metadata) {
         if (record.name == "sweep") metadata_ = record.entries;
     }
-    for (const McapMessage& message : content_.messages) {
-        const McapChannel* channel = channelOf(content_, message);
+    for (const containers::McapMessage& message : content_.messages) {
+        const containers::McapChannel* channel = containers::channelOf(content_, message);
         const auto topic = channel != nullptr ? topicNamed(channel->topic) : std::nullopt;
         if (topic) messages_.push_back({*topic, sane(message.logNs), sane(message.publishNs), message.payload});
     }
@@ -56,4 +56,4 @@ std::string Recording::whatWasLeftOut() const {
     return "; " + content_.warnings.front() + (more > 0 ? ", and " + std::to_string(more) + " more" : "");
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 
 struct RecordedMessage {
     RecordingTopic topic = RecordingTopic::ColaRx;
@@ -27,9 +27,9 @@ public:
 
     [[nodiscard]] const std::vector<RecordedMessage>& messages() const { return messages_; }
     /// The record "sweep".
-    [[nodiscard]] const SweepMetadata& metadata() const { return metadata_; }
+    [[nodiscard]] const scanner::SweepMetadata& metadata() const { return metadata_; }
     /// Everything else that the file says of itself.
-    [[nodiscard]] const McapContent& content() const { return content_; }
+    [[nodiscard]] const containers::McapContent& content() const { return content_; }
     /// The file was closed properly and nothing in it is damaged.
     [[nodiscard]] bool clean() const { return content_.clean && content_.badChunks == 0; }
     /// What was cut off, damaged or not understood, in sentences.
@@ -45,10 +45,10 @@ private:
     Result<Done> take(Bytes bytes, const std::string& where);
 
     Bytes bytes_;
-    McapContent content_;
-    SweepMetadata metadata_;
+    containers::McapContent content_;
+    scanner::SweepMetadata metadata_;
     std::vector<RecordedMessage> messages_;
     std::vector<std::string> warnings_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// Where the payload of a frame begins, to know a scan telegram without taking the frame apart.
@@ -15,14 +15,14 @@ bool isLine(const RecordedMessage& message) {
     if (message.topic != RecordingTopic::ColaRx || message.payload.size() < 2) return false;
     constexpr std::size_t kBinaryPayload = 8;
     const bool binary = message.payload.size() > kBinaryPayload && message.payload[1] == 2;
-    return isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
+    return scanner::isScanTelegram(message.payload.subspan(binary ? kBinaryPayload : 1));
 }
 
 } // namespace
 
-bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
-    if (!isScanTelegram(frame.payload())) return false;
-    const auto telegram = decodeScanTelegram(frame);
+bool SweepFeed::frame(const scanner::ColaFrame& frame, std::int64_t hostNs) {
+    if (!scanner::isScanTelegram(frame.payload())) return false;
+    const auto telegram = scanner::decodeScanTelegram(frame);
     if (!telegram) {
         if (++undecodable_ == 1) whyUndecodable_ = telegram.error().what;
         return false;
@@ -35,9 +35,9 @@ bool SweepFeed::message(const RecordedMessage& message) {
     bool line = false;
     if (message.topic == RecordingTopic::ColaRx) {
         const std::uint64_t skipped = stream_.counts().skipped;
-        for (const ColaFrame& received : stream_.push(message.payload)) line = frame(received, message.logNs) || line;
+        for (const scanner::ColaFrame& received : stream_.push(message.payload)) line = frame(received, message.logNs) || line;
         if (stream_.waiting() > 0 || stream_.counts().skipped > skipped) ++torn_;
-        if (stream_.waiting() > 0) stream_ = ColaStream(); // a message holds whole frames: the rest of it is damaged
+        if (stream_.waiting() > 0) stream_ = scanner::ColaStream(); // a message holds whole frames: the rest of it is damaged
     } else if (message.topic == RecordingTopic::Stepper) {
         if (const auto reading = parseStepper(message.payload, message.logNs)) assembler_.push(*reading);
     }
@@ -47,7 +47,7 @@ bool SweepFeed::message(const RecordedMessage& message) {
 namespace {
 
 /// The user's word instead of a guess; over what a recording says itself it goes when the scan is opened.
-void sayAssumed(SweepSettings& settings, const ReadingOptions& options) {
+void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options) {
     if (options.axis) {
         if (settings.axisAssumed) settings.axis = *options.axis;
         settings.axisAssumed = false;
@@ -62,7 +62,7 @@ void sayAssumed(SweepSettings& settings, const ReadingOptions& options) {
 
 Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options)
     : recording_(std::move(recording)), warnings_(recording_->warnings()), feed_(settings_) {
-    SettingsFound found = settingsOf(recording_->metadata());
+    scanner::SettingsFound found = scanner::settingsOf(recording_->metadata());
     settings_ = found.settings;
     sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
@@ -105,7 +105,7 @@ void Replay::seek(int line) {
 }
 
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options) {
-    const SweepMetadata& metadata = recording.metadata();
+    const scanner::SweepMetadata& metadata = recording.metadata();
     sweep.format = "recording";
     if (const auto note = metadata.find("note"); note != metadata.end()) sweep.note = note->second;
     if (metadata.contains(kMadeFromKey))
@@ -124,10 +124,10 @@ Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::s
 Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std::string& where, const ReadingOptions& options,
                     const LinePlayed& played) {
     Replay replay(recording, options);
-    FinishedSweep best;
+    scanner::FinishedSweep best;
     int sweeps = 0;
     const auto collect = [&] {
-        for (FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
+        for (scanner::FinishedSweep& sweep : replay.feed().assembler().takeFinished()) {
             ++sweeps;
             if (!best.scan || sweep.progress.received > best.progress.received) best = std::move(sweep);
         }
@@ -138,7 +138,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     }
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();
-    const TelegramAccount account = replay.progress().account;
+    const scanner::TelegramAccount account = replay.progress().account;
     if (!best.scan) {
         const std::string why = replay.feed().whyUndecodable();
         return Error{account.telegrams > 0
@@ -171,4 +171,4 @@ Result<Scan> readRecording(const Source& source) {
     return scanOf(*recording, source.path.string(), *source.options, source.played);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

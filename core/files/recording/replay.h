@@ -7,19 +7,19 @@
 
 #include <functional>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Feeds what was received into an assembler: the one path for live, replay and opening.
 class SweepFeed {
 public:
-    explicit SweepFeed(const SweepSettings& settings) : assembler_(settings) {}
+    explicit SweepFeed(const scanner::SweepSettings& settings) : assembler_(settings) {}
 
     /// One received frame; bytes that are no scan telegram are ignored. True when it brought a line.
-    bool frame(const ColaFrame& frame, std::int64_t hostNs);
+    bool frame(const scanner::ColaFrame& frame, std::int64_t hostNs);
     bool message(const RecordedMessage& message);
 
-    [[nodiscard]] SweepAssembler& assembler() { return assembler_; }
-    [[nodiscard]] const SweepAssembler& assembler() const { return assembler_; }
+    [[nodiscard]] scanner::SweepAssembler& assembler() { return assembler_; }
+    [[nodiscard]] const scanner::SweepAssembler& assembler() const { return assembler_; }
     /// Scan telegrams that could not be decoded.
     [[nodiscard]] std::int64_t undecodable() const { return undecodable_; }
     /// Messages of a recording with bytes that are no whole frame.
@@ -28,8 +28,8 @@ public:
     [[nodiscard]] const std::string& whyUndecodable() const { return whyUndecodable_; }
 
 private:
-    ColaStream stream_;
-    SweepAssembler assembler_;
+    scanner::ColaStream stream_;
+    scanner::SweepAssembler assembler_;
     std::int64_t undecodable_ = 0, torn_ = 0;
     std::string whyUndecodable_;
 };
@@ -55,7 +55,7 @@ public:
     void seek(int line);
 
     [[nodiscard]] std::shared_ptr<const Scan> snapshot() { return feed_.assembler().snapshot(); }
-    [[nodiscard]] SweepProgress progress() const { return feed_.assembler().progress(); }
+    [[nodiscard]] scanner::SweepProgress progress() const { return feed_.assembler().progress(); }
     [[nodiscard]] SweepFeed& feed() { return feed_; }
     /// What the recording and its settings gave reason to say.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -64,7 +64,7 @@ private:
     void playOne();
 
     std::shared_ptr<const Recording> recording_;
-    SweepSettings settings_;
+    scanner::SweepSettings settings_;
     std::vector<std::string> warnings_;
     std::vector<std::size_t> lineAt_; // message of each line
     SweepFeed feed_;
@@ -83,4 +83,4 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
 /// The same for openScan().
 Result<Scan> readRecording(const Source& source);
 
-} // namespace edgescan
+} // namespace edgescan::files

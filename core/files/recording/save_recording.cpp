@@ -12,7 +12,7 @@
 #include <memory>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 constexpr std::int64_t kPeriodUs = 40'000;       // 25 Hz
@@ -40,12 +40,12 @@ std::vector<bool> linesLeftOut(const Scan& scan) {
     return out;
 }
 
-ScanTelegram emptyTelegram(const Scan& scan, const PolarGeometry& polar) {
-    ScanTelegram telegram;
+scanner::ScanTelegram emptyTelegram(const Scan& scan, const PolarGeometry& polar) {
+    scanner::ScanTelegram telegram;
     telegram.deviceNumber = 1;
     telegram.scanFrequency = 2500;
     telegram.measurementFrequency = 540;
-    ScanChannel channel;
+    scanner::ScanChannel channel;
     channel.content = "DIST1";
     channel.scale = static_cast<float>(scan.unitMm);
     const auto tenThousandths = [](double degrees, double minimum, double maximum) {
@@ -90,7 +90,7 @@ std::string gridDescription(const Scan& scan) {
 Result<std::vector<RecordingMessagePtr>> messagesOf(const Scan& scan, const PolarGeometry& polar, const std::string& where) {
     std::vector<RecordingMessagePtr> messages;
     const std::vector<bool> leftOut = linesLeftOut(scan);
-    ScanTelegram telegram = emptyTelegram(scan, polar);
+    scanner::ScanTelegram telegram = emptyTelegram(scan, polar);
     const auto states = std::make_unique<const CountStates>(countStates(scan.noReturnCodes, {}));
     for (int line = 0; line < scan.lines(); ++line) {
         if (leftOut[static_cast<std::size_t>(line)]) continue;
@@ -103,7 +103,7 @@ Result<std::vector<RecordingMessagePtr>> messagesOf(const Scan& scan, const Pola
             telegram.channels16.front().values[static_cast<std::size_t>(beam)] = *count;
         }
         const std::int64_t receivedNs = kStartNs + (line * kPeriodUs + kTransmittedUs) * 1000 + kDelayNs;
-        Bytes frame = framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B);
+        Bytes frame = scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B);
         messages.push_back(
             std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, receivedNs, std::move(frame)}));
         messages.push_back(stepperMessage({line, polar.lineDeg[static_cast<std::size_t>(line)], 0.0, false, receivedNs}));
@@ -125,7 +125,7 @@ bool sameCells(const Scan& a, const Scan& b) {
 Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) return Error{"a recording needs beam and line angles and this cloud has none", where, kUsePcd};
-    SweepSettings settings;
+    scanner::SweepSettings settings;
     if (scan.cells() == 0) return Error{"the scan has no cells", where, "open a scan first"};
     if (scan.beams() > kMostBeams || scan.lines() > settings.mostLines) {
         return Error{"a recording holds at most " + std::to_string(settings.mostLines) + " lines of " + std::to_string(kMostBeams) +
@@ -138,7 +138,7 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     settings.reversalDeg = 0.0;
     settings.expectedLines = scan.lines();
     settings.outputInterval = 1;
-    SweepMetadata metadata = metadataOf(settings);
+    scanner::SweepMetadata metadata = scanner::metadataOf(settings);
     metadata["lidar.dialect"] = "cola-b";
     metadata[kMadeFromKey] = scan.format;
     if (!scan.note.empty()) metadata["note"] = scan.note;
@@ -158,4 +158,4 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     return Error{"this scan cannot be told by telegrams", where, kUsePcd};
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

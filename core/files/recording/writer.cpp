@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
@@ -17,21 +17,21 @@ constexpr std::size_t kMessageOverhead = 64;
 
 std::size_t sizeOf(const RecordingMessage& message) { return message.payload.size() + kMessageOverhead; }
 
-RecordingMessagePtr frameMessage(RecordingTopic topic, const ColaFrame& frame, const RecordingClock& clock) {
+RecordingMessagePtr frameMessage(RecordingTopic topic, const scanner::ColaFrame& frame, const RecordingClock& clock) {
     return std::make_shared<const RecordingMessage>(RecordingMessage{topic, clock.ns(frame.received), frame.bytes});
 }
 
 } // namespace
 
-RecordingMessagePtr receivedMessage(const ColaFrame& frame, const RecordingClock& clock) {
+RecordingMessagePtr receivedMessage(const scanner::ColaFrame& frame, const RecordingClock& clock) {
     return frameMessage(RecordingTopic::ColaRx, frame, clock);
 }
 
-RecordingMessagePtr sentMessage(const ColaFrame& frame, const RecordingClock& clock) {
+RecordingMessagePtr sentMessage(const scanner::ColaFrame& frame, const RecordingClock& clock) {
     return frameMessage(RecordingTopic::ColaTx, frame, clock);
 }
 
-RecordingMessagePtr stepperMessage(const StepperReading& reading) {
+RecordingMessagePtr stepperMessage(const scanner::StepperReading& reading) {
     return std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::Stepper, reading.hostNs, stepperJson(reading)});
 }
 
@@ -43,7 +43,7 @@ std::string lagText(const RecordingState& state) {
 }
 
 struct RecordingWriter::Work {
-    Work(GrowingFile opened, const SweepMetadata& metadata, Options given)
+    Work(containers::GrowingFile opened, const scanner::SweepMetadata& metadata, Options given)
         : file(std::move(opened)), encoder(metadata, given.limits), options(std::move(given)) {}
 
     void writeLoop();
@@ -54,7 +54,7 @@ struct RecordingWriter::Work {
     [[nodiscard]] double lagAt(SteadyClock::time_point now) const;
 
     // Used by the writing thread alone; the file's sync() by the other one.
-    GrowingFile file;
+    containers::GrowingFile file;
     RecordingEncoder encoder;
     std::optional<SteadyClock::time_point> chunkSince;
     std::uint64_t encoded = 0;
@@ -74,9 +74,9 @@ struct RecordingWriter::Work {
     bool allWritten = false, allSynced = false;
 };
 
-Result<std::unique_ptr<RecordingWriter>> RecordingWriter::start(const std::filesystem::path& path, const SweepMetadata& metadata,
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::start(const std::filesystem::path& path, const scanner::SweepMetadata& metadata,
                                                                 Options options) {
-    auto file = GrowingFile::create(path, options.disk);
+    auto file = containers::GrowingFile::create(path, options.disk);
     if (!file) return file.error();
     const auto work = std::make_shared<Work>(std::move(*file), metadata, std::move(options));
     // The head is there before anybody relies on it.
@@ -284,17 +284,17 @@ std::size_t RecentMessages::bytes() const {
     return bytes_;
 }
 
-Bytes recordingBytes(const SweepMetadata& metadata, const std::vector<RecordingMessagePtr>& messages) {
+Bytes recordingBytes(const scanner::SweepMetadata& metadata, const std::vector<RecordingMessagePtr>& messages) {
     RecordingEncoder encoder(metadata);
     for (const RecordingMessagePtr& message : messages) encoder.message(*message);
     encoder.finish();
     return encoder.take();
 }
 
-Result<Done> saveMessages(const std::filesystem::path& path, const SweepMetadata& metadata,
+Result<Done> saveMessages(const std::filesystem::path& path, const scanner::SweepMetadata& metadata,
                           const std::vector<RecordingMessagePtr>& messages) {
     const Bytes bytes = recordingBytes(metadata, messages);
     return writeWholeFile(path, std::as_bytes(std::span(bytes)));
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

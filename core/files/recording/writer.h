@@ -12,22 +12,22 @@
 #include <mutex>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::files {
 
 /// Host times of a recording: they start at the clock on the wall and run on evenly even when somebody sets that clock.
 class RecordingClock {
 public:
-    explicit RecordingClock(HostTime start = hostNow()) : start_(start) {}
-    [[nodiscard]] std::int64_t ns(HostTime time) const { return start_.utcNs + (time.monotonicNs - start_.monotonicNs); }
+    explicit RecordingClock(scanner::HostTime start = scanner::hostNow()) : start_(start) {}
+    [[nodiscard]] std::int64_t ns(scanner::HostTime time) const { return start_.utcNs + (time.monotonicNs - start_.monotonicNs); }
 
 private:
-    HostTime start_;
+    scanner::HostTime start_;
 };
 
-[[nodiscard]] RecordingMessagePtr receivedMessage(const ColaFrame& frame, const RecordingClock& clock);
-[[nodiscard]] RecordingMessagePtr sentMessage(const ColaFrame& frame, const RecordingClock& clock);
+[[nodiscard]] RecordingMessagePtr receivedMessage(const scanner::ColaFrame& frame, const RecordingClock& clock);
+[[nodiscard]] RecordingMessagePtr sentMessage(const scanner::ColaFrame& frame, const RecordingClock& clock);
 /// `reading.hostNs` must be on the recording's clock.
-[[nodiscard]] RecordingMessagePtr stepperMessage(const StepperReading& reading);
+[[nodiscard]] RecordingMessagePtr stepperMessage(const scanner::StepperReading& reading);
 
 struct RecordingState {
     std::uint64_t messages = 0;    ///< written: they survive the end of the program
@@ -51,16 +51,16 @@ struct RecordingState {
 class RecordingWriter {
 public:
     struct Options {
-        McapLimits limits;
+        containers::McapLimits limits;
         std::size_t queueBytes = 32U << 20U;          ///< waiting to be written at most
         std::chrono::milliseconds closeWithin{5'000}; ///< how long close() waits for the disk
-        DiskCalls disk;
+        containers::DiskCalls disk;
     };
 
     /// Error: the file exists, the folder does not, the disk is full ...
-    static Result<std::unique_ptr<RecordingWriter>> start(const std::filesystem::path& path, const SweepMetadata& metadata,
+    static Result<std::unique_ptr<RecordingWriter>> start(const std::filesystem::path& path, const scanner::SweepMetadata& metadata,
                                                           Options options);
-    static Result<std::unique_ptr<RecordingWriter>> start(const std::filesystem::path& path, const SweepMetadata& metadata) {
+    static Result<std::unique_ptr<RecordingWriter>> start(const std::filesystem::path& path, const scanner::SweepMetadata& metadata) {
         return start(path, metadata, Options{});
     }
     ~RecordingWriter(); ///< closes
@@ -100,10 +100,10 @@ private:
 };
 
 /// The bytes of a whole recording.
-[[nodiscard]] Bytes recordingBytes(const SweepMetadata& metadata, const std::vector<RecordingMessagePtr>& messages);
+[[nodiscard]] Bytes recordingBytes(const scanner::SweepMetadata& metadata, const std::vector<RecordingMessagePtr>& messages);
 
 /// Writes them as a file that appears whole or not at all.
-Result<Done> saveMessages(const std::filesystem::path& path, const SweepMetadata& metadata,
+Result<Done> saveMessages(const std::filesystem::path& path, const scanner::SweepMetadata& metadata,
                           const std::vector<RecordingMessagePtr>& messages);
 
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kEndMisfitMm = 30.0, kEndMisfitShare = 0.02; // mm, and share of the range
@@ -207,7 +207,7 @@ std::vector<SeenCell> cellsAtEnds(const PolarGeometry& polar, const InverseRange
     return cells;
 }
 
-std::vector<Residual> residualsAtEnds(const TurnedSweep& sweep, const std::vector<SeenCell>& cells, const std::vector<SeenCell>& surface,
+std::vector<Residual> residualsAtEnds(const PreparedSweep& sweep, const std::vector<SeenCell>& cells, const std::vector<SeenCell>& surface,
                                       const AssemblyErrors& errors, const EndScale& scale) {
     const auto [neighbours, every] = scale;
     std::vector<Residual> residuals;
@@ -235,4 +235,4 @@ std::vector<Residual> residualsAtEnds(const TurnedSweep& sweep, const std::vecto
     return residuals;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// How far the fan extends beyond the axis, degrees: at the end of beam 0, and at that of beam 180. Negative if it does not reach the axis.
 [[nodiscard]] std::array<double, 2> beyondAxisDeg(const PolarGeometry& polar);
@@ -27,8 +27,8 @@ struct EndScale {
 /// Compares each cell of `cells` with the plane in inverse depth, 1 / |x|, through the nearest cells of `surface`, as seen along the axis.
 /// Left out: cells whose neighbours are all on one side, or whose misfit exceeds 30 mm + 2 % of the range. `Residual::shares` is the tile
 /// of the surface.
-[[nodiscard]] std::vector<Residual> residualsAtEnds(const TurnedSweep& sweep, const std::vector<SeenCell>& cells,
+[[nodiscard]] std::vector<Residual> residualsAtEnds(const PreparedSweep& sweep, const std::vector<SeenCell>& cells,
                                                     const std::vector<SeenCell>& surface, const AssemblyErrors& errors,
                                                     const EndScale& scale);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr int kSlopeLines = 2;     // number of lines on either side
@@ -175,4 +175,4 @@ Result<Backlash> backlashOf(const Scan& there, const Scan& back) {
     return found;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

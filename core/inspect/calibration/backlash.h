@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/scan/grid/scan.h"
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 struct Backlash {
     /// true line angle of the return pass minus that of the forward pass, where both recorded the same angle, degrees
@@ -19,4 +19,4 @@ struct Backlash {
 /// error. Error: the scans do not fit each other, or their surfaces do not determine the backlash.
 Result<Backlash> backlashOf(const Scan& there, const Scan& back);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

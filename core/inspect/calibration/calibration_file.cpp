@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -33,8 +33,8 @@ Json vectorJson(const Eigen::Vector3d& v) {
 Json estimateJson(const SelfCalibration& found, const std::vector<CalibrationSource>& sources) {
     Json scans = Json::array();
     for (const CalibrationSource& source : sources) scans.push_back({{"name", source.name}, {"sha256", source.sha256}});
-    return {{"errors", errorsJson(found.errors, found.turnTold)},
-            {"one_sd", errorsJson(found.sd, found.turnTold)},
+    return {{"errors", errorsJson(found.errors, found.turnIsEstimated)},
+            {"one_sd", errorsJson(found.sd, found.turnIsEstimated)},
             {"overlap_deg", rounded(found.overlapDeg, 1e3)},
             {"cells", found.cells},
             {"views_apart_before_mm", rounded(found.medianBeforeMm, 1e2)},
@@ -64,9 +64,9 @@ Result<std::string> calibrationText(std::string_view base, const std::string& wh
     stepper["mount_rpy_deg"] = vectorJson(after.mountRpyDeg);
     stepper["mount_m"] = vectorJson(after.mountM);
     if (!stepper.contains("axis")) stepper["axis"] = vectorJson(after.axis);
-    if (found.turnTold) stepper["step_deg"] = rounded(after.degPerStep, 1e8);
+    if (found.turnIsEstimated) stepper["step_deg"] = rounded(after.degPerStep, 1e8);
     json["estimated"] = estimateJson(found, sources);
     return jsonText(json, 2) + "\n";
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

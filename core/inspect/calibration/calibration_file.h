@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// A scan used for the estimate: its name and the SHA-256 of its file.
 struct CalibrationSource {
@@ -25,4 +25,4 @@ struct CalibrationSource {
 Result<std::string> calibrationText(std::string_view base, const std::string& where, const SelfCalibration& found,
                                     const std::vector<CalibrationSource>& sources);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kPointsPerBucket = 8;
@@ -73,4 +73,4 @@ std::vector<std::size_t> PlaneBuckets::nearest(const Eigen::Vector2d& at, std::s
     return indices;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

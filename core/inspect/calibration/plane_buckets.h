@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// Points in square buckets of about eight points. Immutable, so that several threads may search at once.
 class PlaneBuckets {
@@ -29,4 +29,4 @@ private:
     std::vector<std::size_t> first_; ///< position of each bucket in order_, and the end
 };
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr std::array<double, AssemblyErrors::kCount> kSteps{0.5, 0.5, 0.01, 0.01, 0.01}; // mm and degrees
@@ -27,23 +27,23 @@ std::vector<double> stepsOf(const std::vector<double>& deg) {
 
 /// The assembly with the assumed errors, and with each error a step larger and smaller.
 struct Mountings {
-    TurningMounting here;
-    std::array<TurningMounting, AssemblyErrors::kCount> greater, smaller;
+    MountingWithErrors here;
+    std::array<MountingWithErrors, AssemblyErrors::kCount> greater, smaller;
 };
 
 Mountings mountingsOf(const PolarGeometry& polar, const AssemblyErrors& errors) {
-    Mountings all{turningMounting(polar, errors), {}, {}};
+    Mountings all{mountingWithErrors(polar, errors), {}, {}};
     for (std::size_t q = 0; q < AssemblyErrors::kCount; ++q) {
         AssemblyErrors more = errors, less = errors;
         more.values[q] += kSteps[q];
         less.values[q] -= kSteps[q];
-        all.greater[q] = turningMounting(polar, more);
-        all.smaller[q] = turningMounting(polar, less);
+        all.greater[q] = mountingWithErrors(polar, more);
+        all.smaller[q] = mountingWithErrors(polar, less);
     }
     return all;
 }
 
-std::optional<Residual> residualOf(const TurnedSweep& sweep, SurfaceFits& fits, const SeenCell& cell, View view,
+std::optional<Residual> residualOf(const PreparedSweep& sweep, SurfaceFits& fits, const SeenCell& cell, View view,
                                    const Mountings& mountings) {
     const std::optional<OtherView> seen = otherViewOf(cell, view, mountings.here);
     if (!seen) return std::nullopt;
@@ -80,13 +80,13 @@ std::optional<Residual> residualOf(const TurnedSweep& sweep, SurfaceFits& fits, 
 
 } // namespace
 
-TurnedSweep turnedSweep(const Scan& scan, const PolarGeometry& polar) {
-    TurnedSweep sweep{polar, inverseRange(scan), {}, stepsOf(polar.lineDeg), stepsOf(polar.beamDeg)};
+PreparedSweep preparedSweep(const Scan& scan, const PolarGeometry& polar) {
+    PreparedSweep sweep{polar, inverseRange(scan), {}, stepsOf(polar.lineDeg), stepsOf(polar.beamDeg)};
     sweep.noise = rangeNoise(sweep.inverse);
     return sweep;
 }
 
-std::vector<Residual> residualsOf(const TurnedSweep& sweep, SurfaceFits& fits, const std::vector<SeenCell>& cells, View view,
+std::vector<Residual> residualsOf(const PreparedSweep& sweep, SurfaceFits& fits, const std::vector<SeenCell>& cells, View view,
                                   const AssemblyErrors& errors) {
     std::vector<Residual> residuals;
     const Mountings mountings = mountingsOf(sweep.polar, errors);
@@ -96,4 +96,4 @@ std::vector<Residual> residualsOf(const TurnedSweep& sweep, SurfaceFits& fits, c
     return residuals;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 using AssemblyVector = Eigen::Matrix<double, AssemblyErrors::kCount, 1>;
 using AssemblyMatrix = Eigen::Matrix<double, AssemblyErrors::kCount, AssemblyErrors::kCount>;
@@ -26,16 +26,16 @@ struct Residual {
 };
 
 /// A scan prepared for residuals: its angles, its cleaned ranges, its noise. `polar` must outlive it.
-struct TurnedSweep {
+struct PreparedSweep {
     const PolarGeometry& polar;
     InverseRange inverse;
     RangeNoise noise;
     std::vector<double> lineSteps, beamSteps; ///< degrees from each line or beam to the next
 };
-[[nodiscard]] TurnedSweep turnedSweep(const Scan& scan, const PolarGeometry& polar);
+[[nodiscard]] PreparedSweep preparedSweep(const Scan& scan, const PolarGeometry& polar);
 
 /// The residuals of the cells whose place in the other view is on a measured surface; `fits` are those of the sweep.
-[[nodiscard]] std::vector<Residual> residualsOf(const TurnedSweep& sweep, SurfaceFits& fits, const std::vector<SeenCell>& cells, View view,
-                                                const AssemblyErrors& errors);
+[[nodiscard]] std::vector<Residual> residualsOf(const PreparedSweep& sweep, SurfaceFits& fits, const std::vector<SeenCell>& cells,
+                                                View view, const AssemblyErrors& errors);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kSeamOffAxisDeg = 4.0, kSeamOffEndDeg = 0.5; // spin: as in twice_seen.cpp; sweep
@@ -64,7 +64,7 @@ private:
 };
 
 void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines,
-               const TurningMounting& mounting) {
+               const MountingWithErrors& mounting) {
     const PolarGeometry& polar = lines.polar;
     const Fan fan(polar.beamDeg);
     std::vector<int> columnOf(polar.beamDeg.size(), -1);
@@ -85,7 +85,8 @@ void drawEarly(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edge
     }
 }
 
-void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines, const TurningMounting& mounting) {
+void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges, const SeamLines& lines,
+              const MountingWithErrors& mounting) {
     const Fan fan(lines.polar.beamDeg);
     for (int row = 0; row < seam.late.lines; ++row) {
         for (int column = 0; column < seam.late.beams; ++column) {
@@ -96,7 +97,7 @@ void countMet(SeamEdges& seam, const Scan& scan, const Grid<std::uint8_t>& edges
             if (!before || !lines.isEarly(before->lineDeg) || !fan.has(before->beamDeg)) continue;
             if (!offAxis(lines.polar, before->beamDeg)) continue; // omitted from both views
             ++seam.lateEdges;
-            seam.met += anyAround(seam.early, row, column) ? 1 : 0;
+            seam.matched += anyAround(seam.early, row, column) ? 1 : 0;
         }
     }
 }
@@ -112,7 +113,7 @@ SeamEdges seamEdges(const Scan& scan, const Grid<std::uint8_t>& edges, const Ass
     if (lines.late.count == 0 || seam.beams.empty()) return {};
     seam.firstLine = lines.late.first;
     seam.late = seam.early = Grid<std::uint8_t>(lines.late.count, static_cast<int>(seam.beams.size()));
-    const TurningMounting mounting = turningMounting(*polar, errors);
+    const MountingWithErrors mounting = mountingWithErrors(*polar, errors);
     drawEarly(seam, scan, edges, lines, mounting);
     countMet(seam, scan, edges, lines, mounting);
     return seam;
@@ -133,4 +134,4 @@ Grid<Rgb> seamPicture(const SeamEdges& seam) {
     return picture;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

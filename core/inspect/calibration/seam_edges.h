@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The part of the late view of a sweep that the early view saw before.
 struct SeamEdges {
@@ -17,9 +17,11 @@ struct SeamEdges {
     /// lines of the late view x beams, 1 = edge; edges of the early view are at the cells in which the late view would see them
     Grid<std::uint8_t> late, early;
     std::size_t lateEdges = 0; ///< number of edges that the early view could have seen, too
-    std::size_t met = 0;       ///< number of these with an edge of the early view at most one cell away in either direction
+    std::size_t matched = 0;   ///< number of these with an edge of the early view at most one cell away in either direction
 
-    [[nodiscard]] double metShare() const { return lateEdges == 0 ? 0.0 : static_cast<double>(met) / static_cast<double>(lateEdges); }
+    [[nodiscard]] double matchedShare() const {
+        return lateEdges == 0 ? 0.0 : static_cast<double>(matched) / static_cast<double>(lateEdges);
+    }
 };
 
 /// `edges`: lines x beams of the scan, not 0 = edge. Cells without a range, and cells nearer than 4 degrees to the axis (sweep: 0.5), are
@@ -30,4 +32,4 @@ struct SeamEdges {
 /// of both.
 [[nodiscard]] Grid<Rgb> seamPicture(const SeamEdges& seam);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

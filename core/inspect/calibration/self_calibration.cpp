@@ -12,7 +12,7 @@
 #include <limits>
 #include <map>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr std::size_t kCells = 12000; // per scan and direction
@@ -37,7 +37,7 @@ constexpr std::array<const char*, AssemblyErrors::kCount> kNames{"the lever arm 
 
 /// A scan with the cells to compare.
 struct Pass {
-    TurnedSweep sweep;
+    PreparedSweep sweep;
     std::array<std::vector<SeenCell>, 2> cells; ///< by View
 };
 
@@ -200,7 +200,7 @@ void takeCells(Pass& pass, View view, std::size_t most) {
 }
 
 Pass passOf(const Scan& scan) {
-    Pass pass{turnedSweep(scan, std::get<PolarGeometry>(scan.geometry)), {}};
+    Pass pass{preparedSweep(scan, std::get<PolarGeometry>(scan.geometry)), {}};
     for (const View view : {View::Early, View::Late}) takeCells(pass, view, kCells);
     return pass;
 }
@@ -213,7 +213,7 @@ double honestFactor(const SelfCalibration& found) {
 /// Error for a parameter whose uncertainty is hardly smaller than that of the prior.
 std::optional<Error> stillUnknown(const SelfCalibration& found, const std::string& where) {
     for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n) {
-        if (n == kTurn && !found.turnTold) continue;
+        if (n == kTurn && !found.turnIsEstimated) continue;
         if (found.sd.values[n] <= 0.5 * kPrior[static_cast<Eigen::Index>(n)]) continue;
         return Error{std::string(kNames[n]) + " stays unknown: what is seen twice is too plain", where,
                      found.axis == Axis::Spin
@@ -236,7 +236,7 @@ AssemblyErrors uncertaintyOf(const Solved& early, const Solved& late, double hon
 
 } // namespace
 
-Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& told) {
+Result<SelfCalibration> calibrateFromSweeps(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& told) {
     if (scans.empty()) return Error{"there is no scan to calibrate with", "", "name one"};
     const CalibrationProgress goOn = [&](const char* stage, double fraction) { return !told || told(stage, fraction); };
     const std::string where = scans.front()->name;
@@ -254,7 +254,7 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
         result.overlapDeg = std::min(result.overlapDeg, turnOf(polar) - 180.0);
     }
     result.axis = passes.front().sweep.polar.axis;
-    result.turnTold = result.axis == Axis::Spin;
+    result.turnIsEstimated = result.axis == Axis::Spin;
     const std::optional<Solved> early = solve(passes, View::Early, goOn);
     const std::optional<Solved> late = early ? solve(passes, View::Late, goOn) : std::nullopt;
     if (!late || !goOn("agreement of the views", 0.0)) return cancelled;
@@ -265,7 +265,7 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
     for (std::size_t n = 0; n < AssemblyErrors::kCount; ++n)
         result.errors.values[n] = 0.5 * (early->errors.values[n] + late->errors.values[n]);
     result.sd = uncertaintyOf(*early, *late, honestFactor(result));
-    if (!result.turnTold) result.errors.turnDeg() = result.sd.turnDeg() = 0;
+    if (!result.turnIsEstimated) result.errors.turnDeg() = result.sd.turnDeg() = 0;
     result.medianBeforeMm = agreementOf(passes, {}).medianMm;
     const Agreement after = agreementOf(passes, result.errors);
     result.medianAfterMm = after.medianMm;
@@ -278,11 +278,11 @@ Result<SelfCalibration> calibrateFromTurn(std::span<const std::shared_ptr<const 
     return result;
 }
 
-Grid<float> viewsApartMm(const Scan& scan, const AssemblyErrors& errors) {
+Grid<float> viewDistanceMm(const Scan& scan, const AssemblyErrors& errors) {
     Grid<float> apart(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || refusalOf(scan)) return apart;
-    Pass pass{turnedSweep(scan, *polar), {}};
+    Pass pass{preparedSweep(scan, *polar), {}};
     if (polar->axis == Axis::Sweep) takeCells(pass, View::Early, kCells); // the surface that the late cells are compared with
     takeCells(pass, View::Late, scan.cells());
     for (const Residual& r : Comparison(pass, kHalfWidths.size() - 1).residuals(View::Late, errors))
@@ -290,4 +290,4 @@ Grid<float> viewsApartMm(const Scan& scan, const AssemblyErrors& errors) {
     return apart;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

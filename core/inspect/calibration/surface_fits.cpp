@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kMisfitMm = 30.0;
@@ -63,4 +63,4 @@ const SurfaceFit& SurfaceFits::at(int line, int beam) {
     return fits_[static_cast<std::size_t>(place)];
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// u = c . (1, dx, dy) [1/m], dx beams and dy lines from the middle cell.
 struct SurfaceFit {
@@ -32,4 +32,4 @@ private:
     std::vector<SurfaceFit> fits_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kHalfTurnDeg = 180.0;
@@ -95,11 +95,11 @@ std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRa
     return cells;
 }
 
-TurningMounting turningMounting(const PolarGeometry& polar, const AssemblyErrors& errors) {
+MountingWithErrors mountingWithErrors(const PolarGeometry& polar, const AssemblyErrors& errors) {
     return {polar.axis, sensorInMover(polar.axis, errors), polar.lineDirection * errors.turnFactor()};
 }
 
-std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const TurningMounting& mounting) {
+std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const MountingWithErrors& mounting) {
     const auto& [axis, mount, turnedDeg] = mounting;
     const Eigen::Vector3d inMover = mount * cell.inSensorM;
     const double half = view == View::Late ? -kHalfTurnDeg : kHalfTurnDeg;
@@ -125,4 +125,4 @@ std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const Turn
     return OtherView{cell.lineDeg + degrees(apart) / turnedDeg, beamDeg, inSensor.norm()};
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// A cell of one view of a surface, as measured.
 struct SeenCell {
@@ -50,15 +50,15 @@ enum class View : std::uint8_t { Early, Late };
 [[nodiscard]] std::vector<SeenCell> cellsSeenTwice(const PolarGeometry& polar, const InverseRange& inverse, View view, std::size_t most);
 
 /// Assembly errors prepared for many cells.
-struct TurningMounting {
+struct MountingWithErrors {
     Axis axis = Axis::Spin;
     RigidTransform sensorInMover;
     double turnedDeg = 1; ///< rotation by the stepper, right-handed, per nominal degree
 };
-[[nodiscard]] TurningMounting turningMounting(const PolarGeometry& polar, const AssemblyErrors& errors);
+[[nodiscard]] MountingWithErrors mountingWithErrors(const PolarGeometry& polar, const AssemblyErrors& errors);
 
 /// The place where the other view, half a turn earlier (for View::Late) or later, sees the point of a cell. Empty if it never sees the
 /// point.
-[[nodiscard]] std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const TurningMounting& mounting);
+[[nodiscard]] std::optional<OtherView> otherViewOf(const SeenCell& cell, View view, const MountingWithErrors& mounting);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr float kFullMm = 50;
@@ -25,7 +25,7 @@ Rgb colourOf(float apartMm) {
 } // namespace
 
 Grid<Rgb> viewsPicture(const Scan& scan, const AssemblyErrors& errors) {
-    const Grid<float> apart = viewsApartMm(scan, errors);
+    const Grid<float> apart = viewDistanceMm(scan, errors);
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     const LineSpan late = polar == nullptr ? LineSpan{} : lateLines(*polar);
     const std::vector<int> beams = polar == nullptr ? std::vector<int>{} : beamsSeenTwice(*polar);
@@ -44,4 +44,4 @@ Grid<Rgb> oneOverTheOther(const Grid<Rgb>& above, const Grid<Rgb>& below) {
     return both;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

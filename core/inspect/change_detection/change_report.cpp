@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -57,21 +57,21 @@ Rgb tinted(std::uint8_t gray, const Rgb& colour) {
 
 } // namespace
 
-std::string lineUpText(const LinedUp& how) {
-    if (how.by == LinedUpBy::OneScan) return "one scan with two settings";
-    std::string text = how.by == LinedUpBy::Poses ? "lined up by their poses" : "no pose: lined up by their surfaces";
+std::string registrationText(const RegistrationResult& how) {
+    if (how.by == RegistrationBasis::OneScan) return "one scan with two settings";
+    std::string text = how.by == RegistrationBasis::Poses ? "lined up by their poses" : "no pose: lined up by their surfaces";
     return text + (how.sameCells ? "" : "; other cells: points moved to the grid of the later scan");
 }
 
 std::string changeText(const Scan& later, const SceneChange& change) {
-    std::string text = lineUpText(change.earlier.how) + "\n";
+    std::string text = registrationText(change.earlier.how) + "\n";
     for (const std::string& warning : change.earlier.how.warnings) text += warning + "\n";
     text += "edges: " + counted("+ gained", change.edges.gained) + ", " + counted("- lost", change.edges.lost) + ", " +
-            counted("kept", change.edges.kept) + ", " + counted("not seen by the other", change.edges.unseen);
+            counted("kept", change.edges.unchanged) + ", " + counted("not seen by the other", change.edges.unknown);
     if (change.earlier.edgesLeftOut > 0)
         text += "\n" + counted("edge cells of the earlier scan lie where the later one did not look, or behind what it saw",
                                change.earlier.edgesLeftOut);
-    if (change.earlier.how.by == LinedUpBy::OneScan) return text;
+    if (change.earlier.how.by == RegistrationBasis::OneScan) return text;
     const RangeChanges& ranges = change.ranges;
     text += "\ncells: " + counted("nearer", ranges.nearer) + ", " + counted("farther", ranges.farther) + ", " +
             counted("same", ranges.same) + ", " + counted("no range now", ranges.noReturnNow) + ", " +
@@ -88,7 +88,7 @@ std::string changeText(const Scan& later, const SceneChange& change) {
 }
 
 Json changeReport(const Scan& later, const SceneChange& change) {
-    const LinedUp& how = change.earlier.how;
+    const RegistrationResult& how = change.earlier.how;
     const char* ways[]{"one scan", "poses", "surfaces"};
     Json surfaces = nullptr;
     if (how.surfaces)
@@ -102,14 +102,14 @@ Json changeReport(const Scan& later, const SceneChange& change) {
                 {"edges",
                  {{"gained", change.edges.gained},
                   {"lost", change.edges.lost},
-                  {"kept", change.edges.kept},
-                  {"unseen", change.edges.unseen},
+                  {"kept", change.edges.unchanged},
+                  {"unseen", change.edges.unknown},
                   {"left_out", change.earlier.edgesLeftOut}}},
                 {"cells", nullptr},
                 {"median_difference_mm", nullptr},
                 {"change_limit_mm", nullptr},
                 {"regions", Json::array()}};
-    if (how.by == LinedUpBy::OneScan) return report;
+    if (how.by == RegistrationBasis::OneScan) return report;
     const RangeChanges& ranges = change.ranges;
     report["cells"] = {{"nearer", ranges.nearer},
                        {"farther", ranges.farther},
@@ -134,11 +134,11 @@ Grid<Rgb> changePicture(const Scan& later, const SceneChange& change) {
             if (ranges && change.ranges.cells[k] == RangeChange::Nearer) picture[k] = tinted(gray, kGainedColour);
             if (ranges && change.ranges.cells[k] == RangeChange::Farther) picture[k] = tinted(gray, kLostColour);
         }
-        if (change.edges.cells[k] == EdgeChange::Kept) picture[k] = kKeptColour;
+        if (change.edges.cells[k] == EdgeChange::Unchanged) picture[k] = kUnchangedColour;
         if (change.edges.cells[k] == EdgeChange::Gained) picture[k] = kGainedColour;
         if (change.edges.cells[k] == EdgeChange::Lost) picture[k] = kLostColour;
     }
     return picture;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kReachM = 0.5;        // m: largest distance of surfaces that are matched
@@ -52,9 +52,9 @@ std::vector<Eigen::Vector3d> directionsOf(const Scan& scan, Turn turn) {
     return directions;
 }
 
-PlacedPair placedPair(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier, LinedUpBy by,
-                      const LineUpWish& wish) {
-    if (by == LinedUpBy::Poses && !wish.poses) {
+PlacedPair placedPair(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier, RegistrationBasis by,
+                      const RegistrationRequest& wish) {
+    if (by == RegistrationBasis::Poses && !wish.poses) {
         const PlacedPoints mine(*later);
         const auto turn = [&](int i, int j, const Eigen::Vector3d& sensor, const Eigen::Vector3d& direction) {
             return (mine.local(i, j, sensor + direction) - mine.local(i, j, sensor)).normalized().eval();
@@ -138,22 +138,22 @@ Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& ed
     return EarlierOnGrid{std::move(scan), std::move(mask), {}, edgesLeftOut};
 }
 
-Result<LinedUpBy> waysOf(const Scan& later, const Scan& earlier, const LineUpWish& wish) {
-    if (wish.poses || (later.placement && earlier.placement)) return LinedUpBy::Poses;
-    if (!later.placement && !earlier.placement) return LinedUpBy::Surfaces;
-    if (wish.bySurfaces) return LinedUpBy::Surfaces;
+Result<RegistrationBasis> waysOf(const Scan& later, const Scan& earlier, const RegistrationRequest& wish) {
+    if (wish.poses || (later.placement && earlier.placement)) return RegistrationBasis::Poses;
+    if (!later.placement && !earlier.placement) return RegistrationBasis::Surfaces;
+    if (wish.bySurfaces) return RegistrationBasis::Surfaces;
     const Scan& without = later.placement ? earlier : later;
     return Error{"one of the two scans has a place in the mine and this one has none, so nobody knows how they lie to each other",
                  without.name, "give it a pose, or line the two up by their surfaces"};
 }
 
 /// Adds the warnings about the registration.
-void judge(LinedUp& how, double off) {
+void judge(RegistrationResult& how, double off) {
     const auto say = [&](const std::string& sentence) {
         how.outOfSpec = true;
         how.warnings.push_back("OUT OF SPEC: " + sentence);
     };
-    if (how.by == LinedUpBy::Surfaces)
+    if (how.by == RegistrationBasis::Surfaces)
         say("without a pose of both, the two scans are lined up by their surfaces alone.");
     else if (how.surfaces && off > kSameCellSteps)
         say("the surfaces of the two scans do not lie where their poses put them: " + tenthsOfMm(how.surfaces->residualBeforeM) +
@@ -165,16 +165,16 @@ void judge(LinedUp& how, double off) {
 
 } // namespace
 
-Result<EarlierOnGrid> onGridOf(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
-                               const std::shared_ptr<const Grid<std::uint8_t>>& edges, const LineUpWish& wish) {
+Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
+                                      const std::shared_ptr<const Grid<std::uint8_t>>& edges, const RegistrationRequest& wish) {
     if (later == earlier) return EarlierOnGrid{earlier, edges, {}};
-    const Result<LinedUpBy> by = waysOf(*later, *earlier, wish);
+    const Result<RegistrationBasis> by = waysOf(*later, *earlier, wish);
     if (!by) return by.error();
-    LinedUp how;
+    RegistrationResult how;
     how.by = *by;
     PlacedPair pair = placedPair(later, earlier, *by, wish);
     const auto aligned = alignScans(pair.later, pair.earlier, kReachM);
-    const bool bySurfaces = *by == LinedUpBy::Surfaces || wish.bySurfaces;
+    const bool bySurfaces = *by == RegistrationBasis::Surfaces || wish.bySurfaces;
     if (!aligned && bySurfaces) return Error{aligned.error().what, earlier->name, "choose two scans of one place, or give both a pose"};
     double off = 0.0;
     if (aligned) {
@@ -184,11 +184,11 @@ Result<EarlierOnGrid> onGridOf(const std::shared_ptr<const Scan>& later, const s
         how.outOfSpec = true;
         how.warnings.push_back("OUT OF SPEC: whether the poses fit cannot be seen, " + aligned.error().what + ".");
     }
-    const bool onePlace = *by == LinedUpBy::Surfaces || (!wish.poses && samePlace(*later->placement, *earlier->placement)) ||
+    const bool onePlace = *by == RegistrationBasis::Surfaces || (!wish.poses && samePlace(*later->placement, *earlier->placement)) ||
                           (wish.poses && (*wish.poses)[0] == (*wish.poses)[1]);
     how.sameCells = sameGrid(*later, *earlier) && onePlace && (!bySurfaces || off < kSameCellSteps);
     judge(how, bySurfaces ? 0.0 : off);
-    if (bySurfaces && *by == LinedUpBy::Poses && off > kSameCellSteps) {
+    if (bySurfaces && *by == RegistrationBasis::Poses && off > kSameCellSteps) {
         how.outOfSpec = true;
         how.warnings.push_back("OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by " +
                                fixedText(off, 1) + " cells.");
@@ -200,4 +200,4 @@ Result<EarlierOnGrid> onGridOf(const std::shared_ptr<const Scan>& later, const s
     return on;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -14,23 +14,23 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The basis of the registration.
-enum class LinedUpBy : std::uint8_t {
+enum class RegistrationBasis : std::uint8_t {
     OneScan,  ///< both are the same scan with different settings
     Poses,    ///< both have a placement
     Surfaces, ///< only their surfaces: at least one has no placement
 };
 
-struct LineUpWish {
+struct RegistrationRequest {
     /// later, earlier: transforms from the scanner frame to a common frame, instead of the scans' own placements
     std::optional<std::array<RigidTransform, 2>> poses{};
     bool bySurfaces = false; ///< also correct existing placements by the surfaces
 };
 
-struct LinedUp {
-    LinedUpBy by = LinedUpBy::OneScan;
+struct RegistrationResult {
+    RegistrationBasis by = RegistrationBasis::OneScan;
     /// cell k of one scan is cell k of the other; otherwise points were moved to the cells that they fall into
     bool sameCells = true;
     std::optional<ScanAlignment> surfaces; ///< the remaining distance of the surfaces, also if they were not moved; empty for one scan
@@ -42,14 +42,14 @@ struct LinedUp {
 struct EarlierOnGrid {
     std::shared_ptr<const Scan> scan;                ///< lines x beams of the later scan; ranges in mm from its sensor
     std::shared_ptr<const Grid<std::uint8_t>> edges; ///< 255 = edge of the earlier scan
-    LinedUp how;
+    RegistrationResult how;
     std::size_t edgesLeftOut = 0; ///< edge cells of the earlier scan that do not fall into a cell of the later one
 };
 
 /// `edges`: of the earlier scan, not 0 = edge. Scans without a placement are registered by their surfaces; the result is OUT OF SPEC and
 /// carries a warning (docs/operator.md, "S20"). Error: only one of them has a placement and `bySurfaces` is false, the surfaces do not
 /// determine the registration, or the two scans have no common direction.
-Result<EarlierOnGrid> onGridOf(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
-                               const std::shared_ptr<const Grid<std::uint8_t>>& edges, const LineUpWish& wish = {});
+Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
+                                      const std::shared_ptr<const Grid<std::uint8_t>>& edges, const RegistrationRequest& wish = {});
 
-} // namespace edgescan
+} // namespace edgescan::inspect

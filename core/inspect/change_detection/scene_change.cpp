@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 /// Whether any cell within `reach` has a value, by rows and then by columns.
@@ -164,11 +164,11 @@ EdgeChanges edgeChanges(const Grid<std::uint8_t>& later, const Grid<std::uint8_t
             ++count;
         };
         if (later[k] != 0 && nearEarlier[k] != 0)
-            is(EdgeChange::Kept, changes.kept);
+            is(EdgeChange::Unchanged, changes.unchanged);
         else if (later[k] != 0)
-            earlierSaw[k] != 0 ? is(EdgeChange::Gained, changes.gained) : is(EdgeChange::Unseen, changes.unseen);
+            earlierSaw[k] != 0 ? is(EdgeChange::Gained, changes.gained) : is(EdgeChange::Unknown, changes.unknown);
         else if (earlier[k] != 0 && nearLater[k] == 0)
-            laterSaw[k] != 0 ? is(EdgeChange::Lost, changes.lost) : is(EdgeChange::Unseen, changes.unseen);
+            laterSaw[k] != 0 ? is(EdgeChange::Lost, changes.lost) : is(EdgeChange::Unknown, changes.unknown);
     }
     return changes;
 }
@@ -220,19 +220,19 @@ std::vector<ChangedRegion> changedRegions(const Scan& later, const RangeChanges&
 }
 
 SceneChange withEdges(SceneChange change, const ScanEdges& later) {
-    const int reach = change.earlier.how.by == LinedUpBy::OneScan ? 0 : kEdgeReachCells;
+    const int reach = change.earlier.how.by == RegistrationBasis::OneScan ? 0 : kEdgeReachCells;
     change.edges = edgeChanges(*later.mask, *change.earlier.edges, later.scan->state, change.earlier.scan->state, reach);
     return change;
 }
 
-Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier, const LineUpWish& wish) {
-    auto on = onGridOf(later.scan, earlier.scan, earlier.mask, wish);
+Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier, const RegistrationRequest& wish) {
+    auto on = earlierOnGridOf(later.scan, earlier.scan, earlier.mask, wish);
     if (!on) return on.error();
     SceneChange change;
     change.earlier = std::move(*on);
     const Scan& before = *change.earlier.scan;
     change = withEdges(std::move(change), later);
-    if (change.earlier.how.by == LinedUpBy::OneScan) return change;
+    if (change.earlier.how.by == RegistrationBasis::OneScan) return change;
     change.noise = {rangeNoise(inverseRange(*later.scan)), rangeNoise(inverseRange(*earlier.scan)), 0.0};
     takeAgreement(change, *later.scan);
     change.ranges = rangeChanges(*later.scan, before, change.noise);
@@ -240,4 +240,4 @@ Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier
     return change;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

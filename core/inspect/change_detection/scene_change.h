@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 enum class EdgeChange : std::uint8_t {
     None,
-    Kept,   ///< an edge in both
-    Gained, ///< an edge only in the later scan, where the earlier one measured
-    Lost,   ///< an edge only in the earlier scan, where the later one measured
-    Unseen, ///< an edge in one scan where the other did not measure: unknown
+    Unchanged, ///< an edge in both
+    Gained,    ///< an edge only in the later scan, where the earlier one measured
+    Lost,      ///< an edge only in the earlier scan, where the later one measured
+    Unknown,   ///< an edge in one scan where the other did not measure: unknown
 };
 
 enum class RangeChange : std::uint8_t {
@@ -34,7 +34,7 @@ inline constexpr std::size_t kSmallestRegion = 40; ///< cells
 
 struct EdgeChanges {
     Grid<EdgeChange> cells; ///< lines x beams
-    std::size_t kept = 0, gained = 0, lost = 0, unseen = 0;
+    std::size_t unchanged = 0, gained = 0, lost = 0, unknown = 0;
 };
 
 /// Masks: lines x beams, not 0 = edge. An edge is in both scans if the other has one within `reach` cells, including diagonals; the cells
@@ -90,10 +90,10 @@ struct ScanEdges {
     std::shared_ptr<const Grid<std::uint8_t>> mask;
 };
 
-/// Error: those of onGridOf().
-Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier, const LineUpWish& wish = {});
+/// Error: those of earlierOnGridOf().
+Result<SceneChange> sceneChange(const ScanEdges& later, const ScanEdges& earlier, const RegistrationRequest& wish = {});
 
 /// The same if only edges of the later scan changed: all else is reused.
 [[nodiscard]] SceneChange withEdges(SceneChange change, const ScanEdges& later);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

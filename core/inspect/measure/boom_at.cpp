@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 std::optional<BoomAtCell> boomAt(const Scan& scan, std::size_t k, const std::optional<Eigen::Vector3d>& normal) {
     if (!scan.placement || !scan.placement->boom) return std::nullopt;
@@ -18,16 +18,16 @@ std::optional<BoomAtCell> boomAt(const Scan& scan, std::size_t k, const std::opt
     const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
     const int beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
     const Eigen::Vector3d point = pointOfCell(scan, k);
-    const Eigen::Vector3d there = inAxisBase(scan, line, beam, point);
+    const Eigen::Vector3d there = axisBasePoint(scan, line, beam, point);
     const Eigen::Vector3d along = boom.headM - boom.pivotM;
     const double share = std::clamp((there - boom.pivotM).dot(along) / along.squaredNorm(), 0.0, 1.0);
     BoomAtCell at;
     at.distanceM = (there - boom.pivotM - share * along).norm();
     if (normal) {
-        const Eigen::Vector3d turned = inAxisBase(scan, line, beam, point + *normal) - there;
+        const Eigen::Vector3d turned = axisBasePoint(scan, line, beam, point + *normal) - there;
         at.angleDeg = degrees(std::atan2(turned.cross(along).norm(), std::abs(turned.dot(along))));
     }
     return at;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

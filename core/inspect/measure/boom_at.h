@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The boom is that of the moment when the cell's line was measured; it may have moved since.
 struct BoomAtCell {
@@ -20,4 +20,4 @@ struct BoomAtCell {
 /// Empty if the scan has no placement with a boom. `k` must be a valid cell; `normal`: of its surface, frame of the scan.
 [[nodiscard]] std::optional<BoomAtCell> boomAt(const Scan& scan, std::size_t k, const std::optional<Eigen::Vector3d>& normal);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

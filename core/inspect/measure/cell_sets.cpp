@@ -9,7 +9,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 CellSet cellsInside(int lines, int beams, std::span<const Eigen::Vector2d> corners) {
     CellSet set;
@@ -127,4 +127,4 @@ CellSet cellsOf(std::span<const CellRun> runs, std::size_t cells) {
     return set;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// Indices k = line * beams + beam, ascending, without duplicates.
 using CellSet = std::vector<std::uint32_t>;
@@ -43,4 +43,4 @@ struct CellRun {
 /// Empty runs, runs out of order, and runs beyond `cells` give the empty set.
 [[nodiscard]] CellSet cellsOf(std::span<const CellRun> runs, std::size_t cells);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

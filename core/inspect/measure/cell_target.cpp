@@ -6,44 +6,44 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 /// Without a placement the horizon is unknown.
-std::optional<Dip> dipAt(const Scan& scan, const Probe& probe, const Eigen::Vector3d& normal) {
+std::optional<Dip> dipAt(const Scan& scan, const edges::Probe& probe, const Eigen::Vector3d& normal) {
     if (!scan.placement) return std::nullopt;
-    const Eigen::Vector3d tip = inMineLocal(scan, probe.line, probe.beam, probe.pointM + normal);
-    return dipOf(tip - inMineLocal(scan, probe.line, probe.beam, probe.pointM));
+    const Eigen::Vector3d tip = localMinePoint(scan, probe.line, probe.beam, probe.pointM + normal);
+    return dipOf(tip - localMinePoint(scan, probe.line, probe.beam, probe.pointM));
 }
 
-std::optional<double> strengthAt(const Detection& detection, const Probe& probe) {
+std::optional<double> strengthAt(const edges::Detection& detection, const edges::Probe& probe) {
     if (!detection.responses) return std::nullopt;
     const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
     const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
     // The class of such a cell comes from the end of the data or from the surface behind a void, not from a response of the cell.
-    if (probe.kind == DepthEdge::Border || probe.kind == DepthEdge::Silhouette) return std::nullopt;
-    if (probe.kind == DepthEdge::Jump) return jump;
-    if (probe.kind != DepthEdge::None) return fold;
+    if (probe.kind == edges::DepthEdge::Border || probe.kind == edges::DepthEdge::Silhouette) return std::nullopt;
+    if (probe.kind == edges::DepthEdge::Jump) return jump;
+    if (probe.kind != edges::DepthEdge::None) return fold;
     const double strongest = std::max(jump, fold);
     return strongest > 0 ? std::optional(strongest) : std::nullopt; // suppressed by a neighbour: its own response is not stored
 }
 
 } // namespace
 
-RangeNoise noiseOf(const Detection& detection) {
+RangeNoise noiseOf(const edges::Detection& detection) {
     return detection.surface ? detection.surface->noise : rangeNoise(inverseRange(*detection.scan));
 }
 
-CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::size_t k) {
+CellTarget targetAt(const edges::Detection& detection, const RangeNoise& noise, std::size_t k) {
     const Scan& scan = *detection.scan;
     CellTarget target;
-    target.probe = probeCell(detection, k);
+    target.probe = edges::probeCell(detection, k);
     target.strength = strengthAt(detection, target.probe);
     if (target.probe.state != CellState::Valid) return target;
     const CartesianTables tables(scan);
     target.distanceM = target.probe.rangeMm / 1000.0;
     const double sigmaM = noise.at(target.distanceM) / 1000.0;
-    target.toleranceM = kToldSigmas * sigmaM;
+    target.toleranceM = kReportedSigmas * sigmaM;
     target.resolution = resolutionAt(scan, tables, k);
     target.surface = surfaceAt(scan, tables, k, sigmaM);
     if (target.surface) target.dip = dipAt(scan, target.probe, target.surface->normal);
@@ -51,4 +51,4 @@ CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::si
     return target;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

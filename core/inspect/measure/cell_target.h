@@ -9,13 +9,13 @@
 #include <cstddef>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The number after ± is two standard deviations: 95 of 100 readings are within it.
-inline constexpr double kToldSigmas = 2.0;
+inline constexpr double kReportedSigmas = 2.0;
 
 struct CellTarget {
-    Probe probe;
+    edges::Probe probe;
     double distanceM = 0.0;               ///< m, from the scanner along the beam; meaningless if the cell is not valid
     double toleranceM = 0.0;              ///< m, of the distance: two standard deviations of this scan's noise; 0: unknown
     std::optional<Resolution> resolution; ///< empty if the cell is not valid
@@ -27,9 +27,9 @@ struct CellTarget {
 };
 
 /// The noise of the scan: from the detection, or measured now, which costs about as much as opening the scan.
-[[nodiscard]] RangeNoise noiseOf(const Detection& detection);
+[[nodiscard]] RangeNoise noiseOf(const edges::Detection& detection);
 
 /// `k` must be a cell of the detection's scan; `noise`: noiseOf() the detection.
-[[nodiscard]] CellTarget targetAt(const Detection& detection, const RangeNoise& noise, std::size_t k);
+[[nodiscard]] CellTarget targetAt(const edges::Detection& detection, const RangeNoise& noise, std::size_t k);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

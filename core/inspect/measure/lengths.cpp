@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr std::array<MeasureTraits, kMeasureKinds> kMeasures{{
@@ -44,7 +44,7 @@ std::optional<PickedEnd> endAt(const Scan& scan, const CartesianTables& tables, 
 double toleranceOf(std::span<const PickedEnd> ends, std::span<const Eigen::Vector3d> gradients) {
     double variance = 0.0;
     for (std::size_t n = 0; n < ends.size(); ++n) variance += gradients[n].dot(ends[n].covariance * gradients[n]);
-    return kToldSigmas * std::sqrt(variance);
+    return kReportedSigmas * std::sqrt(variance);
 }
 
 MeasuredLength distanceOf(std::span<const PickedEnd> ends) {
@@ -135,7 +135,7 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
         measured.lengths = {distanceOf(all)};
         break;
     case MeasureKind::Vertical: {
-        const UpDirection up = upOf(scan);
+        const rocks::UpDirection up = rocks::upOf(scan);
         measured.upAssumed = up.assumed;
         measured.lengths = {heightOf(all, up.up)};
         break;
@@ -178,4 +178,4 @@ std::string measureBasis(const MeasuredCells& measured) {
     return text;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 enum class MeasureKind : std::uint8_t {
     Distance, ///< between two cells
@@ -68,4 +68,4 @@ struct MeasuredCells {
 /// The ranges: "at 5.21 and 5.30 m"; also says if up is assumed.
 [[nodiscard]] std::string measureBasis(const MeasuredCells& measured);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -13,7 +13,7 @@
 #include <set>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -65,8 +65,8 @@ PinnedTarget targetFrom(JsonFields& fields, const NotebookScan& scan) {
     return target;
 }
 
-KeptMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
-    KeptMeasure measure;
+StoredMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
+    StoredMeasure measure;
     const std::string key = fields.text("kind");
     const auto kind = measureKindNamed(key);
     if (!kind) fields.refuse("kind", "must be distance, vertical, angle or spans");
@@ -118,7 +118,7 @@ std::string notebookText(const Notebook& notebook, const NotebookScan& scan) {
                            {"as_pinned", std::move(rows)}});
     }
     Json measures = Json::array();
-    for (const KeptMeasure& measure : notebook.measures) {
+    for (const StoredMeasure& measure : notebook.measures) {
         Json cells = Json::array();
         for (const std::uint32_t k : measure.cells) cells.push_back(cellJson(k, scan.beams));
         measures.push_back({{"kind", traitsOf(measure.kind).key}, {"cells", std::move(cells)}});
@@ -156,4 +156,4 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
     return notebook;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 inline constexpr std::size_t kMostTargets = 200;
 inline constexpr std::size_t kMostMeasures = 200;
@@ -29,16 +29,16 @@ struct PinnedTarget {
 };
 
 /// The cells of a measurement: as many as its kind needs.
-struct KeptMeasure {
+struct StoredMeasure {
     MeasureKind kind = MeasureKind::Distance;
     std::vector<std::uint32_t> cells;
 
-    bool operator==(const KeptMeasure&) const = default;
+    bool operator==(const StoredMeasure&) const = default;
 };
 
 struct Notebook {
     std::vector<PinnedTarget> targets; ///< in the order in which they were pinned
-    std::vector<KeptMeasure> measures;
+    std::vector<StoredMeasure> measures;
 
     bool operator==(const Notebook&) const = default;
     [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }
@@ -63,4 +63,4 @@ struct NotebookScan {
 /// Error: damaged text, another format or scan, duplicate numbers, cells that do not exist, too many entries, unknown keys.
 Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& scan, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

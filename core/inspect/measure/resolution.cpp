@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 /// Mean angle to the neighbours one step before and behind; 0 if neither has a direction.
@@ -38,4 +38,4 @@ std::optional<Resolution> resolutionAt(const Scan& scan, const CartesianTables& 
     return Resolution{rangeM * angle, beam.at(rangeM)};
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

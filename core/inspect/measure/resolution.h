@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 struct Resolution {
     /// m, at the cell's range: distance to the next measured direction along the beams or across the lines, whichever is larger
@@ -22,4 +22,4 @@ struct Resolution {
 [[nodiscard]] std::optional<Resolution> resolutionAt(const Scan& scan, const CartesianTables& tables, std::size_t k,
                                                      const BeamWidth& beam = {});
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr int kFirstReach = 2; // cells: five by five at first
@@ -134,4 +134,4 @@ Dip dipOf(const Eigen::Vector3d& normalEnu) {
     return dip;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 struct SurfaceAtCell {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit vector, on the side of the sensor, frame of the scan
@@ -33,4 +33,4 @@ struct Dip {
 /// `normalEnu`: east, north, up; either side of the plane.
 [[nodiscard]] Dip dipOf(const Eigen::Vector3d& normalEnu);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kLeap = 3.0; // times the resolution: neighbours farther apart than this are not on one visible surface
@@ -21,7 +21,7 @@ struct Node {
 /// Cells with a range along the straight line between the two.
 std::vector<std::uint32_t> cellsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to) {
     std::vector<std::uint32_t> valid;
-    for (const std::uint32_t k : strokeCells({from, to}, scan.lines(), scan.beams())) {
+    for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams())) {
         if (scan.state[k] == CellState::Valid) valid.push_back(k);
     }
     return valid;
@@ -94,7 +94,7 @@ void measure(const std::vector<Node>& nodes, SurfacePath& path) {
         const Eigen::Vector3d along = way.normalized();
         longer += std::max(0.0, both.trace() - along.dot(both * along)) / (2.0 * way.norm());
     }
-    path.toleranceM = kToldSigmas * std::sqrt(variance) + longer;
+    path.toleranceM = kReportedSigmas * std::sqrt(variance) + longer;
 }
 
 } // namespace
@@ -128,4 +128,4 @@ std::optional<SurfacePath> surfacePath(const Scan& scan, const CartesianTables& 
     return path;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 struct SurfacePath {
     double lengthM = 0.0;
@@ -22,4 +22,4 @@ struct SurfacePath {
 [[nodiscard]] std::optional<SurfacePath> surfacePath(const Scan& scan, const CartesianTables& tables, const RangeNoise& noise,
                                                      std::uint32_t from, std::uint32_t to);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

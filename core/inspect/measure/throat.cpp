@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kNearPicked = 0.25;       // share of the distance of the two cells
@@ -64,7 +64,7 @@ std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, st
 
 /// True if no cell was measured in front of the straight line between the two points, or on it.
 bool isFree(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
-    const std::vector<std::uint32_t> cells = strokeCells({from.cell, to.cell}, scan.lines(), scan.beams());
+    const std::vector<std::uint32_t> cells = rocks::strokeCells({from.cell, to.cell}, scan.lines(), scan.beams());
     const Eigen::Vector3d sensor = tables.sensor();
     const Eigen::Vector3d way = to.pointM - from.pointM;
     for (const std::uint32_t k : cells) {
@@ -115,4 +115,4 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
     return std::nullopt;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The two cells on the rims near `a` and `b` that are closest to each other with free space between them: every cell on the straight line
 /// between them has no return or is behind it. Rim cells are cells next to a farther surface or a void, within a quarter of the distance of
@@ -16,4 +16,4 @@ namespace edgescan {
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                                            std::uint32_t b);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr double kMetresPerCentimetre = 0.01;
@@ -95,4 +95,4 @@ Result<RigidTransform> open3dtkPose(const std::filesystem::path& path) {
     return RigidTransform{mirror * turnOf(numbers.tail<3>()) * mirror, mirror * (numbers.head<3>() * kMetresPerCentimetre)};
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 struct PlacedScan {
     std::shared_ptr<const Scan> scan;
@@ -29,4 +29,4 @@ struct PlacedScan {
 /// six numbers.
 Result<RigidTransform> open3dtkPose(const std::filesystem::path& path);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
@@ -53,4 +53,4 @@ std::optional<std::uint32_t> PointIndex::nearest(const Eigen::Vector3d& p) const
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

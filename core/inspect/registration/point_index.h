@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// Points that are not finite are left out.
 class PointIndex {
@@ -29,4 +29,4 @@ private:
     std::vector<Eigen::Vector3d> points_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::inspect

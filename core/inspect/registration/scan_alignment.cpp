@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -117,7 +117,7 @@ Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& move
             return Error{"only " + std::to_string(pairs.rows.size()) + " points of the two scans lie close enough to each other", "",
                          "give poses that bring them together, or a larger reach"};
         result.pairs = pairs.rows.size();
-        const auto apart = [&] { return surfacesApartM(fixed, now, reachM).value_or(medianOff(pairs)); };
+        const auto apart = [&] { return surfaceDistanceM(fixed, now, reachM).value_or(medianOff(pairs)); };
         if (round == 0) result.residualBeforeM = apart();
         const auto move = step(pairs, sceneM);
         if (!move)
@@ -141,4 +141,4 @@ PlacedScan corrected(PlacedScan placed, const RigidTransform& correction) {
     return placed;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -4,11 +4,11 @@
 #include "core/base/result.h"
 #include "core/inspect/registration/placed_scan.h"
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 struct ScanAlignment {
     RigidTransform correction;                     ///< to be applied to the points of `moved` in the common frame
-    double residualBeforeM = 0.0, residualM = 0.0; ///< surfacesApartM() between `moved` and `fixed`; at least the noise of both
+    double residualBeforeM = 0.0, residualM = 0.0; ///< surfaceDistanceM() between `moved` and `fixed`; at least the noise of both
     std::size_t pairs = 0;                         ///< points with a neighbour within reach
 };
 
@@ -18,4 +18,4 @@ Result<ScanAlignment> alignScans(const PlacedScan& fixed, const PlacedScan& move
 /// The scan after the correction.
 [[nodiscard]] PlacedScan corrected(PlacedScan placed, const RigidTransform& correction);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

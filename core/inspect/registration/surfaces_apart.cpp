@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr unsigned kCellsOfPlane = 24;
@@ -50,7 +50,7 @@ std::optional<Off> offAt(const PlacedScan& fixed, const std::vector<std::uint32_
 
 } // namespace
 
-std::optional<double> surfacesApartM(const PlacedScan& fixed, const std::vector<Eigen::Vector3d>& points, double reachM) {
+std::optional<double> surfaceDistanceM(const PlacedScan& fixed, const std::vector<Eigen::Vector3d>& points, double reachM) {
     std::vector<Eigen::Vector3d> directions;
     for (const Eigen::Vector3d& p : fixed.pointsM) directions.push_back((p - fixed.sensorM).normalized());
     const PointIndex index(directions);
@@ -75,4 +75,4 @@ std::optional<double> surfacesApartM(const PlacedScan& fixed, const std::vector<
     return median(std::move(sizes));
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

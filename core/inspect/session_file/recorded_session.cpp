@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 void cut(std::vector<CellRun>& runs, std::size_t cells) {
@@ -35,4 +35,4 @@ ViewerState cutTo(ViewerState state, std::size_t cells) {
     return state;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

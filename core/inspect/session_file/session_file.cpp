@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> cellsFrom(JsonFields& fields, const char* key, std::s
     std::vector<std::uint32_t> found;
     if (list.is_null()) return found;
     const auto isCell = [&](const nlohmann::json& n) { return n.is_number_unsigned() && n.get<std::uint64_t>() < cells; };
-    if (!list.is_array() || list.size() > kMostMarks || !std::ranges::all_of(list, isCell)) {
+    if (!list.is_array() || list.size() > edges::kMostMarks || !std::ranges::all_of(list, isCell)) {
         fields.refuse(key, "must be a list of cells of the scan, 1000 at most");
         return found;
     }
@@ -129,12 +129,12 @@ SessionCamera cameraFrom(JsonFields fields) {
     return camera;
 }
 
-Result<Settings> usableSettings(JsonFields& fields, const std::string& where) {
+Result<edges::Settings> usableSettings(JsonFields& fields, const std::string& where) {
     const nlohmann::json& object = fields.value("settings");
     if (!object.is_object()) return Error{"\"settings\" must be an object", where, "open another session"};
-    const Result<Settings> settings = settingsFromJson(object, cannySettings(), where);
+    const Result<edges::Settings> settings = edges::settingsFromJson(object, edges::cannySettings(), where);
     if (!settings) return settings;
-    if (const auto good = checkSettings(*settings); !good) return good.error();
+    if (const auto good = edges::checkSettings(*settings); !good) return good.error();
     return settings;
 }
 
@@ -142,7 +142,7 @@ Result<Settings> usableSettings(JsonFields& fields, const std::string& where) {
 Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSession& read) {
     ViewerState& state = read.state;
     const NotebookScan& of = state.scan.identity;
-    const Result<Settings> settings = usableSettings(fields, where);
+    const Result<edges::Settings> settings = usableSettings(fields, where);
     if (!settings) return settings.error();
     state.tuning.settings = *settings;
     if (const nlohmann::json& targets = fields.value("targets"); !targets.is_null()) {
@@ -151,7 +151,7 @@ Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSessio
         state.targets.notebook = std::move(*notebook);
     }
     if (const nlohmann::json& rocks = fields.value("rocks"); !rocks.is_null()) {
-        auto preset = rockPresetFromText(jsonText(rocks), of.lines, of.beams, of.sha256, where);
+        auto preset = rocks::rockPresetFromText(jsonText(rocks), of.lines, of.beams, of.sha256, where);
         if (!preset) return preset.error();
         state.rocks = std::move(*preset);
     }
@@ -164,7 +164,7 @@ std::string sessionText(const ViewerState& state, const fs::path& folder, const 
     const NotebookScan& of = state.scan.identity;
     Json whole{{"format", kSessionFormat},      {"program", version()},
                {"saved_utc", savedUtc},         {"scan", sessionScanJson(state.scan, folder)},
-               {"preset", state.tuning.preset}, {"settings", settingsToJson(state.tuning.settings)}};
+               {"preset", state.tuning.preset}, {"settings", edges::settingsToJson(state.tuning.settings)}};
     const auto text = [](const std::string& nested) {
         const auto json = parseOrderedJson(nested, "session");
         return json ? *json : Json();
@@ -173,10 +173,11 @@ std::string sessionText(const ViewerState& state, const fs::path& folder, const 
     if (state.targets.active) whole["active"] = *state.targets.active;
     whole["selected"] = runsJson(state.selection.selected);
     whole["hidden"] = runsJson(state.selection.hidden);
-    if (state.rocks) whole["rocks"] = text(rockPresetText(*state.rocks, of.lines, of.beams));
+    if (state.rocks) whole["rocks"] = text(rocks::rockPresetText(*state.rocks, of.lines, of.beams));
     whole["marked"] = {{"edge", state.marks.wanted}, {"no_edge", state.marks.unwanted}};
     if (state.earlier)
-        whole["kept"] = {{"scan", sessionScanJson(state.earlier->scan, folder)}, {"settings", settingsToJson(state.earlier->settings)}};
+        whole["kept"] = {{"scan", sessionScanJson(state.earlier->scan, folder)},
+                         {"settings", edges::settingsToJson(state.earlier->settings)}};
     if (state.view.camera) whole["camera"] = cameraJson(*state.view.camera);
     if (state.view.images)
         whole["images"] = {{"beam", state.view.images->beam}, {"line", state.view.images->line}, {"zoom", state.view.images->zoom}};
@@ -216,7 +217,7 @@ Result<ReadSession> sessionFromText(std::string_view text, const fs::path& folde
         JsonFields kept = fields.object("kept");
         auto of = sessionScanFrom(kept.object("scan"), folder, where);
         if (!of) return of.error();
-        const Result<Settings> settings = usableSettings(kept, where);
+        const Result<edges::Settings> settings = usableSettings(kept, where);
         if (!settings) return settings.error();
         kept.done();
         state.earlier = EarlierScan{std::move(of->scan), *settings};
@@ -243,4 +244,4 @@ Result<ReadSession> readSession(const fs::path& path) {
     return sessionFromText(textOf(*bytes), fs::absolute(path).parent_path(), path.string());
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

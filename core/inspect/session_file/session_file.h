@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 inline constexpr const char* kSessionEnding = ".edgescan-session.json";
 
@@ -26,4 +26,4 @@ Result<ReadSession> sessionFromText(std::string_view text, const std::filesystem
 /// The same from a file.
 Result<ReadSession> readSession(const std::filesystem::path& path);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

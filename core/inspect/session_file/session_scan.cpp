@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const fs::path& fol
     return placed;
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

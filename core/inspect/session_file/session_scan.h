@@ -4,7 +4,7 @@
 #include "core/base/json_fields.h"
 #include "core/inspect/session_file/viewer_state.h"
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 [[nodiscard]] nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const std::filesystem::path& folder);
 
@@ -15,4 +15,4 @@ struct PlacedSessionScan {
 /// Error: as sessionFromText().
 Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const std::filesystem::path& folder, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

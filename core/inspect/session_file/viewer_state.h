@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 /// The first lines of a sweep that is being recorded: they stay as they are while the file grows, or is cut off by a crash.
 struct ScanHead {
@@ -50,7 +50,7 @@ struct SessionScan {
 /// A of A/B.
 struct EarlierScan {
     SessionScan scan;
-    Settings settings;
+    edges::Settings settings;
 };
 
 /// Local metres of the cloud, as ui/views/cloud has it.
@@ -69,7 +69,7 @@ struct SessionImages {
 };
 
 struct TuningPart {
-    Settings settings;
+    edges::Settings settings;
     std::string preset; ///< name or path; empty: none
 };
 
@@ -94,8 +94,8 @@ struct ViewerState {
     TuningPart tuning;
     TargetsPart targets;
     SelectionPart selection;
-    std::optional<RockPreset> rocks; ///< empty: rocks were not shown
-    EdgeMarks marks;
+    std::optional<rocks::Preset> rocks; ///< empty: rocks were not shown
+    edges::EdgeMarks marks;
     std::optional<EarlierScan> earlier; ///< A
     ViewPart view;
     std::map<std::string, bool> switches;      ///< of menus, by key
@@ -107,4 +107,4 @@ struct ViewerState {
 /// What of it names cells below `cells` alone: a recording may have lost its last lines in a crash.
 [[nodiscard]] ViewerState cutTo(ViewerState state, std::size_t cells);
 
-} // namespace edgescan
+} // namespace edgescan::inspect

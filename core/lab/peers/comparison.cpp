@@ -16,15 +16,15 @@
 #include <array>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 // Thread CPU time of one step, milliseconds.
 template <class Step>
 auto timed(double& milliseconds, Step step) {
-    const double start = threadCpuMilliseconds();
+    const double start = edges::threadCpuMilliseconds();
     auto result = step();
-    milliseconds += threadCpuMilliseconds() - start;
+    milliseconds += edges::threadCpuMilliseconds() - start;
     return result;
 }
 
@@ -35,21 +35,21 @@ struct Run {
 };
 
 // Assigns the stages of the pipeline to the steps of the thesis's table. Only methods on gray levels need the gray image.
-ComparedSteps stepsOf(const Detection& detection) {
+ComparedSteps stepsOf(const edges::Detection& detection) {
     ComparedSteps steps;
-    for (const StageTime& time : detection.timings) {
-        if (time.of == Stage::Gray)
-            steps.conversion += reads(detection.settings.method, kReadsGray) ? time.cpuMilliseconds : 0.0;
-        else if (time.of == Stage::Mask || time.of == Stage::Smoothing)
+    for (const edges::StageTime& time : detection.timings) {
+        if (time.of == edges::Stage::Gray)
+            steps.conversion += edges::reads(detection.settings.method, edges::kReadsGray) ? time.cpuMilliseconds : 0.0;
+        else if (time.of == edges::Stage::Mask || time.of == edges::Stage::Smoothing)
             steps.noiseRemoval += time.cpuMilliseconds;
-        else if (time.of != Stage::Threshold)
+        else if (time.of != edges::Stage::Threshold)
             steps.edges += time.cpuMilliseconds;
     }
     return steps;
 }
 
-Run runOnce(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
-    const auto detection = detectEdges(scan, settings);
+Run runOnce(const std::shared_ptr<const Scan>& scan, const edges::Settings& settings) {
+    const auto detection = edges::detectEdges(scan, settings);
     Run run{stepsOf(*detection), *detection->mask, {}};
     if (detection->classes) {
         run.classes = Grid<std::uint8_t>(scan->lines(), scan->beams());
@@ -58,13 +58,13 @@ Run runOnce(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
     const auto points = timed(run.steps.merge, [&] {
         const CartesianTables tables(*scan);
         std::vector<Eigen::Vector3d> all;
-        for (const std::uint32_t k : edgeCells(run.mask)) all.push_back(tables.point(std::size_t{k}));
+        for (const std::uint32_t k : edges::edgeCells(run.mask)) all.push_back(tables.point(std::size_t{k}));
         return all;
     });
     return run;
 }
 
-ComparedMethod ownMethod(std::string name, std::string key, const Settings& settings) {
+ComparedMethod ownMethod(std::string name, std::string key, const edges::Settings& settings) {
     ComparedMethod method;
     method.name = std::move(name);
     method.key = std::move(key);
@@ -73,36 +73,36 @@ ComparedMethod ownMethod(std::string name, std::string key, const Settings& sett
 }
 
 std::vector<ComparedMethod> ownMethods() {
-    std::vector<ComparedMethod> methods{ownMethod("Canny, thesis to the letter", "thesis", findPreset("thesis")->settings)};
-    const Parameter& method = *findParameter("method");
-    const Parameter& mask = *findParameter("log-mask");
+    std::vector<ComparedMethod> methods{ownMethod("Canny, thesis to the letter", "thesis", edges::findPreset("thesis")->settings)};
+    const edges::Parameter& method = *edges::findParameter("method");
+    const edges::Parameter& mask = *edges::findParameter("log-mask");
     // In the order of the thesis's chapter, EdgeScan's own last.
-    std::vector<Method> order;
-    for (const MethodTraits& traits : methodTraits()) order.push_back(traits.method);
-    std::ranges::stable_sort(order, {}, [](Method m) {
-        return reads(m, kReadsSurface) ? -static_cast<int>(m) : hasOneThreshold(m) ? -100 : -99;
+    std::vector<edges::Method> order;
+    for (const edges::MethodTraits& traits : edges::methodTraits()) order.push_back(traits.method);
+    std::ranges::stable_sort(order, {}, [](edges::Method m) {
+        return edges::reads(m, edges::kReadsSurface) ? -static_cast<int>(m) : edges::hasOneThreshold(m) ? -100 : -99;
     });
-    for (const Method m : order) {
-        Settings settings;
+    for (const edges::Method m : order) {
+        edges::Settings settings;
         settings.method = m;
-        settings.lower = lowerWithSameStep(cannySettings(), settings);
-        const std::string key = formatValue(method, method.get(settings));
-        if (m == Method::EdgeScanPlus) {
-            Settings asMeasured = settings;
+        settings.lower = edges::lowerWithSameStep(edges::cannySettings(), settings);
+        const std::string key = edges::formatValue(method, method.get(settings));
+        if (m == edges::Method::EdgeScanPlus) {
+            edges::Settings asMeasured = settings;
             asMeasured.straighten = false;
             methods.push_back(ownMethod("EdgeScan+, angles as measured", kAsMeasuredKey, asMeasured));
         }
-        if (!reads(m, kReadsLaplacianMask)) {
-            methods.push_back(
-                ownMethod(m == Method::Canny ? "Canny, logarithmic gray levels" : choiceLabel(method, settings), key, settings));
+        if (!edges::reads(m, edges::kReadsLaplacianMask)) {
+            methods.push_back(ownMethod(m == edges::Method::Canny ? "Canny, logarithmic gray levels" : edges::choiceLabel(method, settings),
+                                        key, settings));
             continue;
         }
-        for (const LogMask one : {LogMask::FourNeighbours, LogMask::EightNeighbours, LogMask::FiveByFive}) {
+        for (const edges::LogMask one : {edges::LogMask::FourNeighbours, edges::LogMask::EightNeighbours, edges::LogMask::FiveByFive}) {
             settings.logMask = one;
-            settings.lower = lowerWithSameStep(cannySettings(), settings);
-            const bool first = one == LogMask::FourNeighbours;
-            methods.push_back(ownMethod(choiceLabel(method, settings) + ", " + choiceLabel(mask, settings),
-                                        first ? key : key + "-" + formatValue(mask, mask.get(settings)), settings));
+            settings.lower = edges::lowerWithSameStep(edges::cannySettings(), settings);
+            const bool first = one == edges::LogMask::FourNeighbours;
+            methods.push_back(ownMethod(edges::choiceLabel(method, settings) + ", " + edges::choiceLabel(mask, settings),
+                                        first ? key : key + "-" + edges::formatValue(mask, mask.get(settings)), settings));
         }
     }
     return methods;
@@ -135,10 +135,10 @@ void medianSteps(ComparedMethod& method, const std::vector<ComparedSteps>& all) 
 }
 
 // Tries the threshold of the settings, and those that give a third to three times as many edges as the truth has.
-std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const Settings& settings, const TruthSet& truth,
+std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const edges::Settings& settings, const TruthSet& truth,
                                            double tolerance) {
-    const ThresholdMap map = thresholdMapOf(*detectEdges(scan, settings));
-    const Parameter& swept = sweptParameter(settings.method);
+    const edges::ThresholdMap map = edges::thresholdMapOf(*edges::detectEdges(scan, settings));
+    const edges::Parameter& swept = edges::sweptParameter(settings.method);
     std::vector<double> highest;
     for (const double value : map.highest.cells) {
         if (value >= 0 && std::isfinite(value)) highest.push_back(value);
@@ -153,7 +153,7 @@ std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& sc
     }
     std::optional<BestThreshold> best;
     for (const double threshold : thresholds) {
-        Grid<std::uint8_t> mask = edgesAt(map, threshold);
+        Grid<std::uint8_t> mask = edges::edgesAt(map, threshold);
         const Evaluation score = evaluateMask(mask, truth, scan.get(), tolerance);
         if (best && best->score.score.all.f() >= score.score.all.f()) continue;
         best = BestThreshold{swept.key, threshold, score, std::move(mask)};
@@ -173,30 +173,31 @@ double millisecondsOfPoints(const Scan& scan) {
     return milliseconds;
 }
 
-ComparedMethod peerMethod(Peer peer, const Scan& scan) {
+ComparedMethod peerMethod(PclMethod peer, const Scan& scan) {
     ComparedMethod method;
-    method.name = method.key = peerName(peer);
+    method.name = method.key = pclMethodName(peer);
     method.mask = Grid<std::uint8_t>(scan.lines(), scan.beams());
     return method;
 }
 
-ComparedMethod comparedPeer(Peer peer, const Scan& scan, const PeerScan& seen, const ComparisonSettings& settings) {
+ComparedMethod comparedPeer(PclMethod peer, const Scan& scan, const PclScan& seen, const ComparisonSettings& settings) {
     ComparedMethod method = peerMethod(peer, scan);
-    const Result<PeerEdges> found = runPeer(peer, seen, settings.peerLimits);
+    const Result<PclEdges> found = runPclMethod(peer, seen, settings.pclLimits);
     if (!found) {
         method.note = found.error().sentence();
         return method;
     }
     method.steps.conversion = millisecondsOfPoints(scan);
-    for (const StageTime& step : found->steps) {
+    for (const edges::StageTime& step : found->steps) {
         const bool conversion = step.stage == "conversion" || step.stage == "range image";
         (conversion ? method.steps.conversion : step.stage == "merge" ? method.steps.merge : method.steps.edges) += step.milliseconds;
     }
     method.mask = found->mask;
-    for (const PeerClass& kind : found->classes)
+    for (const PclClass& kind : found->classes)
         method.kinds.emplace_back(kind.name, kind.mask.size() - static_cast<std::size_t>(std::ranges::count(kind.mask.cells, 0)));
     method.share = found->share;
-    if (peer == Peer::BoundaryRadius) method.name += " " + formatValue(*findParameter("lower"), settings.peerLimits.radiusM) + " m";
+    if (peer == PclMethod::BoundaryRadius)
+        method.name += " " + edges::formatValue(*edges::findParameter("lower"), settings.pclLimits.radiusM) + " m";
     if (method.share < 1.0) {
         method.note = "stopped after " + std::to_string(static_cast<int>(std::lround(100 * method.share))) +
                       " % of the points; its times are worked out for all of them, --slow lets it end";
@@ -218,7 +219,7 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
     std::vector<ComparedMethod> methods = wantedMethods(*scan, settings.only);
     const std::size_t own = methods.size();
     const int repeats = std::max(1, settings.repeats);
-    const auto total = static_cast<double>(repeats) * static_cast<double>(own) + (settings.peers ? kPeers : 0);
+    const auto total = static_cast<double>(repeats) * static_cast<double>(own) + (settings.withPcl ? kPclEdgeMethods : 0);
     double done = 0;
     const auto goesOn = [&](const std::string& name) { return !progress || progress(name.c_str(), done++ / total); };
     std::vector<std::vector<ComparedSteps>> steps(own);
@@ -233,12 +234,12 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
     }
     for (std::size_t n = 0; n < own; ++n) medianSteps(methods[n], steps[n]);
 
-    if (settings.peers) {
-        const Result<Done> present = peersArePresent();
-        const PeerScan seen = present ? peerScan(*scan) : PeerScan{};
-        for (int n = 0; n < kPeers; ++n) {
-            const Peer peer = static_cast<Peer>(n);
-            if (!goesOn(peerName(peer))) return {};
+    if (settings.withPcl) {
+        const Result<Done> present = checkPclIsAvailable();
+        const PclScan seen = present ? pclScan(*scan) : PclScan{};
+        for (int n = 0; n < kPclEdgeMethods; ++n) {
+            const PclMethod peer = static_cast<PclMethod>(n);
+            if (!goesOn(pclMethodName(peer))) return {};
             if (present) {
                 methods.push_back(comparedPeer(peer, *scan, seen, settings));
                 continue;
@@ -249,7 +250,7 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
         }
     }
     for (ComparedMethod& method : methods) {
-        method.edges = edgeCells(method.mask).size();
+        method.edges = edges::edgeCells(method.mask).size();
         if (truth == nullptr || method.share < 1.0 || (!method.settings && !method.note.empty())) continue;
         method.score = evaluateMask(method.mask, *truth, scan.get(), settings.tolerance);
         if (settings.bestThreshold && method.settings) method.best = bestThreshold(scan, *method.settings, *truth, settings.tolerance);
@@ -257,4 +258,4 @@ std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& sc
     return methods;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

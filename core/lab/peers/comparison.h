@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Thread CPU time of the four steps of the thesis's table 6.1, milliseconds. 0 for a step that a method does not have.
 struct ComparedSteps {
@@ -32,8 +32,8 @@ struct BestThreshold {
 
 struct ComparedMethod {
     std::string name;
-    std::string key;                  ///< value of --method, "thesis", or the name of the PCL method
-    std::optional<Settings> settings; ///< null for a PCL method
+    std::string key;                         ///< value of --method, "thesis", or the name of the PCL method
+    std::optional<edges::Settings> settings; ///< null for a PCL method
     ComparedSteps steps;
     Grid<std::uint8_t> mask;    ///< lines x beams, 255 = edge
     Grid<std::uint8_t> classes; ///< lines x beams, DepthEdge; empty if the method does not distinguish classes
@@ -50,9 +50,9 @@ struct ComparedMethod {
 
 struct ComparisonSettings {
     int repeats = 5;                 ///< runs of our own methods, interleaved; the median counts
-    bool peers = true;               ///< also run the methods of PCL
+    bool withPcl = true;             ///< also run the methods of PCL
     std::vector<std::string> only{}; ///< comparedKeys() of our own methods; empty = all
-    PeerLimits peerLimits;
+    PclLimits pclLimits;
     double tolerance = 2.0; ///< tolerance of the score, cells
     bool bestThreshold = false;
 };
@@ -72,4 +72,4 @@ using ComparisonProgress = std::function<bool(const char* name, double fraction)
 [[nodiscard]] std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
                                                          const ComparisonSettings& settings, const ComparisonProgress& progress = {});
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -15,12 +15,12 @@
 #include <string_view>
 #include <type_traits>
 
-namespace edgescan {
+namespace edgescan::lab {
 
-struct PeerRequest {
-    Peer peer = Peer::BoundaryNeighbours;
-    PeerLimits limits;
-    PeerScan scan;
+struct PclRequest {
+    PclMethod peer = PclMethod::BoundaryNeighbours;
+    PclLimits limits;
+    PclScan scan;
 };
 
 class MessageWriter {
@@ -109,7 +109,7 @@ inline bool writeAll(int fd, std::string_view bytes) {
     return true;
 }
 
-inline std::string requestBytes(Peer peer, const PeerScan& scan, const PeerLimits& limits) {
+inline std::string requestBytes(PclMethod peer, const PclScan& scan, const PclLimits& limits) {
     MessageWriter out;
     out.value(peer);
     out.value(limits);
@@ -117,15 +117,15 @@ inline std::string requestBytes(Peer peer, const PeerScan& scan, const PeerLimit
     return out.bytes();
 }
 
-inline std::optional<PeerRequest> readRequest(std::string_view bytes) {
+inline std::optional<PclRequest> readRequest(std::string_view bytes) {
     MessageReader in(bytes);
-    PeerRequest request{in.value<Peer>(), in.value<PeerLimits>(), {}};
+    PclRequest request{in.value<PclMethod>(), in.value<PclLimits>(), {}};
     for (auto* grid : {&request.scan.pointsM, &request.scan.directions, &request.scan.unrolledM}) *grid = in.grid<Eigen::Vector3f>();
     if (!in.isWhole()) return std::nullopt;
     return request;
 }
 
-inline std::string answerBytes(const Result<PeerEdges>& answer) {
+inline std::string answerBytes(const Result<PclEdges>& answer) {
     MessageWriter out;
     out.value(static_cast<bool>(answer));
     if (!answer) {
@@ -134,13 +134,13 @@ inline std::string answerBytes(const Result<PeerEdges>& answer) {
     }
     out.grid(answer->mask);
     out.value(static_cast<std::uint64_t>(answer->classes.size()));
-    for (const PeerClass& one : answer->classes) {
+    for (const PclClass& one : answer->classes) {
         out.text(one.name);
         out.grid(one.mask);
         out.value(one.counts);
     }
     out.value(static_cast<std::uint64_t>(answer->steps.size()));
-    for (const StageTime& step : answer->steps) {
+    for (const edges::StageTime& step : answer->steps) {
         out.text(step.stage);
         out.value(step.milliseconds);
     }
@@ -150,17 +150,17 @@ inline std::string answerBytes(const Result<PeerEdges>& answer) {
 }
 
 /// Null if the answer is incomplete.
-inline std::optional<Result<PeerEdges>> readAnswer(std::string_view bytes) {
+inline std::optional<Result<PclEdges>> readAnswer(std::string_view bytes) {
     MessageReader in(bytes);
     if (!in.value<bool>()) {
         Error error{in.text(), in.text(), in.text()};
         if (!in.isWhole()) return std::nullopt;
         return error;
     }
-    PeerEdges edges;
+    PclEdges edges;
     edges.mask = in.grid<std::uint8_t>();
     for (auto n = in.value<std::uint64_t>(); n > 0 && in.isWhole(); --n) {
-        PeerClass one{in.text(), in.grid<std::uint8_t>(), true};
+        PclClass one{in.text(), in.grid<std::uint8_t>(), true};
         one.counts = in.value<bool>();
         edges.classes.push_back(std::move(one));
     }
@@ -174,4 +174,4 @@ inline std::optional<Result<PeerEdges>> readAnswer(std::string_view bytes) {
     return edges;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -20,7 +20,7 @@
 
 extern char** environ;
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr const char* kProgram = "edgescan-peers";
@@ -71,16 +71,16 @@ std::optional<int> waitFor(pid_t child, double seconds) {
 
 } // namespace
 
-Result<Done> peersArePresent() {
+Result<Done> checkPclIsAvailable() {
     const auto program = programPath();
     if (!program) return program.error();
     return Done{};
 }
 
-Result<PeerEdges> runPeer(Peer peer, const PeerScan& scan, const PeerLimits& limits) {
+Result<PclEdges> runPclMethod(PclMethod peer, const PclScan& scan, const PclLimits& limits) {
     const auto program = programPath();
     if (!program) return program.error();
-    const std::string name = peerName(peer);
+    const std::string name = pclMethodName(peer);
     const auto cells = static_cast<std::uint64_t>(scan.pointsM.size());
     const std::uint64_t bytes =
         limits.memoryBytes > 0 ? limits.memoryBytes : std::min(availableMemoryBytes(), kProgramBytes + kBytesPerCell * cells);
@@ -114,4 +114,4 @@ Result<PeerEdges> runPeer(Peer peer, const PeerScan& scan, const PeerLimits& lim
     return Error{"PCL needed more than " + sizeText(bytes) + " of memory", name, "close other programs or choose a smaller scan"};
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,14 +6,14 @@
 
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::lab {
 
-PeerScan peerScan(const Scan& scan) {
+PclScan pclScan(const Scan& scan) {
     const Eigen::Vector3f nowhere = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
     const CartesianTables tables(scan);
     const AngularSteps steps = angularSteps(scan);
-    PeerScan result{Grid<Eigen::Vector3f>(scan.lines(), scan.beams(), nowhere), Grid<Eigen::Vector3f>(scan.lines(), scan.beams(), nowhere),
-                    Grid<Eigen::Vector3f>(scan.lines(), scan.beams(), nowhere)};
+    PclScan result{Grid<Eigen::Vector3f>(scan.lines(), scan.beams(), nowhere), Grid<Eigen::Vector3f>(scan.lines(), scan.beams(), nowhere),
+                   Grid<Eigen::Vector3f>(scan.lines(), scan.beams(), nowhere)};
     std::vector<float> across(static_cast<std::size_t>(scan.beams()));
     for (std::size_t j = 1; j < across.size(); ++j) across[j] = across[j - 1] + steps.beam[j];
     const float middle = across.empty() ? 0.0F : across[across.size() / 2];
@@ -31,4 +31,4 @@ PeerScan peerScan(const Scan& scan) {
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

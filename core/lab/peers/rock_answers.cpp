@@ -9,60 +9,61 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
-RockAnswer byRecipe(const std::shared_ptr<const Scan>& scan, const RockChoices& choices) {
-    const auto detection = detectEdges(scan, choices.edges, KeepFor::Rocks);
-    const double start = threadCpuMilliseconds();
-    const RockLeaves leaves = rockLeaves(rockInputs(*detection));
-    const RockMap map = rocksAt(leaves, mergeTree(leaves.count(), leaves.borders), choices.rocks);
-    RockAnswer answer;
-    answer.milliseconds = threadCpuMilliseconds() - start;
-    answer.region = regionLabels(leaves, map);
-    for (const RockRegion& region : map.regions) answer.isRock.push_back(region.kind == RegionKind::Rock ? 1 : 0);
+RockDetection byRecipe(const std::shared_ptr<const Scan>& scan, const RockMethodSettings& choices) {
+    const auto detection = edges::detectEdges(scan, choices.edges, edges::KeepFor::Rocks);
+    const double start = edges::threadCpuMilliseconds();
+    const rocks::Segmentation leaves = rocks::segmentRocks(rocks::rockInputs(*detection));
+    const rocks::RegionMap map = rocks::rocksAt(leaves, rocks::mergeTree(leaves.count(), leaves.borders), choices.rocks);
+    RockDetection answer;
+    answer.milliseconds = edges::threadCpuMilliseconds() - start;
+    answer.region = rocks::regionLabels(leaves, map);
+    for (const rocks::Region& region : map.regions) answer.isRock.push_back(region.kind == rocks::RegionKind::Rock ? 1 : 0);
     answer.claims.resize(map.regions.size());
-    for (const Rock& row : rockRows(leaves, map))
-        answer.claims[row.label] =
-            RockClaim{.aM = row.longM, .bM = row.wideM, .uncertaintyM = row.toleranceM / 2, .confidence = row.confidence};
-    for (const RegionBorder& border : map.borders) answer.pairs.push_back({border.a, border.b, nearerSide(border), touch(border)});
+    for (const rocks::Rock& row : rocks::rockRows(leaves, map))
+        answer.claims[row.label] = RockClaim{
+            .aM = row.longestCaliperM, .bM = row.shortestCaliperM, .uncertaintyM = row.toleranceM / 2, .confidence = row.confidence};
+    for (const rocks::RegionBorder& border : map.borders)
+        answer.pairs.push_back({border.a, border.b, rocks::nearerSide(border), rocks::touch(border)});
     return answer;
 }
 
-RockAnswer onOutlines(const std::shared_ptr<const Scan>& scan, const RockChoices& choices) {
-    RockAnswer answer;
-    Settings settings = choices.edges;
-    settings.method = Method::Outlines;
-    const auto detection = detectEdges(scan, settings);
-    const double start = threadCpuMilliseconds();
+RockDetection onOutlines(const std::shared_ptr<const Scan>& scan, const RockMethodSettings& choices) {
+    RockDetection answer;
+    edges::Settings settings = choices.edges;
+    settings.method = edges::Method::Outlines;
+    const auto detection = edges::detectEdges(scan, settings);
+    const double start = edges::threadCpuMilliseconds();
     const InverseRange inverse = inverseRange(*scan);
     Grid<std::uint8_t> solid(scan->lines(), scan->beams());
     for (std::size_t k = 0; k < solid.size(); ++k) solid[k] = inverse.support[k] != Support::Void ? 1 : 0;
     answer.region = watershedRocks(*detection->mask, solid);
-    answer.milliseconds = threadCpuMilliseconds() - start;
+    answer.milliseconds = edges::threadCpuMilliseconds() - start;
     return answer;
 }
 
-template <Peer kPeer>
-RockAnswer ofPeer(const std::shared_ptr<const Scan>& scan, const RockChoices& /*choices*/) {
-    RockAnswer answer;
-    Result<PeerEdges> segments = runPeer(kPeer, peerScan(*scan), {});
+template <PclMethod kPeer>
+RockDetection ofPeer(const std::shared_ptr<const Scan>& scan, const RockMethodSettings& /*choices*/) {
+    RockDetection answer;
+    Result<PclEdges> segments = runPclMethod(kPeer, pclScan(*scan), {});
     if (!segments) {
         answer.note = segments.error().sentence();
         return answer;
     }
     answer.region = std::move(segments->segments);
-    for (const StageTime& step : segments->steps) answer.milliseconds += step.milliseconds;
+    for (const edges::StageTime& step : segments->steps) answer.milliseconds += step.milliseconds;
     return answer;
 }
 
-constexpr std::array<RockWay, 4> kWays{{{"recipe", "EdgeScan+ rocks", false, byRecipe},
-                                        {"watershed", "watershed on Rock outlines", false, onOutlines},
-                                        {"region_growing", "PCL RegionGrowing", true, ofPeer<Peer::RegionGrowing>},
-                                        {"lccp", "PCL LCCP on supervoxels", true, ofPeer<Peer::ConvexPatches>}}};
+constexpr std::array<RockMethod, 4> kWays{{{"recipe", "EdgeScan+ rocks", false, byRecipe},
+                                           {"watershed", "watershed on Rock outlines", false, onOutlines},
+                                           {"region_growing", "PCL RegionGrowing", true, ofPeer<PclMethod::RegionGrowing>},
+                                           {"lccp", "PCL LCCP on supervoxels", true, ofPeer<PclMethod::ConvexPatches>}}};
 
 } // namespace
 
-std::span<const RockWay> rockWays() { return kWays; }
+std::span<const RockMethod> rockMethods() { return kWays; }
 
-} // namespace edgescan
+} // namespace edgescan::lab

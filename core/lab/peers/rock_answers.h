@@ -9,20 +9,20 @@
 #include <memory>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The settings of our own methods; PCL's have their own parameters.
-struct RockChoices {
-    Settings edges; ///< its method is EdgeScan+ or a part of it
-    RockSettings rocks;
+struct RockMethodSettings {
+    edges::Settings edges; ///< its method is EdgeScan+ or a part of it
+    rocks::RockSettings rocks;
 };
 
-struct RockWay {
+struct RockMethod {
     const char* key;  ///< key in JSON
     const char* name; ///< name in tables
-    bool peer;        ///< runs only if PCL's methods are requested
-    RockAnswer (*find)(const std::shared_ptr<const Scan>& scan, const RockChoices& choices);
+    bool isPcl;       ///< runs only if PCL's methods are requested
+    RockDetection (*find)(const std::shared_ptr<const Scan>& scan, const RockMethodSettings& choices);
 };
-[[nodiscard]] std::span<const RockWay> rockWays();
+[[nodiscard]] std::span<const RockMethod> rockMethods();
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr float kShallowBasin = 1.0F; // cells: depth of a saddle below a peak
@@ -37,7 +37,7 @@ void forNeighbours(const Grid<std::uint32_t>& grid, std::size_t k, Visit visit) 
 }
 
 /// Floods from the highest cell down. Every solid cell gets the number of a basin, from 1.
-Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uint8_t>& solid, JoinedGroups& joined) {
+Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uint8_t>& solid, rocks::JoinedGroups& joined) {
     Grid<std::uint32_t> basin(solid.lines, solid.beams);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < solid.size(); ++k) {
@@ -70,7 +70,7 @@ Grid<std::uint32_t> basins(const std::vector<float>& height, const Grid<std::uin
 }
 
 /// Joins basins whose border is not along edges.
-void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& height, JoinedGroups& joined) {
+void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& height, rocks::JoinedGroups& joined) {
     struct Border {
         std::size_t cracks = 0, covered = 0;
     };
@@ -96,12 +96,12 @@ void joinUncovered(const Grid<std::uint32_t>& basin, const std::vector<float>& h
 Grid<std::uint32_t> watershedRocks(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t>& solid) {
     const cv::Mat distance = distanceToEdges(edges, solid);
     const std::vector<float> height(distance.begin<float>(), distance.end<float>());
-    JoinedGroups joined(height.size() + 1); // there are at most as many basins as cells
+    rocks::JoinedGroups joined(height.size() + 1); // there are at most as many basins as cells
     Grid<std::uint32_t> piece = basins(height, solid, joined);
     joinUncovered(piece, height, joined);
     for (std::uint32_t& cell : piece.cells) cell = joined.of(cell);
-    numberByFirstCell(piece);
+    rocks::numberByFirstCell(piece);
     return piece;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,11 +6,11 @@
 
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Lines x beams: the piece of each cell, from 1; 0 where `solid` is 0. `edges`: 255 = edge. Basins of the distance to the nearest edge or
 /// gap are flooded from their peaks. Two basins are joined if the lower peak is less than a cell above the saddle, or if less than half of
 /// their border runs along edges.
 [[nodiscard]] Grid<std::uint32_t> watershedRocks(const Grid<std::uint8_t>& edges, const Grid<std::uint8_t>& solid);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -10,16 +10,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr double kStepsAway = 1.5; // steps from a measured direction: farther away the other scan did not measure
 
 /// Which points of `a` the sensor of `b` saw: `b` measured in that direction, and its range there is not shorter by more than `toleranceM`.
-std::vector<std::uint8_t> seenBy(const PlacedScan& a, const PlacedScan& b, double toleranceM) {
+std::vector<std::uint8_t> seenBy(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double toleranceM) {
     std::vector<Eigen::Vector3d> directions;
     for (const Eigen::Vector3d& p : b.pointsM) directions.push_back((p - b.sensorM).normalized());
-    const PointIndex index(directions);
+    const inspect::PointIndex index(directions);
     const double mostAway = kStepsAway * b.stepRad;
     std::vector<std::uint8_t> seen(a.pointsM.size(), 0);
     for (std::size_t k = 0; k < a.pointsM.size(); ++k) {
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> seenBy(const PlacedScan& a, const PlacedScan& b, doubl
     return seen;
 }
 
-std::vector<Eigen::Vector3d> pointsOf(const PlacedScan& placed, const Grid<std::uint8_t>& mask) {
+std::vector<Eigen::Vector3d> pointsOf(const inspect::PlacedScan& placed, const Grid<std::uint8_t>& mask) {
     std::vector<Eigen::Vector3d> points;
     for (std::size_t k = 0; k < mask.size(); ++k) {
         if (mask[k] != 0 && placed.pointsM[k].allFinite()) points.push_back(placed.pointsM[k]);
@@ -40,9 +40,9 @@ std::vector<Eigen::Vector3d> pointsOf(const PlacedScan& placed, const Grid<std::
     return points;
 }
 
-void countOneWay(RepeatCount& count, const PlacedScan& from, const Grid<std::uint8_t>& mask, const std::vector<std::uint8_t>& seen,
+void countOneWay(RepeatCount& count, const inspect::PlacedScan& from, const Grid<std::uint8_t>& mask, const std::vector<std::uint8_t>& seen,
                  const std::vector<Eigen::Vector3d>& others, double radiusM) {
-    const PointIndex index(others);
+    const inspect::PointIndex index(others);
     for (std::size_t k = 0; k < mask.size(); ++k) {
         if (mask[k] == 0 || !from.pointsM[k].allFinite()) continue;
         ++count.edges;
@@ -56,27 +56,27 @@ void countOneWay(RepeatCount& count, const PlacedScan& from, const Grid<std::uin
 std::size_t edgesIn(const Grid<std::uint8_t>& mask) { return mask.size() - static_cast<std::size_t>(std::ranges::count(mask.cells, 0)); }
 
 /// The mask with the threshold that gives at least `edges` edges, and as few more as possible; empty if no threshold gives as many.
-std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const PlacedScan& placed, const Settings& settings) {
-    const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
+std::optional<Grid<std::uint8_t>> maskWith(std::size_t edges, const inspect::PlacedScan& placed, const edges::Settings& settings) {
+    const edges::ThresholdMap map = edges::thresholdMapOf(*edges::detectEdges(placed.scan, settings));
     std::vector<double> highest;
     for (const double value : map.highest.cells) {
         if (value >= 0 && std::isfinite(value)) highest.push_back(value);
     }
     if (edges == 0 || edges >= highest.size()) return std::nullopt;
     std::ranges::nth_element(highest, highest.begin() + static_cast<std::ptrdiff_t>(edges), std::greater<>());
-    return edgesAt(map, highest[edges]);
+    return edges::edgesAt(map, highest[edges]);
 }
 
 /// The thinned mask with the threshold, found by bisection, that gives this many cells after thinning; empty if no threshold gives as many.
-std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const PlacedScan& placed, const Settings& settings) {
-    const ThresholdMap map = thresholdMapOf(*detectEdges(placed.scan, settings));
+std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const inspect::PlacedScan& placed, const edges::Settings& settings) {
+    const edges::ThresholdMap map = edges::thresholdMapOf(*edges::detectEdges(placed.scan, settings));
     std::vector<double> highest;
     for (const double value : map.highest.cells) {
         if (value >= 0 && std::isfinite(value)) highest.push_back(value);
     }
     std::ranges::sort(highest, std::greater<>());
     highest.erase(std::unique(highest.begin(), highest.end()), highest.end());
-    const auto at = [&](std::size_t n) { return thinned(edgesAt(map, highest[n])); };
+    const auto at = [&](std::size_t n) { return thinned(edges::edgesAt(map, highest[n])); };
     std::size_t first = 0, end = highest.size();
     while (first < end) {
         const std::size_t middle = first + (end - first) / 2;
@@ -91,7 +91,7 @@ std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const PlacedSc
 
 } // namespace
 
-RepeatCounter::RepeatCounter(const PlacedScan& a, const PlacedScan& b, double radiusM)
+RepeatCounter::RepeatCounter(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double radiusM)
     : a_(a), b_(b), radiusM_(radiusM), aSeenByB_(seenBy(a, b, 2 * radiusM)), bSeenByA_(seenBy(b, a, 2 * radiusM)) {}
 
 RepeatCount RepeatCounter::count(const Grid<std::uint8_t>& maskA, const Grid<std::uint8_t>& maskB) const {
@@ -101,7 +101,7 @@ RepeatCount RepeatCounter::count(const Grid<std::uint8_t>& maskA, const Grid<std
     return count;
 }
 
-std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const PlacedScan& b, double radiusM,
+std::vector<MethodRepeatability> methodRepeatability(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double radiusM,
                                                      const ComparisonSettings& settings, const ComparisonProgress& progress) {
     const auto half = [&](double from) {
         return [&progress, from](const char* name, double fraction) { return !progress || progress(name, from + 0.5 * fraction); };
@@ -112,7 +112,7 @@ std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const 
     const auto named = [](const std::vector<ComparedMethod>& methods, const std::string& key) {
         return std::ranges::find_if(methods, [&](const ComparedMethod& m) { return m.key == key; });
     };
-    const std::string ours = traitsOf(Method::EdgeScanPlus).key;
+    const std::string ours = edges::traitsOf(edges::Method::EdgeScanPlus).key;
     const auto referenceA = named(ofA, ours);
     const auto referenceB = named(ofB, ours);
     const Grid<std::uint8_t> thinOfA = referenceA != ofA.end() ? thinned(referenceA->mask) : Grid<std::uint8_t>();
@@ -122,7 +122,7 @@ std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const 
         const auto other = named(ofB, method.key);
         if (other == ofB.end()) continue;
         MethodRepeatability row{method.name, method.key, {}, std::nullopt, std::nullopt, method.note.empty() ? other->note : method.note};
-        row.asSet = counter.count(method.mask, other->mask);
+        row.withFixedSettings = counter.count(method.mask, other->mask);
         if (method.settings && referenceA != ofA.end() && referenceB != ofB.end()) {
             const auto maskA = maskWith(edgesIn(referenceA->mask), a, *method.settings);
             const auto maskB = maskWith(edgesIn(referenceB->mask), b, *method.settings);
@@ -136,4 +136,4 @@ std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const 
     return rows;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

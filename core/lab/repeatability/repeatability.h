@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 struct RepeatCount {
     std::size_t edges = 0;   ///< in both scans
@@ -21,18 +21,18 @@ struct RepeatCount {
 /// Masks: lines x beams of their scans, not 0 = edge. Counts the edges of both scans; each is searched in the other scan.
 class RepeatCounter {
 public:
-    RepeatCounter(const PlacedScan& a, const PlacedScan& b, double radiusM);
+    RepeatCounter(const inspect::PlacedScan& a, const inspect::PlacedScan& b, double radiusM);
     [[nodiscard]] RepeatCount count(const Grid<std::uint8_t>& maskA, const Grid<std::uint8_t>& maskB) const;
 
 private:
-    const PlacedScan &a_, &b_;
+    const inspect::PlacedScan &a_, &b_;
     double radiusM_;
     std::vector<std::uint8_t> aSeenByB_, bSeenByA_; // by cell
 };
 
 struct MethodRepeatability {
     std::string name, key;
-    RepeatCount asSet;                  ///< with its fixed settings
+    RepeatCount withFixedSettings;      ///< with its fixed settings
     std::optional<RepeatCount> atEqual; ///< with the threshold that gives, in each scan, as many edges as the reference method has there
     /// Thinned to lines one cell wide, with the threshold at which the thinned mask has as many cells as that of the reference method. So a
     /// band of several cells along one edge counts as one place.
@@ -41,8 +41,8 @@ struct MethodRepeatability {
 };
 
 /// Every method on both scans. The reference for equal numbers is EdgeScan+ with its fixed settings.
-[[nodiscard]] std::vector<MethodRepeatability> methodRepeatability(const PlacedScan& a, const PlacedScan& b, double radiusM,
-                                                                   const ComparisonSettings& settings,
+[[nodiscard]] std::vector<MethodRepeatability> methodRepeatability(const inspect::PlacedScan& a, const inspect::PlacedScan& b,
+                                                                   double radiusM, const ComparisonSettings& settings,
                                                                    const ComparisonProgress& progress = {});
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr std::size_t kColumns = 4;
@@ -23,17 +23,17 @@ constexpr Rgb kBlue{0, 114, 230};
 constexpr Rgb kVermilion{226, 70, 0};
 constexpr Rgb kPurple{170, 30, 140};
 
-std::vector<SheetMark> classLegend() {
-    return {{"edge; jump", kGreen, MarkShape::Square},
-            {"convex fold", kBlue, MarkShape::Cross},
-            {"concave fold", kVermilion, MarkShape::Ring},
-            {"border of the data", kPurple, MarkShape::Cross}};
+std::vector<exports::SheetMark> classLegend() {
+    return {{"edge; jump", kGreen, exports::MarkShape::Square},
+            {"convex fold", kBlue, exports::MarkShape::Cross},
+            {"concave fold", kVermilion, exports::MarkShape::Ring},
+            {"border of the data", kPurple, exports::MarkShape::Cross}};
 }
 
-std::vector<SheetMark> truthLegend() {
-    return {{"found", kGreen, MarkShape::Square},
-            {"missed: a true edge that was not found", kBlue, MarkShape::Ring},
-            {"false: an edge that is none", kVermilion, MarkShape::Cross}};
+std::vector<exports::SheetMark> truthLegend() {
+    return {{"found", kGreen, exports::MarkShape::Square},
+            {"missed: a true edge that was not found", kBlue, exports::MarkShape::Ring},
+            {"false: an edge that is none", kVermilion, exports::MarkShape::Cross}};
 }
 
 constexpr std::size_t kMostOfAName = 60; // longest name that fits on a sheet
@@ -74,19 +74,19 @@ Grid<std::uint8_t> middleOf(const Grid<std::uint8_t>& whole, int lines, int beam
     return part;
 }
 
-bool isEdgeScanPlus(const ComparedMethod& method) { return method.settings && reads(method.settings->method, kReadsSurface); }
+bool isEdgeScanPlus(const ComparedMethod& method) { return method.settings && edges::reads(method.settings->method, edges::kReadsSurface); }
 
 } // namespace
 
 Grid<Rgb> edgesSheet(const Scan& scan, const std::vector<ComparedMethod>& methods) {
-    std::vector<SheetTile> tiles{{grayImage(scan, Settings{}).levels, {}, "range image", "logarithmic gray levels"}};
+    std::vector<exports::SheetTile> tiles{{edges::grayImage(scan, edges::Settings{}).levels, {}, "range image", "logarithmic gray levels"}};
     for (const ComparedMethod& method : methods) tiles.push_back({tiles.front().picture, marksOf(method), method.name, caption(method)});
-    SheetLook look{columnsOf(tiles.size()), tilePixels(tiles.size(), scan.beams()), shapeOf(scan), classLegend()};
+    exports::SheetLook look{columnsOf(tiles.size()), tilePixels(tiles.size(), scan.beams()), shapeOf(scan), classLegend()};
     const bool border = std::ranges::any_of(methods, [](const ComparedMethod& m) {
         return m.classes.size() > 0 && std::ranges::find(m.classes.cells, std::uint8_t{4}) != m.classes.cells.end();
     });
     if (!border) look.legend.pop_back();
-    return contactSheet(tiles, look);
+    return exports::contactSheet(tiles, look);
 }
 
 Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
@@ -106,8 +106,8 @@ Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const EdgeTruth& t
 }
 
 Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const EdgeTruth& truth, double tolerance) {
-    const Grid<std::uint8_t> gray = grayImage(scan, Settings{}).levels;
-    std::vector<SheetTile> tiles;
+    const Grid<std::uint8_t> gray = edges::grayImage(scan, edges::Settings{}).levels;
+    std::vector<exports::SheetTile> tiles;
     for (const ComparedMethod& method : methods) {
         if (!method.score) continue;
         const bool best = method.best.has_value() && !isEdgeScanPlus(method);
@@ -120,15 +120,15 @@ Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& method
     }
     if (tiles.empty()) return {};
     const std::size_t whole = tiles.size();
-    SheetLook look{static_cast<int>(std::min(kColumns, whole)), tilePixels(whole, scan.beams()),
-                   shapeOf(scan) + "; all edges, tolerance " + significantText(tolerance, 3) + " cells", truthLegend()};
+    exports::SheetLook look{static_cast<int>(std::min(kColumns, whole)), tilePixels(whole, scan.beams()),
+                            shapeOf(scan) + "; all edges, tolerance " + significantText(tolerance, 3) + " cells", truthLegend()};
     if (whole <= kColumns && look.tilePixels < 3 * scan.beams()) {
         const int beams = look.tilePixels / kMagnified;
         for (std::size_t n = 0; n < whole; ++n)
             tiles.push_back({middleOf(gray, beams * scan.lines() / scan.beams(), beams),
                              middleOf(tiles[n].marks, beams * scan.lines() / scan.beams(), beams), "the middle of it, magnified", ""});
     }
-    return contactSheet(tiles, look);
+    return exports::contactSheet(tiles, look);
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

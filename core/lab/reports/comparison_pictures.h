@@ -4,7 +4,7 @@
 #include "core/exports/provenance/contact_sheet.h"
 #include "core/lab/peers/comparison.h"
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The range image, and on it every method's edges: in the colours and shapes of their classes if a method distinguishes classes.
 [[nodiscard]] Grid<Rgb> edgesSheet(const Scan& scan, const std::vector<ComparedMethod>& methods);
@@ -22,4 +22,4 @@ inline constexpr std::uint8_t kMarkFound = 1, kMarkMissed = 2, kMarkFalse = 3;
 /// which are drawn with their settings. `tolerance`: of the scores, cells. Empty if there are no scores.
 [[nodiscard]] Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const EdgeTruth& truth, double tolerance);
 
-} // namespace edgescan
+} // namespace edgescan::lab

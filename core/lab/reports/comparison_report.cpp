@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -127,8 +127,8 @@ std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& 
     const auto row62 = [&](const char* name, const std::string& printed, const ComparedMethod* method) {
         text += "  " + leftAligned(name, 20) + rightAligned(printed, 13) + rightAligned(milliseconds(method), 12) + " ms\n";
     };
-    row62("PCL boundary", fixedText(kPrintedBoundary, 0) + " ms", find(methods, peerName(Peer::BoundaryNeighbours)));
-    row62("PCL range image", fixedText(kPrintedRangeImage, 0) + " ms", find(methods, peerName(Peer::RangeImageBorder)));
+    row62("PCL boundary", fixedText(kPrintedBoundary, 0) + " ms", find(methods, pclMethodName(PclMethod::BoundaryNeighbours)));
+    row62("PCL range image", fixedText(kPrintedRangeImage, 0) + " ms", find(methods, pclMethodName(PclMethod::RangeImageBorder)));
     row62("thesis", fixedText(kPrintedTotal, 0) + " ms", thesis);
     row62("EdgeScan+", "", plus);
     return text + "  as printed: the thesis's i7; its range image had 83,000 points. ~ = worked out from a part.\n";
@@ -152,7 +152,7 @@ nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<Comp
             for (const auto& [kind, cells] : method.kinds) row["kinds"][kind] = cells;
             row["share_of_points_done"] = method.share;
         }
-        if (method.settings) row["settings"] = settingsToJson(*method.settings);
+        if (method.settings) row["settings"] = edges::settingsToJson(*method.settings);
         row["score"] = method.score ? evaluationJson(*method.score) : Json(nullptr);
         if (method.best)
             row["best"] = {
@@ -167,12 +167,12 @@ nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<Comp
         return method->steps.total();
     };
     report["table_6_2"] = {
-        {"pcl_boundary", {{"thesis_printed_ms", kPrintedBoundary}, {"today_ms", today(peerName(Peer::BoundaryNeighbours))}}},
-        {"pcl_range_image", {{"thesis_printed_ms", kPrintedRangeImage}, {"today_ms", today(peerName(Peer::RangeImageBorder))}}},
+        {"pcl_boundary", {{"thesis_printed_ms", kPrintedBoundary}, {"today_ms", today(pclMethodName(PclMethod::BoundaryNeighbours))}}},
+        {"pcl_range_image", {{"thesis_printed_ms", kPrintedRangeImage}, {"today_ms", today(pclMethodName(PclMethod::RangeImageBorder))}}},
         {"thesis", {{"thesis_printed_ms", kPrintedTotal}, {"today_ms", today("thesis")}}},
         {"edgescan_plus", {{"today_ms", today("edgescan+")}}}};
     report["version"] = version();
     return report;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Tables for a person: every method with milliseconds per step, edges and scores; then the thesis's printed figures and today's.
 [[nodiscard]] std::string comparisonText(const Scan& scan, const std::vector<ComparedMethod>& methods);
@@ -16,4 +16,4 @@ namespace edgescan {
 [[nodiscard]] nlohmann::ordered_json comparisonReport(const Scan& scan, const std::vector<ComparedMethod>& methods,
                                                       const ComparisonSettings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -21,7 +21,7 @@ Json countJson(const RepeatCount& count) {
     return {{"edges", count.edges}, {"visible", count.visible}, {"found", count.found}, {"repeatability", count.share()}};
 }
 
-Json alignmentJson(const ScanAlignment& alignment) {
+Json alignmentJson(const inspect::ScanAlignment& alignment) {
     const RigidTransform& t = alignment.correction;
     Json rows = Json::array();
     for (int i = 0; i < 3; ++i) rows.push_back({t.rotation(i, 0), t.rotation(i, 1), t.rotation(i, 2), t.translationM[i]});
@@ -51,7 +51,7 @@ std::string repeatText(const RepeatRun& run) {
     for (const MethodRepeatability& row : run.methods) {
         std::string name = row.name;
         name.resize(std::max(kMethodWidth, name.size()), ' ');
-        text += name + cells(row.asSet) + " |" + (row.atEqual ? cells(*row.atEqual) : rightAligned("-", 28)) + " |" +
+        text += name + cells(row.withFixedSettings) + " |" + (row.atEqual ? cells(*row.atEqual) : rightAligned("-", 28)) + " |" +
                 (row.atEqualPlaces ? rightAligned(fixedText(100 * row.atEqualPlaces->share(), 1) + " %", 10) : rightAligned("-", 10)) +
                 "\n";
         if (!row.note.empty()) text += "  " + row.note + "\n";
@@ -63,7 +63,7 @@ std::string repeatText(const RepeatRun& run) {
 Json repeatReport(const RepeatRun& run) {
     Json methods = Json::array();
     for (const MethodRepeatability& row : run.methods) {
-        Json one{{"name", row.name}, {"method", row.key}, {"as_set", countJson(row.asSet)}};
+        Json one{{"name", row.name}, {"method", row.key}, {"as_set", countJson(row.withFixedSettings)}};
         one["at_equal_number"] = row.atEqual ? countJson(*row.atEqual) : Json(nullptr);
         one["at_equal_places"] = row.atEqualPlaces ? countJson(*row.atEqualPlaces) : Json(nullptr);
         if (!row.note.empty()) one["note"] = row.note;
@@ -74,4 +74,4 @@ Json repeatReport(const RepeatRun& run) {
             {"methods", std::move(methods)}};
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The parameters and results of one repeatability run.
 struct RepeatRun {
     double radiusM = 0.0;
-    std::optional<ScanAlignment> alignment; ///< empty: the poses were used without correction
+    std::optional<inspect::ScanAlignment> alignment; ///< empty: the poses were used without correction
     std::vector<MethodRepeatability> methods;
 };
 
 [[nodiscard]] std::string repeatText(const RepeatRun& run);
 [[nodiscard]] nlohmann::ordered_json repeatReport(const RepeatRun& run);
 
-} // namespace edgescan
+} // namespace edgescan::lab

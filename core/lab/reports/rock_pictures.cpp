@@ -9,7 +9,7 @@
 #include <array>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr int kPartLines = 130;
@@ -20,25 +20,25 @@ constexpr int kPartStep = 10; // distance between two places that are tried, cel
 enum RockMark : std::uint8_t { kFoundRock = 1, kMergedRock, kSplitRock, kWallRock, kOtherRock, kToldRock, kToldNoRock };
 
 // Okabe and Ito's colours, darkened: people with colour blindness can distinguish them; in gray their shapes differ.
-std::vector<SheetMark> rockLegend() {
-    return {{"true rock, found", {0, 95, 45}, MarkShape::Square},
-            {"merged with another", {0, 114, 230}, MarkShape::Ring},
-            {"split", {226, 70, 0}, MarkShape::Cross},
-            {"lost to the wall", {170, 30, 140}, MarkShape::Plus},
-            {"missed otherwise", {160, 110, 0}, MarkShape::Slash},
-            {"region told as a rock", {120, 20, 50}, MarkShape::Square},
-            {"region told as no rock", {120, 120, 120}, MarkShape::Slash}};
+std::vector<exports::SheetMark> rockLegend() {
+    return {{"true rock, found", {0, 95, 45}, exports::MarkShape::Square},
+            {"merged with another", {0, 114, 230}, exports::MarkShape::Ring},
+            {"split", {226, 70, 0}, exports::MarkShape::Cross},
+            {"lost to the wall", {170, 30, 140}, exports::MarkShape::Plus},
+            {"missed otherwise", {160, 110, 0}, exports::MarkShape::Slash},
+            {"region told as a rock", {120, 20, 50}, exports::MarkShape::Square},
+            {"region told as no rock", {120, 120, 120}, exports::MarkShape::Slash}};
 }
 
 RockMark markOf(const RockVerdict& verdict) {
     if (verdict.found) return kFoundRock;
     switch (verdict.miss) {
-    case Miss::Merged:
+    case RockMiss::Merged:
         return kMergedRock;
-    case Miss::Split:
+    case RockMiss::Split:
         return kSplitRock;
-    case Miss::Wall:
-    case Miss::Dropped:
+    case RockMiss::Wall:
+    case RockMiss::Dropped:
         return kWallRock;
     default:
         return kOtherRock;
@@ -105,21 +105,21 @@ std::array<std::size_t, 2> rocksIn(const Part& part, const Grid<std::uint32_t>& 
 
 } // namespace
 
-Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockAnswer& answer, const RockSceneScore& score) {
+Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockDetection& answer, const RockSceneScore& score) {
     std::vector<std::uint8_t> markOfRock(scene.truth.rocks.size() + 1);
     for (const RockVerdict& rock : score.strict.rocks) markOfRock[rock.rock] = markOf(rock);
     std::vector<std::uint8_t> markOfRegion(answer.isRock.size());
     for (std::size_t n = 1; n < markOfRegion.size(); ++n) markOfRegion[n] = answer.isRock[n] != 0 ? kToldRock : kToldNoRock;
     const Grid<std::uint8_t> truth = outlines(scene.truth.rock, markOfRock);
     const Grid<std::uint8_t> told = outlines(answer.region, markOfRegion);
-    const Grid<std::uint8_t> gray = grayImage(scan, Settings{}).levels;
+    const Grid<std::uint8_t> gray = edges::grayImage(scan, edges::Settings{}).levels;
     const auto worth = [&](const Part& part, double found, double missed) {
         const auto [good, bad] = rocksIn(part, scene.truth.rock, markOfRock);
         return found * static_cast<double>(good) + missed * static_cast<double>(bad);
     };
     const std::array<Part, 2> parts{bestPart(truth, [&](const Part& part) { return worth(part, 0.01, 1.0); }),
                                     bestPart(truth, [&](const Part& part) { return worth(part, 1.0, -10.0); })};
-    std::vector<SheetTile> tiles;
+    std::vector<exports::SheetTile> tiles;
     for (const bool ofTruth : {true, false}) {
         for (const Part& part : parts) {
             const auto [good, bad] = rocksIn(part, scene.truth.rock, markOfRock);
@@ -131,9 +131,9 @@ Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockAnswer& 
         }
     }
     const RockCounts& all = score.strict.counts;
-    return contactSheet(tiles, {2, tiles.front().picture.beams * kPixelsPerCell,
-                                printable(scene.name, 60) + ": strict PQ " + fixedText(all.pq(), 3) + ", F1 " + fixedText(all.f1(), 3),
-                                rockLegend()});
+    return exports::contactSheet(
+        tiles, {2, tiles.front().picture.beams * kPixelsPerCell,
+                printable(scene.name, 60) + ": strict PQ " + fixedText(all.pq(), 3) + ", F1 " + fixedText(all.f1(), 3), rockLegend()});
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -4,11 +4,11 @@
 #include "core/exports/provenance/contact_sheet.h"
 #include "core/lab/score/rock_evaluation.h"
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Two parts of the scene: the one with the most missed rocks, and the one with the most found and without missed rocks. Above: the
 /// outlines of the true rocks by result (strict). Below: the outlines of the detected regions; those classified as not a rock are
 /// distinguished. Rocks of fewer than 100 cells have no outline.
-[[nodiscard]] Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockAnswer& answer, const RockSceneScore& score);
+[[nodiscard]] Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockDetection& answer, const RockSceneScore& score);
 
-} // namespace edgescan
+} // namespace edgescan::lab

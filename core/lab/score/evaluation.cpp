@@ -13,7 +13,7 @@
 #include <array>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -192,4 +192,4 @@ Json sweepJson(const ThresholdSweep& sweep) {
     return json;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

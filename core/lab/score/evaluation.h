@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The score of the outline of one rock.
 struct ScoredOutline {
@@ -55,4 +55,4 @@ struct ThresholdSweep {
 /// precision over recall, counts summed over the scans); and the whole evaluation at the ODS threshold of all edges.
 [[nodiscard]] nlohmann::ordered_json sweepJson(const ThresholdSweep& sweep);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -158,4 +158,4 @@ std::vector<MatchedPair> matchEdges(const Grid<std::uint8_t>& detected, const Gr
     return pairs;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

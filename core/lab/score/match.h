@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// A detected cell and the true cell matched with it.
 struct MatchedPair {
@@ -18,4 +18,4 @@ struct MatchedPair {
 /// at most `tolerance` cells (Euclidean); near pairs are tried first. Ordered by `detected`.
 [[nodiscard]] std::vector<MatchedPair> matchEdges(const Grid<std::uint8_t>& detected, const Grid<std::uint8_t>& truth, double tolerance);
 
-} // namespace edgescan
+} // namespace edgescan::lab

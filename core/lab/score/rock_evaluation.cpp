@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr std::size_t kRockCells = 100;
@@ -20,7 +20,7 @@ Grid<std::uint8_t> scoredCells(const Scan& scan) {
 }
 
 /// The confidence of a region counts as right if the rock was found, and as wrong if the region is false; other regions are left out.
-std::vector<ConfidenceSample> confidenceOf(const RockAnswer& answer, const RockMatch& match) {
+std::vector<ConfidenceSample> confidenceOf(const RockDetection& answer, const RockMatch& match) {
     std::vector<ConfidenceSample> samples;
     const auto add = [&](std::uint32_t region, bool right) {
         if (region < answer.claims.size() && answer.claims[region]) samples.push_back({answer.claims[region]->confidence, right});
@@ -32,7 +32,7 @@ std::vector<ConfidenceSample> confidenceOf(const RockAnswer& answer, const RockM
     return samples;
 }
 
-std::vector<SpanSample> spansOf(const RockScene& scene, const RockAnswer& answer, const RockMatch& match) {
+std::vector<SpanSample> spansOf(const RockScene& scene, const RockDetection& answer, const RockMatch& match) {
     std::vector<SpanSample> samples;
     for (const RockVerdict& rock : match.rocks) {
         if (!rock.found || rock.region >= answer.claims.size() || !answer.claims[rock.region]) continue;
@@ -59,7 +59,7 @@ Result<RockScene> rockScene(const Scan& scan, TrueRocks truth, const std::string
     return scene;
 }
 
-RockSceneScore scoreRocks(const RockScene& scene, const RockAnswer& answer) {
+RockSceneScore scoreRocks(const RockScene& scene, const RockDetection& answer) {
     const Overlaps rocks = overlapsOf(scene.counts, scene.truth.rock, answer.region);
     RockSceneScore score;
     score.lenient = matchRocks(rocks, answer.isRock, {kRockCells, false});
@@ -78,4 +78,4 @@ RockSceneScore scoreRocks(const RockScene& scene, const RockAnswer& answer) {
     return score;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

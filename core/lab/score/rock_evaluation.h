@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The reported values of one region classified as a rock.
 struct RockClaim {
@@ -22,7 +22,7 @@ struct RockClaim {
 };
 
 /// The result of one method for one scene.
-struct RockAnswer {
+struct RockDetection {
     std::string name;
     Grid<std::uint32_t> region;                   ///< lines x beams, 0 = no region
     std::vector<std::uint8_t> isRock;             ///< by the region's number; empty if the method does not distinguish rocks from walls
@@ -50,7 +50,7 @@ struct SpanSample {
 };
 /// One reported confidence, and whether the region was right.
 struct ConfidenceSample {
-    double told = 0.0;
+    double reported = 0.0;
     bool right = false;
 };
 
@@ -65,9 +65,9 @@ struct RockSceneScore {
     PairScore pairs;
     double milliseconds = 0.0;
 };
-[[nodiscard]] RockSceneScore scoreRocks(const RockScene& scene, const RockAnswer& answer);
+[[nodiscard]] RockSceneScore scoreRocks(const RockScene& scene, const RockDetection& answer);
 
 /// Sums and means over the scenes.
 [[nodiscard]] nlohmann::ordered_json rockScoreJson(const std::vector<RockSceneScore>& scenes);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr int kTornMm = 50; // as for an occluding edge
@@ -31,14 +31,14 @@ RockPair pairOf(const Key& key, const Cracks& cracks) {
 using Said = std::map<Key, std::uint32_t>;
 
 PairCounts compared(const Said& truth, const Said& told, const std::map<std::uint32_t, std::uint32_t>& regionOf) {
-    PairCounts counts{.told = told.size(), .known = truth.size(), .rocks = regionOf.size()};
+    PairCounts counts{.reported = told.size(), .known = truth.size(), .rocks = regionOf.size()};
     std::map<std::uint32_t, std::pair<int, int>> ofRock; // true and reported neighbours
     for (const auto& [key, front] : told) {
         ++ofRock[key.first].second;
         ++ofRock[key.second].second;
         const auto known = truth.find(key);
         if (known == truth.end()) continue;
-        ++counts.toldKnown;
+        ++counts.reportedKnown;
         counts.right += known->second == front ? 1 : 0;
     }
     for (const auto& [key, front] : truth) {
@@ -55,8 +55,8 @@ PairCounts compared(const Said& truth, const Said& told, const std::map<std::uin
 } // namespace
 
 PairCounts& PairCounts::operator+=(const PairCounts& other) {
-    for (auto member :
-         {&PairCounts::told, &PairCounts::known, &PairCounts::toldKnown, &PairCounts::right, &PairCounts::rocks, &PairCounts::rocksClose})
+    for (auto member : {&PairCounts::reported, &PairCounts::known, &PairCounts::reportedKnown, &PairCounts::right, &PairCounts::rocks,
+                        &PairCounts::rocksClose})
         this->*member += other.*member;
     return *this;
 }
@@ -115,4 +115,4 @@ PairScore scorePairs(const std::vector<RockPair>& truth, const std::vector<RockP
     return {compared(trueFront, toldFront, regionOf), compared(trueContact, toldContact, regionOf)};
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Two rocks, or two regions, that are neighbours in the picture; a < b.
 struct RockPair {
@@ -21,12 +21,12 @@ struct RockPair {
 
 /// Counts over pairs of found rocks; can be added.
 struct PairCounts {
-    std::size_t told = 0;       ///< pairs of regions that match rocks, with a reported statement
-    std::size_t known = 0;      ///< pairs of found rocks for which the statement is true
-    std::size_t toldKnown = 0;  ///< pairs that are in both
-    std::size_t right = 0;      ///< of these, reported correctly (in front: the right one)
-    std::size_t rocks = 0;      ///< rocks found
-    std::size_t rocksClose = 0; ///< of these, rocks whose reported number is within one of the true number among found rocks
+    std::size_t reported = 0;      ///< pairs of regions that match rocks, with a reported statement
+    std::size_t known = 0;         ///< pairs of found rocks for which the statement is true
+    std::size_t reportedKnown = 0; ///< pairs that are in both
+    std::size_t right = 0;         ///< of these, reported correctly (in front: the right one)
+    std::size_t rocks = 0;         ///< rocks found
+    std::size_t rocksClose = 0;    ///< of these, rocks whose reported number is within one of the true number among found rocks
 
     PairCounts& operator+=(const PairCounts& other);
 };
@@ -38,4 +38,4 @@ struct PairScore {
 /// `match` assigns regions to rocks; `told` are the reported pairs of regions.
 [[nodiscard]] PairScore scorePairs(const std::vector<RockPair>& truth, const std::vector<RockPair>& told, const RockMatch& match);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr double kSame = 0.5; // a larger intersection over union means the same rock, so at most one region can match a rock
@@ -66,11 +66,11 @@ RockVerdict verdictOf(const Judged& judged, std::uint32_t rock, std::span<const 
     }
     const bool held = 2 * most >= verdict.cells;
     const std::size_t rest = overlaps.regionCells[verdict.region] - most;
-    verdict.miss = dropped                                                       ? Miss::Dropped
-                   : held && 2 * judged.ground[verdict.region].background > rest ? Miss::Wall
-                   : held                                                        ? Miss::Merged
-                   : 2 * inside >= verdict.cells                                 ? Miss::Split
-                                                                                 : Miss::Other;
+    verdict.miss = dropped                                                       ? RockMiss::Dropped
+                   : held && 2 * judged.ground[verdict.region].background > rest ? RockMiss::Wall
+                   : held                                                        ? RockMiss::Merged
+                   : 2 * inside >= verdict.cells                                 ? RockMiss::Split
+                                                                                 : RockMiss::Other;
     return verdict;
 }
 
@@ -164,4 +164,4 @@ std::array<CellClass, 4> byCells(const RockMatch& match) {
     return classes;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The reason why a rock was not found; the first that applies.
-enum class Miss : std::uint8_t {
+enum class RockMiss : std::uint8_t {
     Dropped, ///< strict only: a region matches it but was classified as not a rock
     Wall,    ///< one region covers at least half of it, and the rest of that region is mostly background
     Merged,  ///< one region covers at least half of it, and also other rocks
@@ -58,9 +58,9 @@ struct RockVerdict {
     std::uint32_t rock = 0;
     std::size_t cells = 0;
     bool found = false;
-    std::uint32_t region = 0; ///< found: its region; otherwise the region that covers most of it, 0 if none does
-    double iou = 0.0;         ///< with that region
-    Miss miss = Miss::Other;  ///< if it was not found
+    std::uint32_t region = 0;        ///< found: its region; otherwise the region that covers most of it, 0 if none does
+    double iou = 0.0;                ///< with that region
+    RockMiss miss = RockMiss::Other; ///< if it was not found
 };
 
 struct RockMatch {
@@ -80,4 +80,4 @@ struct CellClass {
 inline constexpr std::array<std::size_t, 4> kCellClasses{100, 200, 400, 1000};
 [[nodiscard]] std::array<CellClass, 4> byCells(const RockMatch& match);
 
-} // namespace edgescan
+} // namespace edgescan::lab

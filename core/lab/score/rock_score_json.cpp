@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -123,14 +123,14 @@ Json sizeCurveJson(const Scores& scenes) {
 
 /// Probability that a right region has a higher reported confidence than a wrong one; ties count one half.
 Json areaUnderCurve(std::vector<ConfidenceSample> samples) {
-    std::ranges::sort(samples, {}, &ConfidenceSample::told);
+    std::ranges::sort(samples, {}, &ConfidenceSample::reported);
     double wins = 0.0;
     std::size_t wrong = 0;
     std::size_t right = 0;
     for (std::size_t from = 0; from < samples.size();) {
         std::array<std::size_t, 2> here{};
         std::size_t to = from;
-        for (; to < samples.size() && samples[to].told == samples[from].told; ++to) ++here[samples[to].right ? 1 : 0];
+        for (; to < samples.size() && samples[to].reported == samples[from].reported; ++to) ++here[samples[to].right ? 1 : 0];
         wins += static_cast<double>(here[1]) * (static_cast<double>(wrong) + 0.5 * static_cast<double>(here[0]));
         wrong += here[0];
         right += here[1];
@@ -148,10 +148,10 @@ Json confidenceJson(const Scores& scenes) {
     };
     std::array<Bin, kBins> bins;
     for (const ConfidenceSample& sample : all) {
-        Bin& bin = bins[std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, sample.told) * kBins))];
+        Bin& bin = bins[std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, sample.reported) * kBins))];
         ++bin.count;
         bin.right += sample.right ? 1 : 0;
-        bin.told += sample.told;
+        bin.told += sample.reported;
     }
     double error = 0.0;
     Json list = Json::array();
@@ -171,11 +171,11 @@ Json confidenceJson(const Scores& scenes) {
 }
 
 Json pairsJson(const PairCounts& counts) {
-    return {{"told", counts.told},
+    return {{"told", counts.reported},
             {"known", counts.known},
-            {"precision", shareOrNull(counts.toldKnown, counts.told)},
-            {"recall", shareOrNull(counts.toldKnown, counts.known)},
-            {"right_where_both_decide", shareOrNull(counts.right, counts.toldKnown)},
+            {"precision", shareOrNull(counts.reportedKnown, counts.reported)},
+            {"recall", shareOrNull(counts.reportedKnown, counts.known)},
+            {"right_where_both_decide", shareOrNull(counts.right, counts.reportedKnown)},
             {"rocks_within_one", shareOrNull(counts.rocksClose, counts.rocks)}};
 }
 
@@ -204,4 +204,4 @@ Json rockScoreJson(const std::vector<RockSceneScore>& scenes) {
         {"ms_per_scene", scenes.empty() ? 0.0 : milliseconds / static_cast<double>(scenes.size())}};
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <map>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr const char* kHint = "write the truth again with simulate --truth";
@@ -80,8 +80,8 @@ Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder) {
     return truth;
 }
 
-TrueRocks trueRocksOf(const Simulation& simulation) {
-    const SimulationTruth& known = *simulation.truth;
+TrueRocks trueRocksOf(const sim::Simulation& simulation) {
+    const sim::SimulationTruth& known = *simulation.truth;
     const TruthSet set = truthSetOf(simulation);
     TrueRocks truth{{}, set.cleanMm, wholeTears(known.toNextBeam), wholeTears(known.toNextLine), {}};
     for (const auto& rock : known.rocks)
@@ -159,4 +159,4 @@ Grid<std::uint32_t> visibleParts(const Grid<std::uint32_t>& rock) {
     return part;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The true dimensions of a rock, including hidden parts; metres, scanner frame.
 struct TrueRock {
@@ -35,7 +35,7 @@ struct TrueRocks {
 Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder);
 
 /// The same from the simulation in memory.
-[[nodiscard]] TrueRocks trueRocksOf(const Simulation& simulation);
+[[nodiscard]] TrueRocks trueRocksOf(const sim::Simulation& simulation);
 
 /// Largest and smallest distance, metres, of two parallel lines around the points, in the plane at right angles to the direction of their
 /// mean. `a` >= `b`; zero for fewer than 3 points.
@@ -51,4 +51,4 @@ struct VisibleSpans {
 /// The connected parts of rocks (8 neighbours), numbered from 1; 0 = background.
 [[nodiscard]] Grid<std::uint32_t> visibleParts(const Grid<std::uint32_t>& rock);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using ClassCounts = std::array<std::size_t, 5>;
@@ -87,4 +87,4 @@ EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth) {
     return score;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Counts that can be added over scans.
 struct EdgeCounts {
@@ -41,4 +41,4 @@ struct EdgeMatches {
 [[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
 [[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 // The eight neighbours, north first, clockwise.
@@ -114,4 +114,4 @@ Grid<std::uint8_t> thinned(Grid<std::uint8_t> mask) {
     return mask;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr double kJumpMm = 50.0; // from here on an occluding edge
@@ -22,7 +22,7 @@ constexpr int kReach = 2;                 // cells between a detection and its e
 
 enum class PairKind : std::uint8_t { Nothing, Occluding, Contact, Crease, Unsure };
 
-double foldDeg(const SimulationTruth& truth, std::size_t a, std::size_t b) {
+double foldDeg(const sim::SimulationTruth& truth, std::size_t a, std::size_t b) {
     const double cosine = std::clamp(static_cast<double>(truth.normal[a].dot(truth.normal[b])), -1.0, 1.0);
     return std::acos(cosine) * 180.0 / std::numbers::pi;
 }
@@ -51,7 +51,7 @@ void dilate(Grid<std::uint8_t>& mask, int reach) {
 }
 
 // Rocks too small to be visible, and the surroundings of absorbing patches.
-Grid<std::uint8_t> notScored(const SimulationTruth& truth) {
+Grid<std::uint8_t> notScored(const sim::SimulationTruth& truth) {
     Grid<std::uint8_t> ignore(truth.object.lines, truth.object.beams);
     for (std::size_t k = 0; k < ignore.size(); ++k) ignore[k] = truth.absorbed[k] != 0 ? 255 : 0;
     dilate(ignore, kRoundPatches);
@@ -77,7 +77,7 @@ struct MarkedCells {
     }
 };
 
-void judgePair(const SimulationTruth& truth, MarkedCells& marked, std::size_t a, std::size_t b, const sim::Seam& seam) {
+void judgePair(const sim::SimulationTruth& truth, MarkedCells& marked, std::size_t a, std::size_t b, const sim::Seam& seam) {
     const bool hitA = truth.object[a] != 0;
     const bool hitB = truth.object[b] != 0;
     if (!hitA && !hitB) return;
@@ -106,7 +106,7 @@ void judgePair(const SimulationTruth& truth, MarkedCells& marked, std::size_t a,
 
 // Searches one row of cells of one rock for a rounded fold: it bends by a crease's angle over several cells, but by less from one cell to
 // the next. Whether it is an edge, and at which cell, is undefined.
-void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
+void markSpreadFolds(const sim::SimulationTruth& truth, Grid<std::uint8_t>& spread, int line, int beam, int lineStep, int beamStep) {
     const std::size_t first = spread.index(line, beam);
     if (truth.object[first] < sim::kFirstRock) return;
     bool round = false;
@@ -122,7 +122,7 @@ void markSpreadFolds(const SimulationTruth& truth, Grid<std::uint8_t>& spread, i
 
 // Cells that are not scored because of rounded folds. Definite edges are scored, and so are cells next to an outline, because every round
 // rock bends away from the scanner there.
-Grid<std::uint8_t> spreadFolds(const SimulationTruth& truth, const Grid<std::uint8_t>& edgeClass) {
+Grid<std::uint8_t> spreadFolds(const sim::SimulationTruth& truth, const Grid<std::uint8_t>& edgeClass) {
     Grid<std::uint8_t> spread(edgeClass.lines, edgeClass.beams);
     for (int i = 0; i < spread.lines; ++i) {
         for (int j = 0; j < spread.beams; ++j) {
@@ -142,7 +142,7 @@ Grid<std::uint8_t> spreadFolds(const SimulationTruth& truth, const Grid<std::uin
 
 } // namespace
 
-EdgeTruth edgeTruth(const SimulationTruth& truth) {
+EdgeTruth edgeTruth(const sim::SimulationTruth& truth) {
     const int lines = truth.object.lines;
     const int beams = truth.object.beams;
     MarkedCells marked{Grid<std::uint8_t>(lines, beams), Grid<std::uint8_t>(lines, beams)};
@@ -171,4 +171,4 @@ EdgeTruth edgeTruth(const SimulationTruth& truth) {
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

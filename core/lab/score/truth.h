@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Values of EdgeTruth::edgeClass and of gt_class.png.
 enum class EdgeClass : std::uint8_t {
@@ -22,6 +22,6 @@ struct EdgeTruth {
     Grid<std::uint8_t> ignore;
 };
 
-[[nodiscard]] EdgeTruth edgeTruth(const SimulationTruth& truth);
+[[nodiscard]] EdgeTruth edgeTruth(const sim::SimulationTruth& truth);
 
-} // namespace edgescan
+} // namespace edgescan::lab

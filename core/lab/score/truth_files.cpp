@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,8 +50,8 @@ std::array<double, 3> visibleSpans(const std::vector<Eigen::Vector3d>& points) {
     return spans;
 }
 
-Json rocksJson(const Simulation& simulation) {
-    const SimulationTruth& truth = *simulation.truth;
+Json rocksJson(const sim::Simulation& simulation) {
+    const sim::SimulationTruth& truth = *simulation.truth;
     const CartesianTables tables(simulation.scan);
     std::vector<std::vector<Eigen::Vector3d>> visible(65536);
     for (std::size_t k = 0; k < truth.object.size(); ++k) {
@@ -91,7 +91,7 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const fs::path& path) {
     options.lineStepDeg = 0.001;
     options.axis = Axis::Sweep;
     options.unitMm = 1.0;
-    const auto picture = openScan(path, options);
+    const auto picture = files::openScan(path, options);
     if (!picture) return picture.error();
     Grid<std::uint16_t> numbers(picture->lines(), picture->beams());
     for (std::size_t k = 0; k < numbers.size(); ++k) {
@@ -100,34 +100,34 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const fs::path& path) {
     return numbers;
 }
 
-TruthSet truthSetOf(const Simulation& simulation) {
+TruthSet truthSetOf(const sim::Simulation& simulation) {
     return {edgeTruth(*simulation.truth), simulation.truth->object, wholeMm(simulation.truth->cleanMm)};
 }
 
-Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const fs::path& folder) {
+Result<Done> writeTruth(const sim::Simulation& simulation, const sim::SimulationSettings& settings, const fs::path& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (failed) return Error{"the folder cannot be made (" + failed.message() + ")", folder.string(), "choose one that can be written to"};
     const TruthSet truth = truthSetOf(simulation);
     const auto texts = {std::pair{"rocks.json", jsonText(rocksJson(simulation), 2) + "\n"},
-                        std::pair{"scene.json", jsonText(settingsJson(settings), 2) + "\n"}};
+                        std::pair{"scene.json", jsonText(sim::settingsJson(settings), 2) + "\n"}};
     for (const auto& [name, text] : texts) {
         if (auto written = writeWholeFile(folder / name, text); !written) return written;
     }
     for (const auto& [name, grid] : {std::pair{"gt_class.png", &truth.edges.edgeClass}, std::pair{"gt_ignore.png", &truth.edges.ignore}}) {
-        if (auto written = savePng8(*grid, folder / name); !written) return written;
+        if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
     }
-    if (auto written = savePng16(truth.object, folder / "object.png"); !written) return written;
-    if (auto written = savePng16(simulation.truth->face, folder / "face.png"); !written) return written;
-    if (auto written = savePng16(wholeTears(simulation.truth->toNextBeam), folder / "tear_beam.png"); !written) return written;
-    if (auto written = savePng16(wholeTears(simulation.truth->toNextLine), folder / "tear_line.png"); !written) return written;
-    return savePng16(truth.cleanMm, folder / "range_clean.png");
+    if (auto written = containers::savePng16(truth.object, folder / "object.png"); !written) return written;
+    if (auto written = containers::savePng16(simulation.truth->face, folder / "face.png"); !written) return written;
+    if (auto written = containers::savePng16(wholeTears(simulation.truth->toNextBeam), folder / "tear_beam.png"); !written) return written;
+    if (auto written = containers::savePng16(wholeTears(simulation.truth->toNextLine), folder / "tear_line.png"); !written) return written;
+    return containers::savePng16(truth.cleanMm, folder / "range_clean.png");
 }
 
 Result<TruthSet> readTruth(const fs::path& folder) {
-    auto edgeClass = readPng8(folder / "gt_class.png");
+    auto edgeClass = containers::readPng8(folder / "gt_class.png");
     if (!edgeClass) return edgeClass.error();
-    auto ignore = readPng8(folder / "gt_ignore.png");
+    auto ignore = containers::readPng8(folder / "gt_ignore.png");
     if (!ignore) return ignore.error();
     auto object = readTruthNumbers(folder / "object.png");
     if (!object) return object.error();
@@ -144,4 +144,4 @@ Result<TruthSet> readTruth(const fs::path& folder) {
     return TruthSet{{std::move(*edgeClass), std::move(*ignore)}, std::move(*object), std::move(*clean)};
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

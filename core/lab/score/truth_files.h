@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// The truth for the score of a scan. All grids are lines x beams.
 struct TruthSet {
@@ -17,7 +17,7 @@ struct TruthSet {
 /// Writes gt_class.png, gt_ignore.png, object.png, face.png, range_clean.png, tear_beam.png, tear_line.png (gap in depth to the next beam
 /// and line, mm), rocks.json (true size, volume, visible cells and visible spans of each rock, metres) and scene.json (every setting,
 /// including the seed) into the folder, which is created if it does not exist.
-Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const std::filesystem::path& folder);
+Result<Done> writeTruth(const sim::Simulation& simulation, const sim::SimulationSettings& settings, const std::filesystem::path& folder);
 
 /// Numbers of a 16-bit picture of the truth; empty if the file does not exist. Error: damaged, not such a picture.
 Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
@@ -26,9 +26,9 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
 [[nodiscard]] Grid<std::uint16_t> wholeTears(const Grid<sim::Seam>& seams);
 
 /// From the simulation in memory.
-[[nodiscard]] TruthSet truthSetOf(const Simulation& simulation);
+[[nodiscard]] TruthSet truthSetOf(const sim::Simulation& simulation);
 
 /// Reads gt_class.png and gt_ignore.png, and object.png and range_clean.png if they exist. Error: missing, damaged, of different shapes.
 Result<TruthSet> readTruth(const std::filesystem::path& folder);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr double kLargestRange = 65535.0; // mm; range_clean.png has 16 bits
@@ -48,4 +48,4 @@ Result<Done> checkTruthFits(const Scan& scan, const TruthSet& truth, const std::
                  folder, "give the folder that was written with the scan"};
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

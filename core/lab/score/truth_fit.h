@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 /// Error: the truth belongs to another scene. The error names `folder`. The shapes must be equal.
 [[nodiscard]] Result<Done> checkTruthFits(const Scan& scan, const TruthSet& truth, const std::string& folder);
 
-} // namespace edgescan
+} // namespace edgescan::lab

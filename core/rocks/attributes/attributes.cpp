@@ -15,7 +15,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr double kTolerance = 2.0; // times the resolution: this covers 89 % of the errors of a and 97 % of those of b
@@ -23,15 +23,15 @@ constexpr float kLeastDepthMm = 100.0F;
 constexpr double kPushedBack = 0.3; // share of b: distance from the centre of the visible points to the estimated centre of the rock
 
 /// By label: the row of the earlier rock with the same segments; null if there was none.
-std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* before) {
+std::vector<const Rock*> sameAsBefore(const RegionMap& map, const EarlierRows* before) {
     std::vector<const Rock*> same(static_cast<std::size_t>(map.rocks) + 1, nullptr);
-    if (before == nullptr || before->map.regionOfLeaf.size() != map.regionOfLeaf.size()) return same;
+    if (before == nullptr || before->map.regionOfSegment.size() != map.regionOfSegment.size()) return same;
     std::vector<std::uint32_t> leavesNow(map.regions.size(), 0), leavesThen(before->map.regions.size(), 0);
     std::vector<std::uint8_t> shared(map.regions.size(), 1); // 1 while all segments of the region belonged to one earlier region
-    const auto thenOf = [&](std::uint32_t region) { return before->map.regionOfLeaf[map.regions[region].group]; };
-    for (std::size_t leaf = 1; leaf < map.regionOfLeaf.size(); ++leaf) {
-        const std::uint32_t now = map.regionOfLeaf[leaf];
-        const std::uint32_t then = before->map.regionOfLeaf[leaf];
+    const auto thenOf = [&](std::uint32_t region) { return before->map.regionOfSegment[map.regions[region].firstSegment]; };
+    for (std::size_t leaf = 1; leaf < map.regionOfSegment.size(); ++leaf) {
+        const std::uint32_t now = map.regionOfSegment[leaf];
+        const std::uint32_t then = before->map.regionOfSegment[leaf];
         ++leavesNow[now];
         ++leavesThen[then];
         if (now != 0 && then != thenOf(now)) shared[now] = 0;
@@ -46,18 +46,18 @@ std::vector<const Rock*> sameAsBefore(const RockMap& map, const RowsBefore* befo
 
 class RowMaker {
 public:
-    RowMaker(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before)
+    RowMaker(const Segmentation& leaves, const RegionMap& map, const EarlierRows* before)
         : leaves_(leaves), map_(map), known_(sameAsBefore(map, before)),
-          cells_(cellsOfRocks(leaves, map, [this](std::uint32_t label) { return known_[label] != nullptr; })), tables_(*leaves.inputs.scan),
+          cells_(cellsByRock(leaves, map, [this](std::uint32_t label) { return known_[label] != nullptr; })), tables_(*leaves.inputs.scan),
           up_(upOf(*leaves.inputs.scan).up) {}
 
     [[nodiscard]] Rock row(std::uint32_t label) {
-        const RockRegion& region = map_.regions[label];
+        const Region& region = map_.regions[label];
         Rock rock;
         rock.label = label;
         rock.cells = region.sums.cells;
         rock.areaM2 = region.sums.areaM2;
-        rock.unoccluded = region.near;
+        rock.unoccluded = region.nearShare;
         rock.confidence = region.confidence;
         rock.score = region.score;
         rock.byHand = region.byHand;
@@ -73,11 +73,11 @@ public:
 private:
     static void take(const Rock& known, Rock& rock) {
         rock.cell = known.cell;
-        rock.longM = known.longM;
-        rock.wideM = known.wideM;
+        rock.longestCaliperM = known.longestCaliperM;
+        rock.shortestCaliperM = known.shortestCaliperM;
         rock.distanceM = known.distanceM;
         rock.toleranceM = known.toleranceM;
-        rock.freeBelowM = known.freeBelowM;
+        rock.freeHeightM = known.freeHeightM;
     }
 
     // Quantiles of the ranges of a rock, mm: 5, 50 and 95 %.
@@ -167,18 +167,18 @@ private:
         const auto lowest = static_cast<std::size_t>(std::min_element(heights_.begin(), heights_.end()) - heights_.begin());
         const Eigen::Vector3d lowestPoint(points_.x[lowest], points_.y[lowest], points_.z[lowest]);
         const Calipers calipers = calipersOf(projected_);
-        rock.longM = calipers.longest;
-        rock.wideM = calipers.shortest;
+        rock.longestCaliperM = calipers.longest;
+        rock.shortestCaliperM = calipers.shortest;
         rock.distanceM = 0.001 * static_cast<double>(ranges.middle);
         const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
         rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
-        rock.freeBelowM = freeBelowM(leaves_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
+        rock.freeHeightM = freeHeightM(leaves_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
     }
 
-    const RockLeaves& leaves_;
-    const RockMap& map_;
+    const Segmentation& leaves_;
+    const RegionMap& map_;
     std::vector<const Rock*> known_;
-    CellsOfRocks cells_;
+    CellsByRock cells_;
     CartesianTables tables_;
     Eigen::Vector3d up_;
     // Buffers reused for each rock.
@@ -188,7 +188,7 @@ private:
     std::vector<double> heights_;
 };
 
-void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
+void addNeighbours(const RegionMap& map, std::vector<Rock>& rocks) {
     for (const RegionBorder& border : map.borders) {
         const bool contact = touch(border);
         if (border.b > map.rocks) { // borders are ascending and b is the larger label
@@ -204,17 +204,17 @@ void addNeighbours(const RockMap& map, std::vector<Rock>& rocks) {
         const std::uint32_t nearer = nearerSide(border);
         if (nearer == 0) continue;
         const bool isABefore = nearer == border.a;
-        (isABefore ? a : b).before.push_back((isABefore ? b : a).label);
-        (isABefore ? b : a).behind.push_back((isABefore ? a : b).label);
+        (isABefore ? a : b).rocksBehind.push_back((isABefore ? b : a).label);
+        (isABefore ? b : a).rocksInFront.push_back((isABefore ? a : b).label);
     }
     for (Rock& rock : rocks) {
-        for (auto* list : {&rock.before, &rock.behind, &rock.contacts}) std::sort(list->begin(), list->end());
+        for (auto* list : {&rock.rocksBehind, &rock.rocksInFront, &rock.contacts}) std::sort(list->begin(), list->end());
     }
 }
 
 // Estimated middle of the rock: behind the centre of its visible points.
 Eigen::Vector3d middleOf(const Rock& rock, const Eigen::Vector3d& sensor) {
-    return rock.centreM + kPushedBack * rock.wideM * (rock.centreM - sensor).normalized();
+    return rock.centreM + kPushedBack * rock.shortestCaliperM * (rock.centreM - sensor).normalized();
 }
 
 void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Eigen::Vector3d& up) {
@@ -233,7 +233,7 @@ void addArches(std::vector<Rock>& rocks, const Eigen::Vector3d& sensor, const Ei
                 const Eigen::Vector3d line = other - one;
                 const Eigen::Vector3d level = line - up * up.dot(line);
                 const double along = std::clamp(level.dot(here - one) / std::max(level.squaredNorm(), 1e-12), 0.0, 1.0);
-                rock.hangsBelow = up.dot(here - (one + along * line)) < 0;
+                rock.isBelowContacts = up.dot(here - (one + along * line)) < 0;
             }
         }
     }
@@ -250,7 +250,7 @@ UpDirection upOf(const Scan& scan) {
     return {up.normalized(), false};
 }
 
-std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before) {
+std::vector<Rock> rockRows(const Segmentation& leaves, const RegionMap& map, const EarlierRows* before) {
     RowMaker maker(leaves, map, before);
     std::vector<Rock> rocks;
     for (std::uint32_t label = 1; label <= map.rocks; ++label) rocks.push_back(maker.row(label));
@@ -259,7 +259,7 @@ std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const R
     return rocks;
 }
 
-RegionCounts regionCounts(const RockMap& map, RegionKind kind) {
+RegionCounts regionCounts(const RegionMap& map, RegionKind kind) {
     RegionCounts counts;
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         if (map.regions[n].kind != kind || map.regions[n].sums.cells == 0) continue;
@@ -270,4 +270,4 @@ RegionCounts regionCounts(const RockMap& map, RegionKind kind) {
     return counts;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

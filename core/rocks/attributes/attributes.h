@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// This caveat must accompany every result.
 inline constexpr const char* kRockCaveat = "candidate - geometry only, one viewpoint";
@@ -28,20 +28,20 @@ struct Rock {
     Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< mean of the visible points, frame of the scan
     double distanceM = 0.0;                            ///< distance from the sensor: median of the ranges
     /// a: largest caliper (distance of two parallel lines around the visible points) in the plane across the line of sight
-    double longM = 0.0;
-    double wideM = 0.0;                  ///< b: smallest caliper of the visible points in the same plane
-    double toleranceM = 0.0;             ///< uncertainty of a and b: 2 (point spacing + width of the beam)
-    double areaM2 = 0.0;                 ///< visible area, across the beams
-    double unoccluded = 0.0;             ///< 0..1: share of its outline at which it is the nearer side
-    std::vector<std::uint32_t> before;   ///< rocks behind it, ascending
-    std::vector<std::uint32_t> behind;   ///< rocks in front of it, ascending
-    std::vector<std::uint32_t> contacts; ///< rocks that it visibly touches; there may be more
-    bool touchesOther = false;           ///< it visibly touches something that is not a rock
-    double freeBelowM = 0.0;             ///< free height under its lowest visible point; the true height may be larger
-    std::optional<double> archDeg;       ///< degrees: largest angle at it between the centres of two rocks that it touches
-    bool hangsBelow = false;             ///< it is below the line between these two centres
-    double confidence = 0.0;             ///< p, 0..1 (RockRegion::confidence)
-    double score = 0.0;                  ///< R, log odds (RockRegion::score)
+    double longestCaliperM = 0.0;
+    double shortestCaliperM = 0.0;           ///< b: smallest caliper of the visible points in the same plane
+    double toleranceM = 0.0;                 ///< uncertainty of a and b: 2 (point spacing + width of the beam)
+    double areaM2 = 0.0;                     ///< visible area, across the beams
+    double unoccluded = 0.0;                 ///< 0..1: share of its outline at which it is the nearer side
+    std::vector<std::uint32_t> rocksBehind;  ///< rocks behind it, ascending
+    std::vector<std::uint32_t> rocksInFront; ///< rocks in front of it, ascending
+    std::vector<std::uint32_t> contacts;     ///< rocks that it visibly touches; there may be more
+    bool touchesOther = false;               ///< it visibly touches something that is not a rock
+    double freeHeightM = 0.0;                ///< free height under its lowest visible point; the true height may be larger
+    std::optional<double> archDeg;           ///< degrees: largest angle at it between the centres of two rocks that it touches
+    bool isBelowContacts = false;            ///< it is below the line between these two centres
+    double confidence = 0.0;                 ///< p, 0..1 (Region::confidence)
+    double score = 0.0;                      ///< R, log odds (Region::score)
     bool byHand = false;
 
     bool operator==(const Rock&) const = default;
@@ -55,14 +55,14 @@ struct UpDirection {
 [[nodiscard]] UpDirection upOf(const Scan& scan);
 
 /// An earlier map of the same segments, and its rows.
-struct RowsBefore {
-    const RockMap& map;
+struct EarlierRows {
+    const RegionMap& map;
     const std::vector<Rock>& rocks;
 };
 
 /// One row per rock of the map, in the order of the labels. `before` may be null. Rocks with the same segments as in `before` are not
 /// measured again; the rows are the same without it.
-[[nodiscard]] std::vector<Rock> rockRows(const RockLeaves& leaves, const RockMap& map, const RowsBefore* before = nullptr);
+[[nodiscard]] std::vector<Rock> rockRows(const Segmentation& leaves, const RegionMap& map, const EarlierRows* before = nullptr);
 
 /// Totals of the regions of one kind.
 struct RegionCounts {
@@ -70,6 +70,6 @@ struct RegionCounts {
     std::uint64_t cells = 0;
     double areaM2 = 0.0;
 };
-[[nodiscard]] RegionCounts regionCounts(const RockMap& map, RegionKind kind);
+[[nodiscard]] RegionCounts regionCounts(const RegionMap& map, RegionKind kind);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

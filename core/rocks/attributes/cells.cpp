@@ -1,10 +1,10 @@
 // Sorts cells by rock, by counting.
 #include "core/rocks/attributes/cells.h"
 
-namespace edgescan {
+namespace edgescan::rocks {
 
-CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const std::function<bool(std::uint32_t label)>& skipped) {
-    CellsOfRocks sorted;
+CellsByRock cellsByRock(const Segmentation& leaves, const RegionMap& map, const std::function<bool(std::uint32_t label)>& skipped) {
+    CellsByRock sorted;
     std::vector<std::uint8_t> wanted(map.regions.size(), 0);
     sorted.first.assign(static_cast<std::size_t>(map.rocks) + 2, 0);
     for (std::uint32_t label = 1; label <= map.rocks; ++label) {
@@ -15,10 +15,10 @@ CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const st
     sorted.cells.resize(sorted.first.back());
     std::vector<std::size_t> at = sorted.first;
     const Grid<Support>& support = leaves.inputs.surface->inverse.support;
-    for (const LeafRun& run : leaves.beamRuns) {
-        const std::uint32_t region = map.regionOfLeaf[run.leaf];
+    for (const SegmentRun& run : leaves.beamRuns) {
+        const std::uint32_t region = map.regionOfSegment[run.segment];
         if (wanted[region] == 0) continue;
-        const std::size_t line = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(leaves.leaf.beams);
+        const std::size_t line = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(leaves.segment.beams);
         for (std::size_t k = line + run.begin; k < line + run.end; ++k) {
             if (support[k] == Support::Measured) sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
         }
@@ -26,4 +26,4 @@ CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map, const st
     return sorted;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

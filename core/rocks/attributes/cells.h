@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Measured cells of one rock after the other, ascending within each rock.
-struct CellsOfRocks {
+struct CellsByRock {
     std::vector<std::uint32_t> cells;
     std::vector<std::size_t> first; ///< by label: index of the first cell; one more entry at the end
 
@@ -22,7 +22,7 @@ struct CellsOfRocks {
 };
 
 /// The cells of all rocks except those for which `skipped(label)` is true.
-[[nodiscard]] CellsOfRocks cellsOfRocks(const RockLeaves& leaves, const RockMap& map,
-                                        const std::function<bool(std::uint32_t label)>& skipped = {});
+[[nodiscard]] CellsByRock cellsByRock(const Segmentation& leaves, const RegionMap& map,
+                                      const std::function<bool(std::uint32_t label)>& skipped = {});
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr int kHatchesAcross = 70; // number of hatch stripes across the picture ...
@@ -12,7 +12,7 @@ constexpr int kDarkOfTen = 4;      // tenths of a hatch that are dark
 
 } // namespace
 
-std::vector<std::uint8_t> rockColours(const RockMap& map) {
+std::vector<std::uint8_t> rockColours(const RegionMap& map) {
     constexpr std::uint8_t kNone = 255;
     const std::size_t count = map.rocks + std::size_t{1};
     std::vector<std::vector<std::uint32_t>> neighbours(count);
@@ -28,7 +28,7 @@ std::vector<std::uint8_t> rockColours(const RockMap& map) {
             if (colours[other] != kNone) ++taken[colours[other]];
         }
         // The first choice depends only on the rock's first segment. If more than seven rocks meet, the least used colour follows.
-        const std::size_t first = map.regions[rock].group * 2654435761U % kRockColourCount;
+        const std::size_t first = map.regions[rock].firstSegment * 2654435761U % kRockColourCount;
         std::size_t best = first;
         for (std::size_t step = 1; step < kRockColourCount; ++step) {
             const std::size_t next = (first + step) % kRockColourCount;
@@ -47,7 +47,7 @@ bool isRockBorder(const Grid<std::uint32_t>& labels, int line, int beam) {
     return other(line, beam + 1) || other(line + 1, beam) || none(line, beam - 1) || none(line - 1, beam);
 }
 
-std::optional<Rgb> RockFaces::at(int line, int beam) const {
+std::optional<Rgb> Faces::at(int line, int beam) const {
     const std::uint32_t label = labels.at(line, beam);
     if (label == 0) return std::nullopt;
     if (isRockBorder(labels, line, beam)) return Rgb{8, 8, 8};
@@ -57,11 +57,11 @@ std::optional<Rgb> RockFaces::at(int line, int beam) const {
                static_cast<std::uint8_t>(face.blue / 3)};
 }
 
-RockFaces rockFaces(const RockStudy& study) {
-    RockFaces faces{rockLabels(*study.leaves, study.map), rockColours(study.map), std::vector<std::uint8_t>(study.rocks.size() + 1), 6};
+Faces rockFaces(const Study& study) {
+    Faces faces{rockLabels(*study.segmentation, study.map), rockColours(study.map), std::vector<std::uint8_t>(study.rocks.size() + 1), 6};
     for (const Rock& rock : study.rocks) faces.hatched[rock.label] = rock.confidence < kSureConfidence ? 1 : 0;
     faces.hatchCells = std::max(kNarrowestHatch, faces.labels.beams / kHatchesAcross);
     return faces;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 inline constexpr std::size_t kRockColourCount = 7;
 /// All of the same luminance, so that brightness shows only the shape.
@@ -23,14 +23,14 @@ inline constexpr std::array<Rgb, kRockColourCount> kRockFaceColours{{{0x46, 0x7c
 
 /// By label, index 0 unused: indices of kRockFaceColours. Rocks that touch get different colours. A rock keeps its colour while its pieces
 /// stay together and a neighbour does not need the colour.
-[[nodiscard]] std::vector<std::uint8_t> rockColours(const RockMap& map);
+[[nodiscard]] std::vector<std::uint8_t> rockColours(const RegionMap& map);
 
 /// Whether the cell belongs to a rock and a neighbour has another label. Between two rocks this is true on one side only, so that the
 /// border is one cell wide.
 [[nodiscard]] bool isRockBorder(const Grid<std::uint32_t>& labels, int line, int beam);
 
 /// The faces painted into a picture of the scan.
-struct RockFaces {
+struct Faces {
     Grid<std::uint32_t> labels;        ///< lines x beams: 0 = not a rock
     std::vector<std::uint8_t> colours; ///< by label: index of kRockFaceColours
     std::vector<std::uint8_t> hatched; ///< by label: 1 if the outline is doubtful
@@ -39,6 +39,6 @@ struct RockFaces {
     /// The colour of a cell: dark on borders and in the stripes of hatched faces; empty outside rocks.
     [[nodiscard]] std::optional<Rgb> at(int line, int beam) const;
 };
-[[nodiscard]] RockFaces rockFaces(const RockStudy& study);
+[[nodiscard]] Faces rockFaces(const Study& study);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -3,7 +3,7 @@
 
 #include "core/scan/grid/cartesian.h"
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr double kStepM = 0.05;
@@ -15,7 +15,7 @@ constexpr double kOffCells = 1.0; // largest distance, in cells, between the ste
 // does on every grid of beams.
 class BeamFinder {
 public:
-    BeamFinder(const RockInputs& inputs, const CartesianTables& tables, std::size_t k)
+    BeamFinder(const Inputs& inputs, const CartesianTables& tables, std::size_t k)
         : inputs_(inputs), tables_(tables), line_(static_cast<int>(k / beams())), beam_(static_cast<int>(k % beams())) {}
 
     /// Returns false if no beam passes close enough.
@@ -47,15 +47,15 @@ private:
         return (tables_.direction(line, beam) - way).norm();
     }
 
-    const RockInputs& inputs_;
+    const Inputs& inputs_;
     const CartesianTables& tables_;
     int line_, beam_;
 };
 
 } // namespace
 
-double freeBelowM(const RockInputs& inputs, const CartesianTables& tables, const Eigen::Vector3d& pointM, std::size_t k,
-                  const Eigen::Vector3d& up) {
+double freeHeightM(const Inputs& inputs, const CartesianTables& tables, const Eigen::Vector3d& pointM, std::size_t k,
+                   const Eigen::Vector3d& up) {
     BeamFinder finder(inputs, tables, k);
     double freeM = 0.0;
     while (freeM < kMostM) {
@@ -70,4 +70,4 @@ double freeBelowM(const RockInputs& inputs, const CartesianTables& tables, const
     return freeM;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -11,7 +11,7 @@
 #include <limits>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr int kMostRounds = 40;
@@ -32,15 +32,15 @@ std::vector<Eigen::Vector3d> directions() {
 // Builds the hull of the chosen points. `outside` receives the indices of points outside the hull; the farthest of them over each triangle
 // is added to the chosen points.
 bool grow(const std::vector<Eigen::Vector3d>& points, std::vector<std::size_t>& chosen, std::vector<std::size_t>& outside,
-          std::vector<sim::HullTriangle>& triangles) {
+          std::vector<HullTriangle>& triangles) {
     std::vector<Eigen::Vector3d> corners;
     for (const std::size_t n : chosen) corners.push_back(points[n]);
-    triangles = sim::convexHull(corners);
+    triangles = convexHull(corners);
     std::vector<std::size_t> left;
     std::vector<std::size_t> farthest(triangles.size(), points.size());
     std::vector<double> height(triangles.size(), kHullToleranceM);
     std::vector<std::pair<Eigen::Vector3d, double>> planes;
-    for (const sim::HullTriangle& t : triangles) {
+    for (const HullTriangle& t : triangles) {
         const auto at = [&](std::size_t n) { return corners[static_cast<std::size_t>(t[n])]; };
         const Eigen::Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
         planes.emplace_back(normal, normal.dot(at(0)));
@@ -66,9 +66,9 @@ bool grow(const std::vector<Eigen::Vector3d>& points, std::vector<std::size_t>& 
     return !outside.empty() && !triangles.empty();
 }
 
-RockHull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const CartesianTables& tables) {
+Hull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const CartesianTables& tables) {
     static const std::vector<Eigen::Vector3d> kCubeWays = directions();
-    RockHull hull;
+    Hull hull;
     hull.label = label;
     if (cells.empty()) return hull;
     std::vector<Eigen::Vector3d> points;
@@ -85,14 +85,14 @@ RockHull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
     std::vector<std::size_t> outside(points.size());
     for (std::size_t n = 0; n < outside.size(); ++n) outside[n] = n;
-    std::vector<sim::HullTriangle> triangles;
+    std::vector<HullTriangle> triangles;
     std::vector<std::size_t> corners = chosen;
     for (int round = 0; round < kMostRounds; ++round) {
         corners = chosen;
         if (!grow(points, chosen, outside, triangles)) break;
     }
     std::vector<std::uint32_t> place(corners.size(), std::numeric_limits<std::uint32_t>::max());
-    for (const sim::HullTriangle& triangle : triangles) {
+    for (const HullTriangle& triangle : triangles) {
         for (const int n : triangle) place[static_cast<std::size_t>(n)] = 0;
     }
     for (std::size_t n = 0; n < corners.size(); ++n) {
@@ -100,7 +100,7 @@ RockHull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const
         place[n] = static_cast<std::uint32_t>(hull.cells.size());
         hull.cells.push_back(cells[corners[n]]);
     }
-    for (const sim::HullTriangle& t : triangles)
+    for (const HullTriangle& t : triangles)
         hull.triangles.push_back(
             {place[static_cast<std::size_t>(t[0])], place[static_cast<std::size_t>(t[1])], place[static_cast<std::size_t>(t[2])]});
     return hull;
@@ -108,12 +108,12 @@ RockHull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const
 
 } // namespace
 
-std::vector<RockHull> rockHulls(const RockLeaves& leaves, const RockMap& map) {
-    const CellsOfRocks cells = cellsOfRocks(leaves, map);
+std::vector<Hull> rockHulls(const Segmentation& leaves, const RegionMap& map) {
+    const CellsByRock cells = cellsByRock(leaves, map);
     const CartesianTables tables(*leaves.inputs.scan);
-    std::vector<RockHull> hulls;
+    std::vector<Hull> hulls;
     for (std::uint32_t label = 1; label <= map.rocks; ++label) hulls.push_back(hullOf(label, cells.of(label), tables));
     return hulls;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -9,18 +9,18 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Largest distance of a visible point outside of the hull, metres.
 inline constexpr double kHullToleranceM = 0.002;
 
-struct RockHull {
+struct Hull {
     std::uint32_t label = 0;
     std::vector<std::uint32_t> cells;                    ///< cells of its corners, ascending
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of `cells`, counter-clockwise as seen from outside
 };
 
 /// By label, from 1; without triangles if the points are in one plane.
-[[nodiscard]] std::vector<RockHull> rockHulls(const RockLeaves& leaves, const RockMap& map);
+[[nodiscard]] std::vector<Hull> rockHulls(const Segmentation& leaves, const RegionMap& map);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr std::array<CellCorner, 4> kSideWays{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}}; // east, south, west, north
@@ -107,4 +107,4 @@ std::vector<std::vector<OutlineRing>> outlinesOf(const Grid<std::uint32_t>& labe
     return outlines;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

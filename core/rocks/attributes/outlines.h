@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// A corner point of cells: that of cell (line, beam) at its first line and first beam. From 0 to lines, and from 0 to beams.
 struct CellCorner {
@@ -27,4 +27,4 @@ struct OutlineRing {
 /// By label, from 0 (which stays empty) to `most`: all rings; the outer ring of each part precedes its holes.
 [[nodiscard]] std::vector<std::vector<OutlineRing>> outlinesOf(const Grid<std::uint32_t>& labels, std::uint32_t most);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

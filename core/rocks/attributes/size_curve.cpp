@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 double SizeCurve::shareUpTo(double wideM) const {
     if (widthsM.empty()) return 0.0;
@@ -17,7 +17,7 @@ SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM) {
     SizeCurve curve;
     curve.oversizeM = oversizeM;
     if (rocks.empty()) return curve;
-    for (const Rock& rock : rocks) curve.widthsM.push_back(rock.wideM);
+    for (const Rock& rock : rocks) curve.widthsM.push_back(rock.shortestCaliperM);
     std::sort(curve.widthsM.begin(), curve.widthsM.end());
     std::vector<double> moved = curve.widthsM;
     curve.p20M = quantile(moved, 0.2);
@@ -28,4 +28,4 @@ SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM) {
     return curve;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

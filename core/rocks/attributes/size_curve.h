@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// This caveat must accompany every size curve.
 inline constexpr const char* kSizeCurveCaveat = "by number of visible rocks; hidden parts make it finer than the pile is, by 40 % and more";
@@ -26,4 +26,4 @@ struct SizeCurve {
 /// `oversizeM`: metres, 0 = not given.
 [[nodiscard]] SizeCurve sizeCurve(const std::vector<Rock>& rocks, double oversizeM = 0.0);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

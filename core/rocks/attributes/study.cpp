@@ -3,25 +3,25 @@
 
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
-RockStudy studyRocks(const RockInputs& inputs, const RockSettings& settings, const std::vector<RockEdit>& edits, const RockStudy* before) {
-    RockStudy study;
+Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::vector<Edit>& edits, const Study* before) {
+    Study study;
     study.settings = settings;
     study.edits = edits;
     const std::vector<CutLine> cuts = cutsOf(edits);
-    const bool sameLeaves = before != nullptr && before->leaves->inputs.cracks == inputs.cracks &&
-                            before->leaves->inputs.responses == inputs.responses && before->leaves->inputs.scan == inputs.scan &&
-                            cutsOf(before->edits) == cuts;
-    study.leaves = sameLeaves ? before->leaves : std::make_shared<const RockLeaves>(rockLeaves(inputs, cuts));
-    const RockLeaves& leaves = *study.leaves;
+    const bool sameLeaves = before != nullptr && before->segmentation->inputs.cracks == inputs.cracks &&
+                            before->segmentation->inputs.responses == inputs.responses &&
+                            before->segmentation->inputs.scan == inputs.scan && cutsOf(before->edits) == cuts;
+    study.segmentation = sameLeaves ? before->segmentation : std::make_shared<const Segmentation>(segmentRocks(inputs, cuts));
+    const Segmentation& leaves = *study.segmentation;
     study.tree = sameLeaves && before->edits == edits
                      ? before->tree
                      : std::make_shared<const MergeTree>(mergeTree(leaves.count(), leaves.borders, pairsOf(leaves, edits)));
-    study.map = rocksAt(leaves, *study.tree, settings, calledOf(leaves, edits));
-    const std::optional<RowsBefore> rows = sameLeaves ? std::optional(RowsBefore{before->map, before->rocks}) : std::nullopt;
+    study.map = rocksAt(leaves, *study.tree, settings, rockCallsOf(leaves, edits));
+    const std::optional<EarlierRows> rows = sameLeaves ? std::optional(EarlierRows{before->map, before->rocks}) : std::nullopt;
     study.rocks = rockRows(leaves, study.map, rows ? &*rows : nullptr);
     return study;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

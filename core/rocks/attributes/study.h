@@ -7,22 +7,22 @@
 #include <memory>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Immutable after construction. A change of the level changes map and rocks only; an edit also changes the tree; a cutting stroke also
 /// changes the segments.
-struct RockStudy {
-    std::shared_ptr<const RockLeaves> leaves;
+struct Study {
+    std::shared_ptr<const Segmentation> segmentation;
     std::shared_ptr<const MergeTree> tree;
-    RockMap map;
+    RegionMap map;
     std::vector<Rock> rocks;
     RockSettings settings;
-    std::vector<RockEdit> edits;
+    std::vector<Edit> edits;
 };
 
 /// The same scan, settings and edits give the same labels and rows on every machine. `before` may be null; its results for unchanged inputs
 /// are reused.
-[[nodiscard]] RockStudy studyRocks(const RockInputs& inputs, const RockSettings& settings, const std::vector<RockEdit>& edits = {},
-                                   const RockStudy* before = nullptr);
+[[nodiscard]] Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::vector<Edit>& edits = {},
+                               const Study* before = nullptr);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -104,4 +104,4 @@ Calipers calipersOf(const PlanePoints& points) {
     return calipers;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

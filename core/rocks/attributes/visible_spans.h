@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Points of a plane: point n is at (x[n], y[n]).
 struct PlanePoints {
@@ -21,4 +21,4 @@ struct Calipers {
 };
 [[nodiscard]] Calipers calipersOf(const PlanePoints& points);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 std::string described(const BorderWhy& why, const RockSettings& settings) {
@@ -27,17 +27,17 @@ std::string described(const BorderWhy& why, const RockSettings& settings) {
 
 } // namespace
 
-BorderWhy whyTwoRocks(const RockStudy& study, std::uint32_t one, std::uint32_t other) {
+BorderWhy whyTwoRocks(const Study& study, std::uint32_t one, std::uint32_t other) {
     BorderWhy why;
     why.cells = {one, other};
-    std::uint32_t a = study.leaves->leaf[one];
-    std::uint32_t b = study.leaves->leaf[other];
-    why.regions = {study.map.regionOfLeaf[a], study.map.regionOfLeaf[b]};
-    why.alwaysOne = a == b && a != kOpen;
-    if (a != kOpen && b != kOpen && a != b) {
+    std::uint32_t a = study.segmentation->segment[one];
+    std::uint32_t b = study.segmentation->segment[other];
+    why.regions = {study.map.regionOfSegment[a], study.map.regionOfSegment[b]};
+    why.alwaysOne = a == b && a != kNoSegment;
+    if (a != kNoSegment && b != kNoSegment && a != b) {
         for (const Merge& merge : study.tree->merges) {
-            if (a == merge.gone) a = merge.kept;
-            if (b == merge.gone) b = merge.kept;
+            if (a == merge.gone) a = merge.remaining;
+            if (b == merge.gone) b = merge.remaining;
             if (a != b) continue;
             why.alwaysOne = !std::isfinite(merge.height);
             if (!why.alwaysOne) why.joinedFrom = merge.height;
@@ -47,10 +47,10 @@ BorderWhy whyTwoRocks(const RockStudy& study, std::uint32_t one, std::uint32_t o
     const auto [least, most] = std::minmax(why.regions[0], why.regions[1]);
     for (const RegionBorder& border : study.map.borders) {
         if (least == 0 || border.a != least || border.b != most) continue;
-        why.border = border.a == why.regions[0] ? border : border.turned();
+        why.border = border.a == why.regions[0] ? border : border.reversed();
     }
     why.verdict = described(why, study.settings);
     return why;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

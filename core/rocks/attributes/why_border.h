@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 struct BorderWhy {
     std::array<std::uint32_t, 2> cells{};
@@ -23,6 +23,6 @@ struct BorderWhy {
 };
 
 /// Both must be cells of the scan.
-[[nodiscard]] BorderWhy whyTwoRocks(const RockStudy& study, std::uint32_t one, std::uint32_t other);
+[[nodiscard]] BorderWhy whyTwoRocks(const Study& study, std::uint32_t one, std::uint32_t other);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

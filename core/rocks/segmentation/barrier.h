@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Which neighbouring cells are on one surface: both have a range, measured or filled, and there is no jump between them.
 struct CellLinks {
     const Grid<Support>& support;
-    const DepthCracks& cracks;
+    const edges::DepthCracks& cracks;
 
     [[nodiscard]] bool solid(std::size_t k) const { return support[k] != Support::Void; }
     /// Between cell k and the next beam; that cell must exist.
@@ -23,12 +23,12 @@ struct CellLinks {
 
 /// Strength of the separation between rocks, per cell: the jump or the valley after suppression, whichever is stronger; 0 on a ridge,
 /// because a ridge is inside one rock.
-[[nodiscard]] inline float partingStrength(const DepthResponses& responses, std::size_t k) {
+[[nodiscard]] inline float separationStrength(const edges::DepthResponses& responses, std::size_t k) {
     return std::max({responses.jump[k], -responses.crease[k], 0.0F});
 }
 
 /// Exact distance of each cell to the nearest barrier, in cells, 0 on a barrier. Lines x beams. Barriers are chains of separating edges,
 /// both cells of each jump, and voids.
-[[nodiscard]] Grid<float> barrierDistance(const RockInputs& inputs);
+[[nodiscard]] Grid<float> barrierDistance(const Inputs& inputs);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

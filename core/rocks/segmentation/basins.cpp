@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 // 1 where a cell and the one `step` cells further are on one surface (CellLinks).
@@ -177,7 +177,7 @@ EDGESCAN_SIMD std::uint32_t largestOf(const std::uint32_t* numbers, std::size_t 
 
 } // namespace
 
-std::uint32_t lastLeaf(const Grid<std::uint32_t>& leaf) { return largestOf(leaf.cells.data(), leaf.size()); }
+std::uint32_t lastSegment(const Grid<std::uint32_t>& leaf) { return largestOf(leaf.cells.data(), leaf.size()); }
 
 JoinedGroups::JoinedGroups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
@@ -187,17 +187,17 @@ std::uint32_t JoinedGroups::of(std::uint32_t n) {
 }
 
 std::uint32_t numberByFirstCell(Grid<std::uint32_t>& group, std::span<const std::uint32_t> joined) {
-    std::vector<std::uint32_t> number(joined.empty() ? lastLeaf(group) + std::size_t{1} : joined.size(), kOpen);
+    std::vector<std::uint32_t> number(joined.empty() ? lastSegment(group) + std::size_t{1} : joined.size(), kNoSegment);
     std::uint32_t count = 0;
     for (std::uint32_t& g : group.cells) {
         const std::uint32_t in = joined.empty() ? g : joined[g];
-        if (in != kOpen && number[in] == kOpen) number[in] = ++count;
+        if (in != kNoSegment && number[in] == kNoSegment) number[in] = ++count;
         g = number[in];
     }
     return count;
 }
 
-Grid<std::uint32_t> leafBasins(const Grid<float>& distance, const CellLinks& links) {
+Grid<std::uint32_t> segmentBasins(const Grid<float>& distance, const CellLinks& links) {
     if (distance.size() == 0) return Grid<std::uint32_t>(distance.lines, distance.beams);
     const LinkMarks marks(links);
     Basins basins = basinsOf(distance, links, marks);
@@ -217,4 +217,4 @@ Grid<std::uint32_t> leafBasins(const Grid<float>& distance, const CellLinks& lin
     return std::move(basins.of);
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 // z = log odds "two rocks" (docs/rocks-method.md, "Step 4").
@@ -30,11 +30,10 @@ constexpr float kContactFold = -0.3F;
 
 } // namespace
 
-CrackMeasure::CrackMeasure(const RockInputs& inputs, const Grid<std::uint32_t>& leaf)
-    : inputs_(inputs), cracks_(*inputs.cracks), leaf_(leaf) {}
+CrackMeasure::CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& leaf) : inputs_(inputs), cracks_(*inputs.cracks), leaf_(leaf) {}
 
-bool CrackMeasure::isContact(std::size_t p, std::size_t q, Along along) const {
-    const Grid<float>& fold = along == Along::Beams ? cracks_.foldBeams : cracks_.foldLines;
+bool CrackMeasure::isContact(std::size_t p, std::size_t q, edges::Along along) const {
+    const Grid<float>& fold = along == edges::Along::Beams ? cracks_.foldBeams : cracks_.foldLines;
     return jump(p, along) <= kContactJump && std::min(fold[p], fold[q]) < kContactFold;
 }
 
@@ -50,9 +49,9 @@ struct CrackMeasure::Chord {
     }
 };
 
-CrackMeasure::Chord CrackMeasure::chordAt(int line, int beam, Along along) const {
+CrackMeasure::Chord CrackMeasure::chordAt(int line, int beam, edges::Along along) const {
     const Grid<float>& u = cracks_.smoothed;
-    const bool isBeams = along == Along::Beams;
+    const bool isBeams = along == edges::Along::Beams;
     const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(leaf_.beams);
     const std::size_t p = leaf_.index(line, beam);
     const AngularSteps& steps = inputs_.surface->steps;
@@ -82,16 +81,16 @@ double CrackMeasure::depthMm(const Chord& chord, int cells) const {
     return 1000.0 * std::max(underP, underQ) / (static_cast<double>(chord.nearest) * static_cast<double>(chord.nearest));
 }
 
-CrackEvidence CrackMeasure::at(int line, int beam, Along along) const {
-    const bool isBeams = along == Along::Beams;
+CrackEvidence CrackMeasure::at(int line, int beam, edges::Along along) const {
+    const bool isBeams = along == edges::Along::Beams;
     const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(leaf_.beams);
     const std::size_t p = leaf_.index(line, beam);
     const std::size_t q = p + step;
     const Grid<float>& fold = isBeams ? cracks_.foldBeams : cracks_.foldLines;
-    float edge = std::max(partingStrength(*inputs_.responses, p), partingStrength(*inputs_.responses, q));
+    float edge = std::max(separationStrength(*inputs_.responses, p), separationStrength(*inputs_.responses, q));
     const int place = isBeams ? beam : line;
-    if (place > 0) edge = std::max(edge, partingStrength(*inputs_.responses, p - step));
-    if (place + 2 < (isBeams ? leaf_.beams : leaf_.lines)) edge = std::max(edge, partingStrength(*inputs_.responses, q + step));
+    if (place > 0) edge = std::max(edge, separationStrength(*inputs_.responses, p - step));
+    if (place + 2 < (isBeams ? leaf_.beams : leaf_.lines)) edge = std::max(edge, separationStrength(*inputs_.responses, q + step));
     CrackEvidence evidence;
     evidence.e1 = static_cast<double>(std::clamp(std::max({jump(p, along), -fold[p], -fold[q]}), 0.0F, 1.0F));
     evidence.e2 = static_cast<double>(std::min(edge, 1.0F));
@@ -104,39 +103,39 @@ CrackEvidence CrackMeasure::at(int line, int beam, Along along) const {
     return evidence;
 }
 
-std::vector<LeafBorder> leafBorders(const RockInputs& inputs, const Grid<std::uint32_t>& leaf) {
+std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& leaf) {
     const CrackMeasure measure(inputs, leaf);
-    std::vector<LeafBorder> cracks;
-    const auto look = [&](int line, int beam, Along along) {
+    std::vector<SegmentBorder> cracks;
+    const auto look = [&](int line, int beam, edges::Along along) {
         const std::size_t p = leaf.index(line, beam);
-        const std::size_t q = p + (along == Along::Beams ? 1 : static_cast<std::size_t>(leaf.beams));
-        if (leaf[p] == leaf[q] || leaf[p] == kOpen || leaf[q] == kOpen) return;
+        const std::size_t q = p + (along == edges::Along::Beams ? 1 : static_cast<std::size_t>(leaf.beams));
+        if (leaf[p] == leaf[q] || leaf[p] == kNoSegment || leaf[q] == kNoSegment) return;
         const CrackEvidence evidence = measure.at(line, beam, along);
         const auto whole = [](double value) { return static_cast<std::int64_t>(std::llround(value / kEvidenceStep)); };
-        LeafBorder crack{leaf[p],           leaf[q],          whole(evidence.z), 1, 0, 0, 0, whole(evidence.e1), whole(evidence.e2),
-                         whole(evidence.v), whole(evidence.w)};
+        SegmentBorder crack{leaf[p],           leaf[q],          whole(evidence.z), 1, 0, 0, 0, whole(evidence.e1), whole(evidence.e2),
+                            whole(evidence.v), whole(evidence.w)};
         if (measure.jump(p, along) > 1.0F) (measure.isNearer(p, q) ? crack.jumpsA : crack.jumpsB) = 1;
         crack.valleys = measure.isContact(p, q, along) ? 1 : 0;
-        cracks.push_back(crack.a < crack.b ? crack : crack.turned());
+        cracks.push_back(crack.a < crack.b ? crack : crack.reversed());
     };
     for (int i = 0; i < leaf.lines; ++i) {
         for (int j = 0; j < leaf.beams; ++j) {
-            if (j + 1 < leaf.beams) look(i, j, Along::Beams);
-            if (i + 1 < leaf.lines) look(i, j, Along::Lines);
+            if (j + 1 < leaf.beams) look(i, j, edges::Along::Beams);
+            if (i + 1 < leaf.lines) look(i, j, edges::Along::Lines);
         }
     }
-    return addedUp(std::move(cracks));
+    return summedBorders(std::move(cracks));
 }
 
-std::vector<LeafBorder> addedUp(std::vector<LeafBorder> parts) {
+std::vector<SegmentBorder> summedBorders(std::vector<SegmentBorder> parts) {
     // Finds borders of the same two segments by a hash table of indices of `parts`, at least half empty. The first one receives the sums of
     // the others.
     constexpr std::uint32_t kEmpty = UINT32_MAX;
-    const auto pairOf = [](const LeafBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
+    const auto pairOf = [](const SegmentBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
     const unsigned bits = std::bit_width(2 * parts.size() + 1);
     std::vector<std::uint32_t> table(std::size_t{1} << bits, kEmpty);
     std::uint32_t count = 0;
-    for (const LeafBorder& part : parts) {
+    for (const SegmentBorder& part : parts) {
         std::size_t at = pairOf(part) * 0x9E3779B97F4A7C15U >> (64U - bits);
         while (table[at] != kEmpty && pairOf(parts[table[at]]) != pairOf(part)) at = (at + 1) & (table.size() - 1);
         if (table[at] == kEmpty) {
@@ -147,8 +146,8 @@ std::vector<LeafBorder> addedUp(std::vector<LeafBorder> parts) {
         }
     }
     parts.resize(count);
-    std::sort(parts.begin(), parts.end(), [&](const LeafBorder& x, const LeafBorder& y) { return pairOf(x) < pairOf(y); });
+    std::sort(parts.begin(), parts.end(), [&](const SegmentBorder& x, const SegmentBorder& y) { return pairOf(x) < pairOf(y); });
     return parts;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

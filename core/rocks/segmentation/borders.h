@@ -4,7 +4,7 @@
 
 #include "core/rocks/segmentation/segments.h"
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Evidence on one crack.
 struct CrackEvidence {
@@ -20,30 +20,30 @@ struct CrackEvidence {
 /// The inputs of the evidence on cracks.
 class CrackMeasure {
 public:
-    CrackMeasure(const RockInputs& inputs, const Grid<std::uint32_t>& leaf);
+    CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& leaf);
 
     /// The evidence on the crack between cell (line, beam) and the next one along `along`; both must belong to segments.
-    [[nodiscard]] CrackEvidence at(int line, int beam, Along along) const;
+    [[nodiscard]] CrackEvidence at(int line, int beam, edges::Along along) const;
     /// S_J of that crack (docs/method.md, "Step 3").
-    [[nodiscard]] float jump(std::size_t k, Along along) const {
-        return (along == Along::Beams ? cracks_.jumpBeams : cracks_.jumpLines)[k];
+    [[nodiscard]] float jump(std::size_t k, edges::Along along) const {
+        return (along == edges::Along::Beams ? cracks_.jumpBeams : cracks_.jumpLines)[k];
     }
     /// True without a jump and with a clear valley across the crack.
-    [[nodiscard]] bool isContact(std::size_t p, std::size_t q, Along along) const;
+    [[nodiscard]] bool isContact(std::size_t p, std::size_t q, edges::Along along) const;
     [[nodiscard]] bool isNearer(std::size_t p, std::size_t q) const { return cracks_.smoothed[p] >= cracks_.smoothed[q]; }
 
 private:
     /// A chord across the crack, and its largest possible length.
     struct Chord;
-    [[nodiscard]] Chord chordAt(int line, int beam, Along along) const;
+    [[nodiscard]] Chord chordAt(int line, int beam, edges::Along along) const;
     [[nodiscard]] double depthMm(const Chord& chord, int cells) const;
 
-    const RockInputs& inputs_;
-    const DepthCracks& cracks_;
+    const Inputs& inputs_;
+    const edges::DepthCracks& cracks_;
     const Grid<std::uint32_t>& leaf_;
 };
 
 /// All borders, ascending by (a, b).
-[[nodiscard]] std::vector<LeafBorder> leafBorders(const RockInputs& inputs, const Grid<std::uint32_t>& leaf);
+[[nodiscard]] std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& leaf);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

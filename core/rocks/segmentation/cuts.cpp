@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr int kSideReach = 2;        // distance to the line of the cells that decide which segments are on its sides
@@ -51,11 +51,11 @@ void giveBack(const CellLinks& links, const std::vector<std::size_t>& taken, con
         any = false;
         std::vector<std::pair<std::size_t, std::uint32_t>> given;
         for (const std::size_t k : taken) {
-            if (piece[k] != kOpen) continue;
+            if (piece[k] != kNoSegment) continue;
             const auto line = k / beams;
             const auto beam = k % beams;
             const auto look = [&](bool exists, std::size_t there, bool linked) {
-                if (!exists || !linked || piece[there] == kOpen || before[there] != before[k]) return false;
+                if (!exists || !linked || piece[there] == kNoSegment || before[there] != before[k]) return false;
                 given.emplace_back(k, piece[there]);
                 return true;
             };
@@ -81,13 +81,13 @@ std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams
     return cells;
 }
 
-void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf) {
+void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf) {
     std::vector<std::size_t> taken;
     Grid<std::uint8_t> isTaken(leaf.lines, leaf.beams);
     for (const CutLine& cut : cuts) {
         for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
             const std::size_t k = leaf.index(cell.line, cell.beam);
-            if (leaf[k] == kOpen || isTaken[k] != 0) continue;
+            if (leaf[k] == kNoSegment || isTaken[k] != 0) continue;
             isTaken[k] = 1;
             taken.push_back(k);
         }
@@ -103,34 +103,35 @@ void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::
             groups.join(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(next));
     };
     for (std::size_t k = 0; k < leaf.size(); ++k) {
-        if (leaf[k] == kOpen || isCut[leaf[k]] == 0) continue;
+        if (leaf[k] == kNoSegment || isCut[leaf[k]] == 0) continue;
         if (k % beams + 1 < beams) join(k, k + 1, links.toNextBeam(k));
         if (k + beams < leaf.size()) join(k, k + beams, links.toNextLine(k));
     }
     Grid<std::uint32_t> piece(leaf.lines, leaf.beams);
     std::vector<std::uint32_t> someCell(leaf.size() + 1, UINT32_MAX); // one cell of each unchanged segment
     for (std::uint32_t k = 0; k < leaf.size(); ++k) {
-        if (leaf[k] == kOpen || isTaken[k] != 0) continue;
+        if (leaf[k] == kNoSegment || isTaken[k] != 0) continue;
         if (isCut[leaf[k]] == 0 && someCell[leaf[k]] == UINT32_MAX) someCell[leaf[k]] = k;
         piece[k] = (isCut[leaf[k]] == 0 ? someCell[leaf[k]] : groups.of(k)) + 1;
     }
     giveBack(links, taken, leaf, piece);
     for (const std::size_t k : taken) {
-        if (piece[k] == kOpen) piece[k] = static_cast<std::uint32_t>(k) + 1; // a segment that consists only of stroke cells
+        if (piece[k] == kNoSegment) piece[k] = static_cast<std::uint32_t>(k) + 1; // a segment that consists only of stroke cells
     }
     leaf = std::move(piece);
     numberByFirstCell(leaf);
 }
 
-std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<const LeafBorder> borders, std::span<const CutLine> cuts) {
-    std::vector<LeafPair> pairs;
+std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& leaf, std::span<const SegmentBorder> borders,
+                                        std::span<const CutLine> cuts) {
+    std::vector<SegmentPair> pairs;
     for (const CutLine& cut : cuts) {
         std::map<std::uint32_t, std::array<std::uint32_t, 2>> sides; // number of cells on each side of the stroke, by segment
         for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
             for (int i = cell.line - kSideReach; i <= cell.line + kSideReach; ++i) {
                 for (int j = cell.beam - kSideReach; j <= cell.beam + kSideReach; ++j) {
                     const int side = (i - cell.line) * cell.overBeam - (j - cell.beam) * cell.overLine;
-                    if (side != 0 && leaf.contains(i, j) && leaf.at(i, j) != kOpen) ++sides[leaf.at(i, j)][side > 0 ? 1 : 0];
+                    if (side != 0 && leaf.contains(i, j) && leaf.at(i, j) != kNoSegment) ++sides[leaf.at(i, j)][side > 0 ? 1 : 0];
                 }
             }
         }
@@ -140,7 +141,7 @@ std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<co
             const auto [one, other] = found->second;
             return one > kMostly * other ? 0 : other > kMostly * one ? 1 : -1;
         };
-        for (const LeafBorder& border : borders) {
+        for (const SegmentBorder& border : borders) {
             const int a = sideOf(border.a);
             const int b = sideOf(border.b);
             if (a >= 0 && b >= 0 && a != b) pairs.push_back({border.a, border.b, false});
@@ -149,4 +150,4 @@ std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<co
     return pairs;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Consecutive cells, connected by straight lines of cells.
 using CutLine = std::vector<std::uint32_t>;
@@ -19,10 +19,10 @@ using CutLine = std::vector<std::uint32_t>;
 
 /// Cuts each segment that a line crosses into the parts on its two sides, and numbers all segments again by first cells. Cells outside of
 /// the grid are left out.
-void cutLeaves(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf);
+void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf);
 
-/// Pairs of segments on opposite sides of a line that border on each other: they must not be merged. `leaf`: as cutLeaves() left it.
-[[nodiscard]] std::vector<LeafPair> leavesAcross(const Grid<std::uint32_t>& leaf, std::span<const LeafBorder> borders,
-                                                 std::span<const CutLine> cuts);
+/// Pairs of segments on opposite sides of a line that border on each other: they must not be merged. `leaf`: as cutSegments() left it.
+[[nodiscard]] std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& leaf, std::span<const SegmentBorder> borders,
+                                                      std::span<const CutLine> cuts);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Calls say(number, first index, index behind the last) for each run of equal numbers, in order.
 template <class Say>
@@ -18,4 +18,4 @@ void eachEqualRun(std::span<const std::uint32_t> numbers, const Say& say) {
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -6,18 +6,18 @@
 
 #include <memory>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// All grids are lines x beams of one scan. Immutable after construction.
-struct RockInputs {
+struct Inputs {
     std::shared_ptr<const Scan> scan;
-    std::shared_ptr<const DepthSurface> surface;     ///< cleaned inverse range and its noise
-    std::shared_ptr<const DepthResponses> responses; ///< jumps and creases after suppression
-    std::shared_ptr<const DepthCracks> cracks;       ///< jumps and creases before suppression
+    std::shared_ptr<const edges::DepthSurface> surface;     ///< cleaned inverse range and its noise
+    std::shared_ptr<const edges::DepthResponses> responses; ///< jumps and creases after suppression
+    std::shared_ptr<const edges::DepthCracks> cracks;       ///< jumps and creases before suppression
 };
 
 /// Takes the results of the detection and computes the missing ones. For a method that does not measure the surface: the rocks of EdgeScan+
 /// with the same settings.
-[[nodiscard]] RockInputs rockInputs(const Detection& detection);
+[[nodiscard]] Inputs rockInputs(const edges::Detection& detection);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

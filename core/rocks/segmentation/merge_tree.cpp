@@ -10,15 +10,15 @@
 #include <unordered_map>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 class Merging {
 public:
-    Merging(std::uint32_t leaves, std::span<const LeafBorder> borders, std::span<const LeafPair> pairs)
+    Merging(std::uint32_t leaves, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs)
         : groups_(static_cast<std::size_t>(leaves) + 1), name_(static_cast<std::size_t>(leaves) + 1), of_(name_.size()) {
         std::iota(name_.begin(), name_.end(), 0U);
-        for (const LeafBorder& border : borders) {
+        for (const SegmentBorder& border : borders) {
             of_[border.a].emplace(border.b, static_cast<std::uint32_t>(borders_.size()));
             of_[border.b].emplace(border.a, static_cast<std::uint32_t>(borders_.size()));
             borders_.push_back({border, false, 0});
@@ -41,7 +41,7 @@ public:
 
 private:
     struct Border {
-        LeafBorder sums; // a, b: members of the two groups
+        SegmentBorder sums; // a, b: members of the two groups
         bool apart;
         std::uint32_t version;
     };
@@ -112,13 +112,13 @@ private:
     }
 
     // Accepts pairs from the last to the first, unless they contradict those already accepted.
-    void take(std::span<const LeafPair> pairs) {
+    void take(std::span<const SegmentPair> pairs) {
         JoinedGroups joined(name_.size());
-        std::vector<LeafPair> taken;
+        std::vector<SegmentPair> taken;
         for (auto pair = pairs.rbegin(); pair != pairs.rend(); ++pair) {
             const std::uint32_t a = joined.of(pair->a);
             const std::uint32_t b = joined.of(pair->b);
-            const auto keepsThemApart = [&](const LeafPair& other) {
+            const auto keepsThemApart = [&](const SegmentPair& other) {
                 const std::uint32_t c = joined.of(other.a);
                 const std::uint32_t d = joined.of(other.b);
                 return !other.joined && ((a == c && b == d) || (a == d && b == c));
@@ -127,11 +127,11 @@ private:
             if (pair->joined) joined.join(pair->a, pair->b);
             taken.push_back(*pair);
         }
-        for (const LeafPair& pair : taken) {
+        for (const SegmentPair& pair : taken) {
             if (!pair.joined) keepApart(pair.a, pair.b);
         }
         std::reverse(taken.begin(), taken.end());
-        for (const LeafPair& pair : taken) {
+        for (const SegmentPair& pair : taken) {
             if (pair.joined && groups_.of(pair.a) != groups_.of(pair.b)) join(pair.a, pair.b, -std::numeric_limits<double>::infinity());
         }
     }
@@ -146,7 +146,7 @@ private:
 
 } // namespace
 
-MergeTree mergeTree(std::uint32_t leaves, std::span<const LeafBorder> borders, std::span<const LeafPair> pairs) {
+MergeTree mergeTree(std::uint32_t leaves, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs) {
     return Merging(leaves, borders, pairs).run();
 }
 
@@ -155,11 +155,11 @@ std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t leaves,
     std::iota(group.begin(), group.end(), 0U);
     for (const Merge& merge : tree.merges) {
         if (merge.height > level) break;
-        group[merge.gone] = merge.kept;
+        group[merge.gone] = merge.remaining;
     }
     // A group was merged into one with a smaller number, which already has its final number.
     for (std::uint32_t n = 1; n < group.size(); ++n) group[n] = group[group[n]];
     return group;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

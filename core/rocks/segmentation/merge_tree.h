@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Two groups of segments become one. A group has the number of its smallest segment.
 struct Merge {
-    double height = 0.0;    ///< they are merged from this level on: the largest mean log odds of this merge and all before it
-    std::uint32_t kept = 0; ///< number of the merged group; smaller than `gone`
-    std::uint32_t gone = 0; ///< number of the group that disappears
+    double height = 0.0;         ///< they are merged from this level on: the largest mean log odds of this merge and all before it
+    std::uint32_t remaining = 0; ///< number of the merged group; smaller than `gone`
+    std::uint32_t gone = 0;      ///< number of the group that disappears
 };
 
 /// Ascending by height.
@@ -24,16 +24,16 @@ struct MergeTree {
 };
 
 /// A person's decision about two segments. Of two contradicting decisions the later one is valid.
-struct LeafPair {
+struct SegmentPair {
     std::uint32_t a = 0, b = 0;
     bool joined = false; ///< true: one rock; false: separate at every level
 };
 
 /// Repeatedly merges at the border with the lowest mean log odds; ties are broken by smaller segment numbers. Joined pairs come first, at
 /// minus infinity.
-[[nodiscard]] MergeTree mergeTree(std::uint32_t leaves, std::span<const LeafBorder> borders, std::span<const LeafPair> pairs = {});
+[[nodiscard]] MergeTree mergeTree(std::uint32_t leaves, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs = {});
 
 /// The number of the group of each segment after all merges up to `level`, by segment; kOpen for kOpen.
 [[nodiscard]] std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t leaves, double level);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr double kRidge = 0.5; // added to the spreads, so that few cells in one line do not tilt the plane
@@ -86,4 +86,4 @@ PlaneSums planeSums(const std::uint32_t* leaf, const float* u, std::size_t beams
     return plane;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Number of cells on each side that a plane is fitted to.
 inline constexpr int kPlaneReach = 4;
@@ -26,4 +26,4 @@ struct PlaneSums {
 /// cells per line.
 [[nodiscard]] PlaneSums planeSums(const std::uint32_t* leaf, const float* u, std::size_t beams, std::uint32_t own);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr int kPasses = 4;
@@ -50,14 +50,14 @@ EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std
         for (const std::uint32_t there :
              {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
             others |= (there != here ? 1U : 0U) & (there != kVoid ? 1U : 0U);
-        inner[j] = others != 0 ? kOpen : here;
+        inner[j] = others != 0 ? kNoSegment : here;
     }
 }
 
 // Bits for the inputs of a choice: one for the segments of the neighbours, and one of seven for each segment that was considered.
 constexpr std::uint8_t kNeighbours = 128;
 std::uint8_t markOf(std::uint32_t leaf) {
-    return leaf == kOpen || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
+    return leaf == kNoSegment || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
 }
 
 // A segment that a cell may choose.
@@ -68,7 +68,8 @@ struct LeafChoice {
 
 class Refinement {
 public:
-    Refinement(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf)
+    Refinement(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
+               Grid<std::uint32_t>& leaf)
         : inverse_(inverse), noise_(noise), most_(most), leaf_(leaf),
           inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
           u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams),
@@ -86,7 +87,7 @@ public:
             const std::size_t at = marginIndex(i, 0);
             innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
             for (std::size_t j = 0; j < beams; ++j)
-                looked_.line(i)[j] = (inner_[at + j] == kOpen) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
+                looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
         }
     }
 
@@ -100,7 +101,7 @@ public:
             const std::uint8_t* const look = looked_.line(i);
             for (int j = nextLooked(look, 0); j < leaf_.beams; j = nextLooked(look, j + 1)) {
                 const std::size_t at = marginIndex(i, j);
-                if (inner_[at] != kOpen || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
+                if (inner_[at] != kNoSegment || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
                 const std::uint32_t chosen = choice(i, j);
                 if (chosen != leaf_.at(i, j)) moves.push_back({i, j, chosen});
             }
@@ -170,7 +171,7 @@ private:
             const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].leaf);
             // In standard deviations of the noise.
             const double off = plane.n == 0 ? most_ : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
-            if (own == kOpen && off >= kFitsOpen) continue;
+            if (own == kNoSegment && off >= kFitsOpen) continue;
             const double cost = (off > most_ ? most_ + kBeyond * (off - most_) : off) - kPerNeighbour * choices[n].neighbours;
             if (cost < least || (cost == least && choices[n].leaf < best)) {
                 least = cost;
@@ -208,7 +209,7 @@ private:
         const std::array<double, 9> weights = neighbourWeights(at);
         std::size_t count = 0;
         for (std::size_t k = 0; k < leaves.size(); ++k) {
-            if (leaves[k] == kOpen || leaves[k] == kVoid) continue;
+            if (leaves[k] == kNoSegment || leaves[k] == kVoid) continue;
             std::size_t n = 0;
             while (n < count && choices[n].leaf != leaves[k]) ++n;
             if (n == count) choices[count++] = {leaves[k], 0.0};
@@ -239,7 +240,7 @@ void openSmallLeaves(Grid<std::uint32_t>& leaf, std::uint32_t count) {
     std::vector<std::size_t> cells(static_cast<std::size_t>(count) + 1);
     eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) { cells[of] += end - begin; });
     eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
-        if (cells[of] < kSmallestLeaf) std::fill(&leaf.cells[begin], &leaf.cells[begin] + (end - begin), kOpen);
+        if (cells[of] < kSmallestSegment) std::fill(&leaf.cells[begin], &leaf.cells[begin] + (end - begin), kNoSegment);
     });
 }
 
@@ -253,11 +254,11 @@ double mostDeviations(const AngularSteps& steps) {
     return kMostBeside + (kMostOverlapping - kMostBeside) * std::clamp(overlap, 0.0, 1.0);
 }
 
-void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf,
-                  std::uint32_t count) {
+void refineSegments(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
+                    Grid<std::uint32_t>& leaf, std::uint32_t count) {
     openSmallLeaves(leaf, count);
     Refinement refinement(inverse, cracks, noise, most, leaf);
     for (int pass = 0; pass < kPasses; ++pass) refinement.pass();
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -3,10 +3,10 @@
 
 #include "core/rocks/segmentation/segments.h"
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Smaller segments are dissolved; neighbouring segments take their cells.
-inline constexpr std::uint32_t kSmallestLeaf = 12;
+inline constexpr std::uint32_t kSmallestSegment = 12;
 
 /// 5 to 30: deviation from a plane, in standard deviations, above which a larger deviation costs hardly more. If the beams of neighbouring
 /// cells hardly overlap, only single cells have a range between two surfaces, and their neighbours decide better where they belong. If the
@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kSmallestLeaf = 12;
 
 /// Each cell next to another segment moves to the segment, among those of its neighbours, whose plane fits its range best; an open cell
 /// only if a plane fits well. Four passes. Deterministic: a pass reads the result of the pass before. `most`: from mostDeviations().
-void refineLeaves(const InverseRange& inverse, const DepthCracks& cracks, const RangeNoise& noise, double most, Grid<std::uint32_t>& leaf,
-                  std::uint32_t count);
+void refineSegments(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
+                    Grid<std::uint32_t>& leaf, std::uint32_t count);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 // Points of a line relative to the sensor, metres, in separate arrays per coordinate.
@@ -33,12 +33,12 @@ struct LinePoints {
 };
 
 // Adds the measured cells of a run; `steps` are those of the line's cells.
-void addRun(const RockInputs& inputs, const LinePoints& points, const LeafRun& run, LeafSums& sums) {
+void addRun(const Inputs& inputs, const LinePoints& points, const SegmentRun& run, SegmentSums& sums) {
     const AngularSteps& steps = inputs.surface->steps;
     const auto line = static_cast<int>(run.row);
     const Support* const support = inputs.surface->inverse.support.line(line);
     const float* const rangeMm = inputs.scan->rangeMm.line(line);
-    LeafSums sum = sums;
+    SegmentSums sum = sums;
     for (std::uint32_t j = run.begin; j < run.end; ++j) {
         if (support[j] != Support::Measured) continue;
         const double rangeM = 0.001 * static_cast<double>(rangeMm[j]);
@@ -60,30 +60,30 @@ void addRun(const RockInputs& inputs, const LinePoints& points, const LeafRun& r
 }
 
 // `runs`: along the beams.
-std::vector<LeafSums> leafSums(const RockInputs& inputs, const std::vector<LeafRun>& runs, std::uint32_t count) {
-    std::vector<LeafSums> sums(static_cast<std::size_t>(count) + 1);
+std::vector<SegmentSums> leafSums(const Inputs& inputs, const std::vector<SegmentRun>& runs, std::uint32_t count) {
+    std::vector<SegmentSums> sums(static_cast<std::size_t>(count) + 1);
     const CartesianTables tables(*inputs.scan);
     LinePoints points(inputs.scan->beams());
     std::uint32_t line = UINT32_MAX;
-    for (const LeafRun& run : runs) {
+    for (const SegmentRun& run : runs) {
         if (run.row != line) {
             line = run.row;
             points.fill(*inputs.scan, tables, static_cast<int>(line));
         }
-        addRun(inputs, points, run, sums[run.leaf]);
+        addRun(inputs, points, run, sums[run.segment]);
     }
-    for (LeafSums& sum : sums) {
+    for (SegmentSums& sum : sums) {
         for (const auto [row, column] : {std::pair{1, 0}, {2, 0}, {2, 1}}) sum.sumM2(row, column) = sum.sumM2(column, row);
     }
     return sums;
 }
 
-std::vector<LeafRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
-    std::vector<LeafRun> runs;
+std::vector<SegmentRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
+    std::vector<SegmentRun> runs;
     const auto beams = static_cast<std::size_t>(leaf.beams);
     for (int i = 0; i < leaf.lines; ++i) {
         eachEqualRun({leaf.line(i), beams}, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
-            if (of != kOpen)
+            if (of != kNoSegment)
                 runs.push_back({of, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
         });
     }
@@ -91,9 +91,9 @@ std::vector<LeafRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
 }
 
 // By beam, then line; computed line by line, in the order of memory.
-std::vector<LeafRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
+std::vector<SegmentRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
     const auto beams = static_cast<std::size_t>(leaf.beams);
-    const std::vector<std::uint32_t> outside(beams, kOpen);
+    const std::vector<std::uint32_t> outside(beams, kNoSegment);
     const auto eachChange = [&](const auto& say) {
         for (int i = 0; i <= leaf.lines; ++i) {
             const std::uint32_t* const before = i > 0 ? leaf.line(i - 1) : outside.data();
@@ -104,32 +104,32 @@ std::vector<LeafRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
         }
     };
     std::vector<std::size_t> next(beams + 1, 0); // index of the next run of each beam
-    eachChange([&](std::uint32_t, std::size_t j, std::uint32_t, std::uint32_t here) { next[j + 1] += here != kOpen ? 1 : 0; });
+    eachChange([&](std::uint32_t, std::size_t j, std::uint32_t, std::uint32_t here) { next[j + 1] += here != kNoSegment ? 1 : 0; });
     std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<LeafRun> runs(next.back());
+    std::vector<SegmentRun> runs(next.back());
     eachChange([&](std::uint32_t i, std::size_t j, std::uint32_t before, std::uint32_t here) {
-        if (before != kOpen) runs[next[j] - 1].end = i;
-        if (here != kOpen) runs[next[j]++] = {here, static_cast<std::uint32_t>(j), i, i};
+        if (before != kNoSegment) runs[next[j] - 1].end = i;
+        if (here != kNoSegment) runs[next[j]++] = {here, static_cast<std::uint32_t>(j), i, i};
     });
     return runs;
 }
 
 } // namespace
 
-RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
-    RockLeaves leaves;
+Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
+    Segmentation leaves;
     leaves.inputs = inputs;
     const InverseRange& inverse = inputs.surface->inverse;
     const CellLinks links{inverse.support, *inputs.cracks};
-    leaves.leaf = leafBasins(barrierDistance(inputs), links);
-    cutLeaves(links, cuts, leaves.leaf);
-    leaves.borders = leafBorders(inputs, leaves.leaf);
-    const std::uint32_t count = lastLeaf(leaves.leaf);
-    refineLeaves(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), leaves.leaf, count);
-    leaves.beamRuns = runsAlongBeams(leaves.leaf);
+    leaves.segment = segmentBasins(barrierDistance(inputs), links);
+    cutSegments(links, cuts, leaves.segment);
+    leaves.borders = segmentBorders(inputs, leaves.segment);
+    const std::uint32_t count = lastSegment(leaves.segment);
+    refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), leaves.segment, count);
+    leaves.beamRuns = runsAlongBeams(leaves.segment);
     leaves.sums = leafSums(inputs, leaves.beamRuns, count);
-    leaves.lineRuns = runsAlongLines(leaves.leaf);
+    leaves.lineRuns = runsAlongLines(leaves.segment);
     return leaves;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

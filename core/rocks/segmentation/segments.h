@@ -9,17 +9,17 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// A cell without a segment: the cell was not measured, or no segment fits it.
-inline constexpr std::uint32_t kOpen = 0;
+inline constexpr std::uint32_t kNoSegment = 0;
 
 /// Log odds of "two rocks" are stored as whole multiples of this, so that sums are exact in any order.
 inline constexpr double kEvidenceStep = 1.0 / 65536.0;
 
 /// The border of two segments, or of two groups of segments. All numbers add up when groups are merged. A crack is the side between two
 /// neighbouring cells.
-struct LeafBorder {
+struct SegmentBorder {
     std::uint32_t a = 0, b = 0; ///< the two segments, a < b
     std::int64_t sumZ = 0;      ///< sum of the log odds of its cracks, in units of kEvidenceStep
     std::uint32_t cracks = 0;   ///< number of cracks between cells of a and of b
@@ -35,7 +35,7 @@ struct LeafBorder {
     [[nodiscard]] double meanZ() const { return mean(sumZ); }
     /// The mean per crack of one of the sums.
     [[nodiscard]] double mean(std::int64_t sum) const { return static_cast<double>(sum) * kEvidenceStep / static_cast<double>(cracks); }
-    void add(const LeafBorder& other) {
+    void add(const SegmentBorder& other) {
         sumZ += other.sumZ;
         cracks += other.cracks;
         jumpsA += other.jumpsA;
@@ -47,17 +47,17 @@ struct LeafBorder {
         sumWide += other.sumWide;
     }
     /// The same border with a and b exchanged.
-    [[nodiscard]] LeafBorder turned() const { return {b, a, sumZ, cracks, jumpsB, jumpsA, valleys, sumE1, sumE2, sumValley, sumWide}; }
+    [[nodiscard]] SegmentBorder reversed() const { return {b, a, sumZ, cracks, jumpsB, jumpsA, valleys, sumE1, sumE2, sumValley, sumWide}; }
 };
 
 /// Sums over the measured cells of a segment; they add up when segments are merged.
-struct LeafSums {
+struct SegmentSums {
     std::uint32_t cells = 0;
     double areaM2 = 0.0;                             ///< across the beams: r^2 x solid angle
     Eigen::Vector3d sumM = Eigen::Vector3d::Zero();  ///< sum of the points, metres from the sensor
     Eigen::Matrix3d sumM2 = Eigen::Matrix3d::Zero(); ///< sum of p p^T, m^2
 
-    void add(const LeafSums& other) {
+    void add(const SegmentSums& other) {
         cells += other.cells;
         areaM2 += other.areaM2;
         sumM += other.sumM;
@@ -66,28 +66,28 @@ struct LeafSums {
 };
 
 /// Consecutive cells of one segment: along the beams of a line, or along the lines of a beam.
-struct LeafRun {
-    std::uint32_t leaf;
+struct SegmentRun {
+    std::uint32_t segment;
     std::uint32_t row;        ///< the line, or the beam
     std::uint32_t begin, end; ///< first cell of the row, and the cell behind the last
 };
 
 /// The segments and everything else that does not depend on the level. Immutable after construction.
-struct RockLeaves {
-    RockInputs inputs;
-    Grid<std::uint32_t> leaf;        ///< lines x beams: kOpen, or the segment from 1 on; numbered by first cells
-    std::vector<LeafBorder> borders; ///< ascending by (a, b)
-    std::vector<LeafSums> sums;      ///< by segment; that of kOpen is empty
-    std::vector<LeafRun> beamRuns;   ///< by line, then beam
-    std::vector<LeafRun> lineRuns;   ///< by beam, then line
+struct Segmentation {
+    Inputs inputs;
+    Grid<std::uint32_t> segment;        ///< lines x beams: kOpen, or the segment from 1 on; numbered by first cells
+    std::vector<SegmentBorder> borders; ///< ascending by (a, b)
+    std::vector<SegmentSums> sums;      ///< by segment; that of kOpen is empty
+    std::vector<SegmentRun> beamRuns;   ///< by line, then beam
+    std::vector<SegmentRun> lineRuns;   ///< by beam, then line
 
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(sums.size()) - 1; }
 };
 
 /// Adds up borders of the same two segments; ascending by (a, b).
-[[nodiscard]] std::vector<LeafBorder> addedUp(std::vector<LeafBorder> parts);
+[[nodiscard]] std::vector<SegmentBorder> summedBorders(std::vector<SegmentBorder> parts);
 
 /// Steps 2 to 4 and 6. `cuts`: strokes along which segments are cut, each a list of cells (core/rocks/segmentation/cuts.h).
-[[nodiscard]] RockLeaves rockLeaves(const RockInputs& inputs, std::span<const std::vector<std::uint32_t>> cuts = {});
+[[nodiscard]] Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts = {});
 
-} // namespace edgescan
+} // namespace edgescan::rocks

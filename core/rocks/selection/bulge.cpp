@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr std::uint32_t kShortestRun = 6;
@@ -52,17 +52,17 @@ std::vector<double> addedAngles(const std::vector<float>& steps) {
 
 } // namespace
 
-std::vector<double> regionBulges(const RockLeaves& leaves, std::span<const std::uint32_t> regionOfLeaf, std::size_t regions) {
+std::vector<double> regionBulges(const Segmentation& leaves, std::span<const std::uint32_t> regionOfLeaf, std::size_t regions) {
     std::vector<Bulge> bulges(regions);
     const Grid<float>& u = leaves.inputs.cracks->smoothed;
     const AngularSteps& steps = leaves.inputs.surface->steps;
     const auto beams = static_cast<std::size_t>(u.beams);
-    const auto walk = [&](const std::vector<LeafRun>& runs, const std::vector<double>& angles, bool isBeams) {
+    const auto walk = [&](const std::vector<SegmentRun>& runs, const std::vector<double>& angles, bool isBeams) {
         for (std::size_t first = 0; first < runs.size();) {
-            const std::uint32_t region = regionOfLeaf[runs[first].leaf];
+            const std::uint32_t region = regionOfLeaf[runs[first].segment];
             std::size_t last = first;
             while (last + 1 < runs.size() && runs[last + 1].row == runs[first].row && runs[last + 1].begin == runs[last].end &&
-                   regionOfLeaf[runs[last + 1].leaf] == region)
+                   regionOfLeaf[runs[last + 1].segment] == region)
                 ++last;
             const std::size_t begin = runs[first].begin;
             const std::size_t end = runs[last].end;
@@ -84,4 +84,4 @@ std::vector<double> regionBulges(const RockLeaves& leaves, std::span<const std::
     return shares;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

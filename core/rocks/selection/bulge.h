@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
-/// The bulge of each region as a share of its chord, -0.3 .. 0.3; positive: convex towards the scanner. `regionOfLeaf`: by segment, below
-/// `regions`; 0 means no region.
-[[nodiscard]] std::vector<double> regionBulges(const RockLeaves& leaves, std::span<const std::uint32_t> regionOfLeaf, std::size_t regions);
+/// The bulge of each region as a share of its chord, -0.3 .. 0.3; positive: convex towards the scanner. `regionOfSegment`: by segment,
+/// below `regions`; 0 means no region.
+[[nodiscard]] std::vector<double> regionBulges(const Segmentation& leaves, std::span<const std::uint32_t> regionOfLeaf,
+                                               std::size_t regions);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
-enum class RockEditKind : std::uint8_t {
+enum class EditKind : std::uint8_t {
     Join,    ///< the pieces at these cells are one rock
     Part,    ///< the pieces at these two cells are never one rock
     Cut,     ///< a stroke through these cells: pieces are cut along it, and its two sides are never one rock
@@ -25,54 +25,55 @@ enum class RockEditKind : std::uint8_t {
 };
 
 /// Cells are given by index k = line * beams + beam, never by the number of a region.
-struct RockEdit {
-    RockEditKind kind = RockEditKind::Join;
+struct Edit {
+    EditKind kind = EditKind::Join;
     std::vector<std::uint32_t> cells = {}; ///< number of cells: Join 2 or more; Part 2; Cut 2 or more; Rock, NotRock 1
 
-    bool operator==(const RockEdit&) const = default;
+    bool operator==(const Edit&) const = default;
 };
 
 /// "join", "part", "cut", "rock", "not_rock".
-[[nodiscard]] const char* rockEditName(RockEditKind kind);
+[[nodiscard]] const char* rockEditName(EditKind kind);
 
 /// The strokes among the edits.
-[[nodiscard]] std::vector<CutLine> cutsOf(std::span<const RockEdit> edits);
+[[nodiscard]] std::vector<CutLine> cutsOf(std::span<const Edit> edits);
 /// Decisions of the edits about pairs of segments; a cell without a segment has no effect. `leaves` must have been made with the same
 /// strokes.
-[[nodiscard]] std::vector<LeafPair> pairsOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
-[[nodiscard]] std::vector<CalledLeaf> calledOf(const RockLeaves& leaves, std::span<const RockEdit> edits);
+[[nodiscard]] std::vector<SegmentPair> pairsOf(const Segmentation& leaves, std::span<const Edit> edits);
+[[nodiscard]] std::vector<RockCall> rockCallsOf(const Segmentation& leaves, std::span<const Edit> edits);
 
 /// Smaller pieces are not useful as rocks.
 inline constexpr std::uint32_t kFewestSplit = 50;
 
 /// A piece around a cell: a region at some level.
-struct RockAncestor {
-    std::vector<std::uint32_t> leaves; ///< ascending
-    std::uint32_t cells = 0;           ///< measured cells
+struct NestedPiece {
+    std::vector<std::uint32_t> segments; ///< ascending
+    std::uint32_t cells = 0;             ///< measured cells
     /// difference of the levels at which it appears and at which it is merged; 0 for pieces larger than the region
     double life = 0.0;
     /// the edit that makes it a rock: separates it from the piece it was merged with, or joins its parts
-    RockEdit part;
+    Edit edit;
 };
 
 /// The pieces around a cell, from its segment on, each inside the next.
-struct RockLine {
-    std::vector<RockAncestor> pieces;
+struct NestedPieces {
+    std::vector<NestedPiece> pieces;
     /// index of the region at the current level, whose `part` has no cells; before it are smaller pieces, behind it larger ones
     std::size_t region = 0;
 };
 /// Empty if the cell does not belong to a segment. At most `mostLarger` pieces are larger than the region.
-[[nodiscard]] RockLine rockLine(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger);
+[[nodiscard]] NestedPieces nestedPieces(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k,
+                                        std::size_t mostLarger);
 
 /// Index of the piece that a click splits off: of those with 50 or more cells the one with the longest life; the region's index if there is
 /// no such piece.
-[[nodiscard]] std::size_t bestSplit(const RockLine& line);
+[[nodiscard]] std::size_t bestSplit(const NestedPieces& line);
 /// The edit of that piece. Empty if there is no such piece.
-[[nodiscard]] std::optional<RockEdit> splitAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k);
+[[nodiscard]] std::optional<Edit> splitAt(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k);
 
 /// {"format": "edgescan-rock-edits/1", "lines": N, "beams": N, "edits": [{"kind": "join", "cells": [[line, beam], ...]}, ...]}
-[[nodiscard]] nlohmann::ordered_json rockEditsToJson(std::span<const RockEdit> edits, int lines, int beams);
+[[nodiscard]] nlohmann::ordered_json rockEditsToJson(std::span<const Edit> edits, int lines, int beams);
 /// Error: damaged text, another format, another grid than lines x beams, unknown kinds, cells outside of the grid.
-Result<std::vector<RockEdit>> rockEditsFromJson(const nlohmann::json& object, int lines, int beams, const std::string& where);
+Result<std::vector<Edit>> rockEditsFromJson(const nlohmann::json& object, int lines, int beams, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr const char* kEditsFormat = "edgescan-rock-edits/1";
@@ -14,14 +14,14 @@ constexpr std::size_t kMostEdits = 100'000;
 constexpr std::size_t kMostCells = 100'000; // of one edit
 
 struct EditRow {
-    RockEditKind kind;
+    EditKind kind;
     const char* name;
     std::size_t fewest, most; // number of cells
 };
 constexpr std::array kEdits{
-    EditRow{RockEditKind::Join, "join", 2, kMostCells}, EditRow{RockEditKind::Part, "part", 2, 2},
-    EditRow{RockEditKind::Cut, "cut", 2, kMostCells},   EditRow{RockEditKind::Rock, "rock", 1, 1},
-    EditRow{RockEditKind::NotRock, "not_rock", 1, 1},
+    EditRow{EditKind::Join, "join", 2, kMostCells}, EditRow{EditKind::Part, "part", 2, 2},
+    EditRow{EditKind::Cut, "cut", 2, kMostCells},   EditRow{EditKind::Rock, "rock", 1, 1},
+    EditRow{EditKind::NotRock, "not_rock", 1, 1},
 };
 
 using Json = nlohmann::json;
@@ -34,7 +34,7 @@ std::optional<std::uint32_t> cellOf(const Json& pair, int lines, int beams) {
 }
 
 // Reads an edit. Returns an empty text, or the fault.
-std::string read(const Json& object, int lines, int beams, RockEdit& edit) {
+std::string read(const Json& object, int lines, int beams, Edit& edit) {
     if (!object.is_object() || object.size() != 2 || !object.contains("kind") || !object.contains("cells"))
         return "is not {\"kind\": ..., \"cells\": ...}";
     const auto row = std::find_if(kEdits.begin(), kEdits.end(), [&](const EditRow& r) { return object["kind"] == r.name; });
@@ -52,12 +52,12 @@ std::string read(const Json& object, int lines, int beams, RockEdit& edit) {
 
 } // namespace
 
-const char* rockEditName(RockEditKind kind) { return kEdits[static_cast<std::size_t>(kind)].name; }
+const char* rockEditName(EditKind kind) { return kEdits[static_cast<std::size_t>(kind)].name; }
 
-nlohmann::ordered_json rockEditsToJson(std::span<const RockEdit> edits, int lines, int beams) {
+nlohmann::ordered_json rockEditsToJson(std::span<const Edit> edits, int lines, int beams) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     const auto width = static_cast<std::uint32_t>(beams);
-    for (const RockEdit& edit : edits) {
+    for (const Edit& edit : edits) {
         nlohmann::ordered_json cells = nlohmann::ordered_json::array();
         for (const std::uint32_t k : edit.cells) cells.push_back({k / width, k % width});
         list.push_back({{"kind", rockEditName(edit.kind)}, {"cells", cells}});
@@ -65,7 +65,7 @@ nlohmann::ordered_json rockEditsToJson(std::span<const RockEdit> edits, int line
     return {{"format", kEditsFormat}, {"lines", lines}, {"beams", beams}, {"edits", list}};
 }
 
-Result<std::vector<RockEdit>> rockEditsFromJson(const Json& object, int lines, int beams, const std::string& where) {
+Result<std::vector<Edit>> rockEditsFromJson(const Json& object, int lines, int beams, const std::string& where) {
     const auto refused = [&](const std::string& what) { return Error{what, where, "give edits that were made on this scan"}; };
     if (!object.is_object() || !object.contains("format") || object["format"] != kEditsFormat)
         return refused(std::string("these are not edits of rocks (") + kEditsFormat + ")");
@@ -77,9 +77,9 @@ Result<std::vector<RockEdit>> rockEditsFromJson(const Json& object, int lines, i
         return refused("the edits are not for a grid of " + std::to_string(lines) + " lines x " + std::to_string(beams) + " beams");
     if (!object.contains("edits") || !object["edits"].is_array() || object["edits"].size() > kMostEdits)
         return refused("the edits hold no list \"edits\" of at most " + std::to_string(kMostEdits));
-    std::vector<RockEdit> edits;
+    std::vector<Edit> edits;
     for (const Json& item : object["edits"]) {
-        RockEdit edit;
+        Edit edit;
         const std::string wrong = read(item, lines, beams, edit);
         if (!wrong.empty()) return refused("edit " + std::to_string(edits.size()) + " " + wrong);
         edits.push_back(std::move(edit));
@@ -87,4 +87,4 @@ Result<std::vector<RockEdit>> rockEditsFromJson(const Json& object, int lines, i
     return edits;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

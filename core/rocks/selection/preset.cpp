@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
@@ -16,17 +16,17 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
 
 std::filesystem::path rockPresetPath(const std::filesystem::path& scan) { return scan.string() + ".rocks.json"; }
 
-std::string rockPresetText(const RockPreset& preset, int lines, int beams) {
+std::string rockPresetText(const Preset& preset, int lines, int beams) {
     nlohmann::ordered_json object = rockEditsToJson(preset.edits, lines, beams);
     if (!preset.sha256.empty()) object["sha256"] = preset.sha256;
     if (preset.settings) object["settings"] = rockSettingsToJson(*preset.settings);
     return jsonText(object, 1) + "\n";
 }
 
-Result<RockPreset> rockPresetFromText(std::string_view text, int lines, int beams, const std::string& sha256, const std::string& where) {
+Result<Preset> rockPresetFromText(std::string_view text, int lines, int beams, const std::string& sha256, const std::string& where) {
     auto object = parseJson(text, where);
     if (!object) return object.error();
-    RockPreset preset;
+    Preset preset;
     if (object->is_object() && object->contains("settings")) {
         const auto settings = rockSettingsFromJson((*object)["settings"], where);
         if (!settings) return settings.error();
@@ -47,10 +47,10 @@ Result<RockPreset> rockPresetFromText(std::string_view text, int lines, int beam
     return preset;
 }
 
-Result<RockPreset> readRockPreset(const std::filesystem::path& path, const Scan& scan) {
+Result<Preset> readRockPreset(const std::filesystem::path& path, const Scan& scan) {
     const auto bytes = readWholeFile(path, kMostBytes);
     if (!bytes) return bytes.error();
     return rockPresetFromText(textOf(*bytes), scan.lines(), scan.beams(), scan.sha256, path.string());
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
-struct RockPreset {
+struct Preset {
     std::optional<RockSettings> settings; ///< empty: edits only
-    std::vector<RockEdit> edits;
+    std::vector<Edit> edits;
     std::string sha256; ///< hash of the scan's file; empty: unknown
 };
 
@@ -20,12 +20,12 @@ struct RockPreset {
 [[nodiscard]] std::filesystem::path rockPresetPath(const std::filesystem::path& scan);
 
 /// The edits (rockEditsToJson), with "settings" and "sha256" if they are known, as text of a file.
-[[nodiscard]] std::string rockPresetText(const RockPreset& preset, int lines, int beams);
+[[nodiscard]] std::string rockPresetText(const Preset& preset, int lines, int beams);
 
 /// Reads the text of rockPresetText() or rockEditsToJson(). Error: those of rockEditsFromJson() and rockSettingsFromJson(), or the text
 /// belongs to a file with a hash other than `sha256` (if both are known).
-Result<RockPreset> rockPresetFromText(std::string_view text, int lines, int beams, const std::string& sha256, const std::string& where);
+Result<Preset> rockPresetFromText(std::string_view text, int lines, int beams, const std::string& sha256, const std::string& where);
 /// The same from a file.
-Result<RockPreset> readRockPreset(const std::filesystem::path& path, const Scan& scan);
+Result<Preset> readRockPreset(const std::filesystem::path& path, const Scan& scan);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 struct Side {
@@ -78,18 +78,18 @@ std::vector<RegionCorner> regionOfDrawing(const std::vector<RegionCorner>& drawn
     return region.size() < 3 ? std::vector<RegionCorner>{} : region;
 }
 
-void markOutside(const RockLeaves& leaves, RockMap& map) {
+void markOutsideRegion(const Segmentation& leaves, RegionMap& map) {
     if (map.settings.region.empty()) return;
     const Grid<Support>& support = leaves.inputs.surface->inverse.support;
     std::vector<std::uint32_t> inside(map.regions.size());
-    const Grid<std::uint8_t> mask = insideMask(map.settings.region, leaves.leaf.lines, leaves.leaf.beams);
+    const Grid<std::uint8_t> mask = insideMask(map.settings.region, leaves.segment.lines, leaves.segment.beams);
     for (std::size_t k = 0; k < mask.size(); ++k) {
-        if (mask[k] == 0 || leaves.leaf[k] == kOpen || support[k] != Support::Measured) continue;
-        ++inside[map.regionOfLeaf[leaves.leaf[k]]];
+        if (mask[k] == 0 || leaves.segment[k] == kNoSegment || support[k] != Support::Measured) continue;
+        ++inside[map.regionOfSegment[leaves.segment[k]]];
     }
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         if (2 * static_cast<std::uint64_t>(inside[n]) < map.regions[n].sums.cells) map.regions[n].kind = RegionKind::Outside;
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

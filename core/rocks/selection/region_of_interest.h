@@ -3,10 +3,10 @@
 
 #include "core/rocks/selection/rock_map.h"
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// Marks regions with more measured cells outside than inside. Does nothing if the settings have no region of interest.
-void markOutside(const RockLeaves& leaves, RockMap& map);
+void markOutsideRegion(const Segmentation& leaves, RegionMap& map);
 
 /// Whether a cell is inside the region; always true for an empty region.
 [[nodiscard]] bool isInside(const std::vector<RegionCorner>& region, int line, int beam);
@@ -17,4 +17,4 @@ void markOutside(const RockLeaves& leaves, RockMap& map);
 /// remain.
 [[nodiscard]] std::vector<RegionCorner> regionOfDrawing(const std::vector<RegionCorner>& drawn);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

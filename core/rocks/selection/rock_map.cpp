@@ -12,7 +12,7 @@
 #include <optional>
 #include <tuple>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr std::uint32_t kFewestValleys = 5;
@@ -38,8 +38,8 @@ constexpr double kMostScore = 12.0;
 constexpr double kDeviations = 4.0; // a size is this many standard deviations
 
 // From the spread of the points about their mean.
-void measureSpread(RockRegion& region) {
-    const LeafSums& sums = region.sums;
+void measureSpread(Region& region) {
+    const SegmentSums& sums = region.sums;
     if (sums.cells < 3) return;
     const double n = sums.cells;
     const Eigen::Vector3d mean = sums.sumM / n;
@@ -49,48 +49,49 @@ void measureSpread(RockRegion& region) {
     region.longM = kDeviations * deviations[2];
     const double boxM2 = kDeviations * deviations[1] * region.longM;
     if (boxM2 <= 0.0) return; // all points are on one line
-    region.depth = deviations[0] / deviations[2];
-    region.fill = sums.areaM2 / boxM2;
+    region.depthRatio = deviations[0] / deviations[2];
+    region.boxShare = sums.areaM2 / boxM2;
 }
 
 // Sums of the segments of each region; indices as in `regions`.
-void addLeaves(const RockLeaves& leaves, RockMap& map) {
-    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) map.regions[map.regionOfLeaf[leaf]].sums.add(leaves.sums[leaf]);
+void addLeaves(const Segmentation& leaves, RegionMap& map) {
+    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) map.regions[map.regionOfSegment[leaf]].sums.add(leaves.sums[leaf]);
 }
 
-void addBorders(const RockLeaves& leaves, RockMap& map) {
+void addBorders(const Segmentation& leaves, RegionMap& map) {
     std::vector<RegionBorder> parts;
     for (RegionBorder border : leaves.borders) {
-        border.a = map.regionOfLeaf[border.a];
-        border.b = map.regionOfLeaf[border.b];
-        if (border.a != border.b) parts.push_back(border.a < border.b ? border : border.turned());
+        border.a = map.regionOfSegment[border.a];
+        border.b = map.regionOfSegment[border.b];
+        if (border.a != border.b) parts.push_back(border.a < border.b ? border : border.reversed());
     }
-    map.borders = addedUp(std::move(parts));
+    map.borders = summedBorders(std::move(parts));
     for (const RegionBorder& border : map.borders) {
         const double cracks = border.cracks;
         for (const std::uint32_t side : {border.a, border.b}) {
-            RockRegion& region = map.regions[side];
+            Region& region = map.regions[side];
             region.outlineCracks += border.cracks;
-            region.near += side == border.a ? border.jumpsA : border.jumpsB;
-            region.edges += static_cast<double>(border.sumE2) * kEvidenceStep;
+            region.nearShare += side == border.a ? border.jumpsA : border.jumpsB;
+            region.edgeShare += static_cast<double>(border.sumE2) * kEvidenceStep;
             region.evidence += std::min(border.meanZ(), kMostZ) * cracks;
         }
     }
-    for (RockRegion& region : map.regions) {
+    for (Region& region : map.regions) {
         const double cracks = std::max(1.0, static_cast<double>(region.outlineCracks));
-        region.near /= cracks;
+        region.nearShare /= cracks;
         const bool alone = region.outlineCracks == 0; // without a neighbour that it could be merged with
-        region.edges = alone ? 1.0 : region.edges / cracks;
+        region.edgeShare = alone ? 1.0 : region.edgeShare / cracks;
         region.evidence = alone ? kMostZ : region.evidence / cracks;
     }
 }
 
-void judge(RockRegion& region, const RockSettings& settings) {
+void judge(Region& region, const RockSettings& settings) {
     if (region.sums.cells < static_cast<std::uint32_t>(settings.minimumCells)) return;
     measureSpread(region);
-    region.score = kPerBulge * region.bulge + kPerNear * region.near - kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) +
-                   kPerEdges * region.edges + kPerDepth * region.depth - kPerFlat * std::max(0.0, kFlat - region.depth) +
-                   kPerFill * region.fill + kScoreOffset;
+    region.score = kPerBulge * region.bulge + kPerNear * region.nearShare -
+                   kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) + kPerEdges * region.edgeShare +
+                   kPerDepth * region.depthRatio - kPerFlat * std::max(0.0, kFlat - region.depthRatio) + kPerFill * region.boxShare +
+                   kScoreOffset;
     region.confidence =
         1.0 /
         (1.0 + std::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
@@ -99,32 +100,34 @@ void judge(RockRegion& region, const RockSettings& settings) {
 }
 
 // Rocks first, then the largest first; renumbers the map's regions.
-void putInOrder(RockMap& map) {
+void putInOrder(RegionMap& map) {
     std::vector<std::uint32_t> order(map.regions.size());
     std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](std::uint32_t n) { return std::tuple(map.regions[n].kind, -map.regions[n].sums.areaM2, map.regions[n].group); };
+    const auto key = [&](std::uint32_t n) {
+        return std::tuple(map.regions[n].kind, -map.regions[n].sums.areaM2, map.regions[n].firstSegment);
+    };
     std::sort(order.begin() + 1, order.end(), [&](std::uint32_t x, std::uint32_t y) { return key(x) < key(y); });
     std::vector<std::uint32_t> place(order.size());
-    std::vector<RockRegion> regions;
+    std::vector<Region> regions;
     for (std::uint32_t n = 0; n < order.size(); ++n) {
         place[order[n]] = n;
         regions.push_back(map.regions[order[n]]);
     }
     map.regions = std::move(regions);
-    for (std::uint32_t& region : map.regionOfLeaf) region = place[region];
+    for (std::uint32_t& region : map.regionOfSegment) region = place[region];
     for (RegionBorder& border : map.borders) {
         border.a = place[border.a];
         border.b = place[border.b];
-        if (border.a > border.b) border = border.turned();
+        if (border.a > border.b) border = border.reversed();
     }
-    map.borders = addedUp(std::move(map.borders));
+    map.borders = summedBorders(std::move(map.borders));
     map.rocks = static_cast<std::uint32_t>(
-        std::count_if(map.regions.begin() + 1, map.regions.end(), [](const RockRegion& r) { return r.kind == RegionKind::Rock; }));
+        std::count_if(map.regions.begin() + 1, map.regions.end(), [](const Region& r) { return r.kind == RegionKind::Rock; }));
 }
 
-Grid<std::uint32_t> painted(const RockLeaves& leaves, const std::vector<std::uint32_t>& colours) {
-    Grid<std::uint32_t> grid(leaves.leaf.lines, leaves.leaf.beams);
-    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = colours[leaves.leaf[k]];
+Grid<std::uint32_t> painted(const Segmentation& leaves, const std::vector<std::uint32_t>& colours) {
+    Grid<std::uint32_t> grid(leaves.segment.lines, leaves.segment.beams);
+    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = colours[leaves.segment[k]];
     return grid;
 }
 
@@ -144,30 +147,30 @@ const char* regionKindName(RegionKind kind) {
     return "outside";
 }
 
-RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSettings& settings, std::span<const CalledLeaf> called) {
-    RockMap map;
+RegionMap rocksAt(const Segmentation& leaves, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {
+    RegionMap map;
     map.settings = settings;
-    map.regionOfLeaf = groupsAt(tree, leaves.count(), settings.level);
-    std::vector<std::uint32_t> place(map.regionOfLeaf.size());
+    map.regionOfSegment = groupsAt(tree, leaves.count(), settings.level);
+    std::vector<std::uint32_t> place(map.regionOfSegment.size());
     map.regions.emplace_back();
     for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) {
-        std::uint32_t& region = map.regionOfLeaf[leaf];
+        std::uint32_t& region = map.regionOfSegment[leaf];
         if (region == leaf) {
             place[leaf] = static_cast<std::uint32_t>(map.regions.size());
-            map.regions.emplace_back().group = leaf;
+            map.regions.emplace_back().firstSegment = leaf;
         }
         region = place[region]; // the region of this segment was found before
     }
     addLeaves(leaves, map);
     addBorders(leaves, map);
-    const std::vector<double> bulges = regionBulges(leaves, map.regionOfLeaf, map.regions.size());
+    const std::vector<double> bulges = regionBulges(leaves, map.regionOfSegment, map.regions.size());
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         map.regions[n].bulge = bulges[n];
         judge(map.regions[n], settings);
     }
-    markOutside(leaves, map);
-    for (const CalledLeaf& call : called) {
-        RockRegion& region = map.regions[map.regionOfLeaf[call.leaf]];
+    markOutsideRegion(leaves, map);
+    for (const RockCall& call : called) {
+        Region& region = map.regions[map.regionOfSegment[call.segment]];
         if (region.sums.cells == 0) continue;
         region.kind = call.rock ? RegionKind::Rock : RegionKind::NotRock;
         region.byHand = true;
@@ -176,7 +179,7 @@ RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSetti
     return map;
 }
 
-Grid<std::uint32_t> regionLabels(const RockLeaves& leaves, const RockMap& map) { return painted(leaves, map.regionOfLeaf); }
+Grid<std::uint32_t> regionLabels(const Segmentation& leaves, const RegionMap& map) { return painted(leaves, map.regionOfSegment); }
 
 bool touch(const RegionBorder& border) { return border.valleys >= kFewestValleys; }
 
@@ -186,10 +189,10 @@ std::uint32_t nearerSide(const RegionBorder& border) {
     return border.jumpsA > border.jumpsB ? border.a : border.b;
 }
 
-Grid<std::uint32_t> rockLabels(const RockLeaves& leaves, const RockMap& map) {
-    std::vector<std::uint32_t> colours = map.regionOfLeaf;
+Grid<std::uint32_t> rockLabels(const Segmentation& leaves, const RegionMap& map) {
+    std::vector<std::uint32_t> colours = map.regionOfSegment;
     for (std::uint32_t& region : colours) region = region <= map.rocks ? region : 0;
     return painted(leaves, colours);
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 enum class RegionKind : std::uint8_t {
     Rock,    ///< candidate: geometry only, one viewpoint
@@ -23,18 +23,18 @@ enum class RegionKind : std::uint8_t {
 [[nodiscard]] const char* regionKindName(RegionKind kind);
 
 /// A group of segments at the chosen level. The letters E, R, s1, e2 and p are those of docs/rocks-method.md, "Step 7".
-struct RockRegion {
-    std::uint32_t group = 0; ///< its smallest segment
+struct Region {
+    std::uint32_t firstSegment = 0; ///< its smallest segment
     RegionKind kind = RegionKind::Fines;
     bool byHand = false; ///< the user marked it as a rock, or as not a rock
-    LeafSums sums;
+    SegmentSums sums;
     std::uint32_t outlineCracks = 0; ///< number of cracks to other regions; a crack is the side between two neighbouring cells
     double bulge = 0.0;              ///< -0.3 .. 0.3: distance of the surface in front of its chords, as a share of their length
-    double near = 0.0;               ///< 0..1: share of the outline at which it is the nearer side of a jump
-    double edges = 0.0;              ///< 0..1: mean of the evidence e2 (an edge is near) over the outline
+    double nearShare = 0.0;          ///< 0..1: share of the outline at which it is the nearer side of a jump
+    double edgeShare = 0.0;          ///< 0..1: mean of the evidence e2 (an edge is near) over the outline
     /// 0..1: standard deviation of the points along the shortest principal axis divided by that along the longest
-    double depth = 0.0;
-    double fill = 0.0;       ///< visible area divided by that of a box of 4 standard deviations along the two longer axes
+    double depthRatio = 0.0;
+    double boxShare = 0.0;   ///< visible area divided by that of a box of 4 standard deviations along the two longer axes
     double evidence = 0.0;   ///< E: mean log odds "two rocks" along the outline; each border counts with 6 at most
     double longM = 0.0;      ///< s1, m: 4 standard deviations of the points along the first principal axis
     double score = 0.0;      ///< R: log odds that it is a rock and not a wall
@@ -42,26 +42,26 @@ struct RockRegion {
 };
 
 /// The border of two regions.
-using RegionBorder = LeafBorder;
+using RegionBorder = SegmentBorder;
 
-struct RockMap {
+struct RegionMap {
     RockSettings settings;
     /// index 0 is empty; rocks first, the largest visible area first; then the other regions in the same order
-    std::vector<RockRegion> regions;
-    std::uint32_t rocks = 0;                 ///< regions 1 .. rocks are rocks
-    std::vector<std::uint32_t> regionOfLeaf; ///< by segment: an index of `regions`, or 0
-    std::vector<RegionBorder> borders;       ///< a, b: indices of `regions`, a < b; ascending
+    std::vector<Region> regions;
+    std::uint32_t rocks = 0;                    ///< regions 1 .. rocks are rocks
+    std::vector<std::uint32_t> regionOfSegment; ///< by segment: an index of `regions`, or 0
+    std::vector<RegionBorder> borders;          ///< a, b: indices of `regions`, a < b; ascending
 };
 
 /// The user's decision whether a region is a rock; the region is given by one of its segments.
-struct CalledLeaf {
-    std::uint32_t leaf = 0;
+struct RockCall {
+    std::uint32_t segment = 0;
     bool rock = false;
 };
 
 /// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.
-[[nodiscard]] RockMap rocksAt(const RockLeaves& leaves, const MergeTree& tree, const RockSettings& settings,
-                              std::span<const CalledLeaf> called = {});
+[[nodiscard]] RegionMap rocksAt(const Segmentation& leaves, const MergeTree& tree, const RockSettings& settings,
+                                std::span<const RockCall> called = {});
 
 /// Whether there are enough clear valleys along the border to say that its two sides touch.
 [[nodiscard]] bool touch(const RegionBorder& border);
@@ -70,9 +70,9 @@ struct CalledLeaf {
 [[nodiscard]] std::uint32_t nearerSide(const RegionBorder& border);
 
 /// Lines x beams: 0 = not a rock, otherwise rocks 1 .. map.rocks, the largest visible area first.
-[[nodiscard]] Grid<std::uint32_t> rockLabels(const RockLeaves& leaves, const RockMap& map);
+[[nodiscard]] Grid<std::uint32_t> rockLabels(const Segmentation& leaves, const RegionMap& map);
 
 /// Lines x beams: indices of map.regions of any kind; 0 where a cell does not belong to a region.
-[[nodiscard]] Grid<std::uint32_t> regionLabels(const RockLeaves& leaves, const RockMap& map);
+[[nodiscard]] Grid<std::uint32_t> regionLabels(const Segmentation& leaves, const RegionMap& map);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -11,7 +11,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 constexpr int kMostLines = 1'000'000;
@@ -106,4 +106,4 @@ Result<RockSettings> rockSettingsFromJson(const nlohmann::json& object, const st
     return settings;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

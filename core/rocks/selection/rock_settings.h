@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 
 /// A corner of the region of interest.
 struct RegionCorner {
@@ -58,4 +58,4 @@ Result<std::vector<RegionCorner>> parseRegion(std::string_view text);
 [[nodiscard]] nlohmann::ordered_json rockSettingsToJson(const RockSettings& settings);
 Result<RockSettings> rockSettingsFromJson(const nlohmann::json& object, const std::string& where);
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -5,20 +5,20 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 // Region of each cell of the line, in order; 0 without a region.
-std::vector<std::uint32_t> regionsAlong(const RockLeaves& leaves, const RockMap& map, const std::vector<std::uint32_t>& cells) {
+std::vector<std::uint32_t> regionsAlong(const Segmentation& leaves, const RegionMap& map, const std::vector<std::uint32_t>& cells) {
     std::vector<std::uint32_t> regions;
-    for (const std::uint32_t k : cells) regions.push_back(map.regionOfLeaf[leaves.leaf[k]]);
+    for (const std::uint32_t k : cells) regions.push_back(map.regionOfSegment[leaves.segment[k]]);
     return regions;
 }
 
 } // namespace
 
-std::optional<RockEdit> joinAlong(const RockLeaves& leaves, const RockMap& map, const CutLine& stroke) {
-    const std::vector<std::uint32_t> cells = strokeCells(stroke, leaves.leaf.lines, leaves.leaf.beams);
+std::optional<Edit> joinAlong(const Segmentation& leaves, const RegionMap& map, const CutLine& stroke) {
+    const std::vector<std::uint32_t> cells = strokeCells(stroke, leaves.segment.lines, leaves.segment.beams);
     const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, cells);
     struct Run {
         std::uint32_t region;
@@ -34,28 +34,28 @@ std::optional<RockEdit> joinAlong(const RockLeaves& leaves, const RockMap& map, 
             *met = {region, begin, end};
     });
     if (longest.size() < 2) return std::nullopt;
-    RockEdit join{RockEditKind::Join, {}};
+    Edit join{EditKind::Join, {}};
     for (const Run& run : longest) join.cells.push_back(cells[(run.begin + run.end) / 2]);
     return join;
 }
 
-std::optional<RockEdit> cutAlong(const RockLeaves& leaves, const RockMap& map, const CutLine& stroke) {
-    const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, strokeCells(stroke, leaves.leaf.lines, leaves.leaf.beams));
+std::optional<Edit> cutAlong(const Segmentation& leaves, const RegionMap& map, const CutLine& stroke) {
+    const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, strokeCells(stroke, leaves.segment.lines, leaves.segment.beams));
     if (std::ranges::all_of(regions, [](std::uint32_t region) { return region == 0; })) return std::nullopt;
-    return RockEdit{RockEditKind::Cut, stroke};
+    return Edit{EditKind::Cut, stroke};
 }
 
-RockFamily familyAt(const RockLeaves& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
-    RockFamily family;
-    RockLine all = rockLine(leaves, tree, level, k, mostLarger);
+WheelPieces wheelPiecesAt(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
+    WheelPieces family;
+    NestedPieces all = nestedPieces(leaves, tree, level, k, mostLarger);
     const std::size_t split = bestSplit(all);
     for (std::size_t n = 0; n < all.pieces.size(); ++n) {
         if (n < all.region && all.pieces[n].cells < kFewestSplit) continue;
-        if (n == all.region) family.line.region = family.line.pieces.size();
-        if (n == split) family.split = family.line.pieces.size();
-        family.line.pieces.push_back(std::move(all.pieces[n]));
+        if (n == all.region) family.nested.region = family.nested.pieces.size();
+        if (n == split) family.split = family.nested.pieces.size();
+        family.nested.pieces.push_back(std::move(all.pieces[n]));
     }
     return family;
 }
 
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -64,9 +64,9 @@ std::vector<float> parities(const InverseRange& inverse, int every) {
         addParity(inverse, i, slants, slips);
         if (slips.size() < kFewestCells) continue;
         ++told;
-        if (isMiddleWithin(kLeastParity, slips)) continue;
-        const float steps = weightedMiddle(slips);
-        if (spreadAround(steps, slips) > kAgree) continue;
+        if (isMedianWithin(kLeastParity, slips)) continue;
+        const float steps = weightedMedian(slips);
+        if (spreadAround(steps, slips) > kLargestSpread) continue;
         ++shifted;
         parity[static_cast<std::size_t>(i)] = steps;
     }
@@ -105,7 +105,7 @@ SweepSlips straighten(InverseRange& inverse, int threads) {
         moveBeams(inverse, result.parity);
     }
     result.measured = lineSlips(inverse, threads);
-    result.extra = bringToLines(inverse, result.measured);
+    result.remaining = moveToRecordedAngles(inverse, result.measured);
     for (const std::vector<float>& steps : result.measured)
         result.slipCount += static_cast<int>(std::count_if(steps.begin(), steps.end(), [](float extra) { return extra != 0; }));
     return result;

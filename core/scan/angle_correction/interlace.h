@@ -14,7 +14,8 @@ namespace edgescan {
 /// surface across the lines.
 struct SweepSlips {
     std::vector<float> parity; ///< `lines` values: how far odd beams were measured ahead of even ones, index steps
-    LineSteps extra;    ///< what is left of each slip after straighten() moved the cells of stalled lines to their true angles, index steps
+    LineSteps
+        remaining;      ///< what is left of each slip after straighten() moved the cells of stalled lines to their true angles, index steps
     LineSteps measured; ///< all slips as measured, index steps
     bool interlaced = false; ///< true if most lines show interlaced beams; otherwise parity is all 0
     int slipCount = 0;       ///< values of `measured` that are not 0

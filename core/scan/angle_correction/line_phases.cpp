@@ -91,7 +91,7 @@ LinePhases offsInTurn(const std::vector<LineOff>& lines, int phases) {
     double most = 0;
     for (const double off : offs) most = std::max(most, std::abs(off));
     const double surest = most / sdOfMedian(std::move(apart), fewest);
-    return most >= kLeastOff && surest >= kSignificant ? LinePhases{std::move(offs), surest} : LinePhases{};
+    return most >= kLeastOff && surest >= kSignificantSds ? LinePhases{std::move(offs), surest} : LinePhases{};
 }
 
 /// Converts the offset of each line from the mean of its neighbours (in a ring) to its lead over the line that is farthest behind.
@@ -140,7 +140,7 @@ LinePhases linePhases(const InverseRange& inverse) {
         if (!isLookedAt(i)) continue;
         ++looked;
         voteOnNeighbours(inverse, i, slants, votes);
-        if (votes.size() >= kFewestVotes) telling.push_back({i, isMiddleWithin(kNear, votes)});
+        if (votes.size() >= kFewestVotes) telling.push_back({i, isMedianWithin(kNear, votes)});
     }
     const auto told = static_cast<int>(telling.size());
     if (told < kFewestPhasedLines || 2 * told < looked) return {};
@@ -149,13 +149,13 @@ LinePhases linePhases(const InverseRange& inverse) {
     std::vector<LineOff> offs;
     for (const LineNear& line : telling) {
         voteOnNeighbours(inverse, line.line, slants, votes);
-        offs.push_back({line.line, static_cast<double>(weightedMiddle(votes))});
+        offs.push_back({line.line, static_cast<double>(weightedMedian(votes))});
     }
     for (int count = 2; count <= most; ++count) {
         const LinePhases found = offsInTurn(offs, count);
         if (found.steps.empty()) continue;
         std::vector<double> phases = phasesOf(found.steps);
-        return areApart(phases) ? LinePhases{std::move(phases), found.surest} : LinePhases{};
+        return areApart(phases) ? LinePhases{std::move(phases), found.significance} : LinePhases{};
     }
     return {};
 }

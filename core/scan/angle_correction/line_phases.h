@@ -11,7 +11,7 @@ struct LinePhases {
     /// beam steps by which line i is ahead: steps[i % steps.size()], 0 or more; empty: all lines have the same phase, or it cannot be
     /// measured
     std::vector<double> steps;
-    double surest = 0; ///< the largest offset of a position from its neighbours, divided by its own standard deviation; 6 or more
+    double significance = 0; ///< the largest offset of a position from its neighbours, divided by its own standard deviation; 6 or more
 };
 
 /// Measures by how many beam steps the beams of line i are ahead of their recorded angles. The cells of each line on slanted surfaces are

@@ -221,10 +221,10 @@ void addStepsAgain(const InverseRange& inverse, int line, const LineSlants& slan
 // The slip that the beams of one parity show; 0 if a slip does not explain the deviations.
 float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     if (!areEnough(slips.size(), beams)) return 0;
-    if (isMiddleWithin(least, slips)) return 0;
-    const float steps = weightedMiddle(slips);
-    if (spreadAround(steps, slips) > kAgree * std::max(1.0F, std::abs(steps))) return 0;
-    return explained(slips, steps) < kExplained ? 0 : steps;
+    if (isMedianWithin(least, slips)) return 0;
+    const float steps = weightedMedian(slips);
+    if (spreadAround(steps, slips) > kLargestSpread * std::max(1.0F, std::abs(steps))) return 0;
+    return explainedShare(slips, steps) < kExplained ? 0 : steps;
 }
 
 // Buffers for the work on one line.
@@ -318,7 +318,7 @@ float leftOver(const InverseRange& inverse, int line, int parity, float otherwis
         const float share = std::abs(slant) / u;
         if (share >= kLeastSlant && share <= kMostSlant) slips.push_back({(next - u) / slant - 1, share, slant});
     }
-    return slips.size() < kFewestCells ? otherwise : weightedMiddle(slips);
+    return slips.size() < kFewestCells ? otherwise : weightedMedian(slips);
 }
 
 } // namespace
@@ -327,7 +327,7 @@ LineSteps lineSlips(const InverseRange& inverse, int threads) {
     const int lines = inverse.u.lines;
     LineSteps steps;
     steps.fill(std::vector<float>(static_cast<std::size_t>(lines)));
-    inBands(std::max(0, lines - 1 - 2 * kNearest), bandsFor(inverse.u.size(), threads), [&](int first, int last) {
+    runInBands(std::max(0, lines - 1 - 2 * kNearest), bandsFor(inverse.u.size(), threads), [&](int first, int last) {
         LineWork work(inverse.u.beams);
         for (int i = first; i < last; ++i) findSlip(inverse, i + kNearest, work, steps);
     });
@@ -344,14 +344,14 @@ float stepUnevenness(const InverseRange& inverse) {
         addStepsAgain(inverse, i, work.slants, work.slips);
         for (const std::vector<SlipVote>& votes : work.slips) {
             if (!areEnough(votes.size(), beams)) continue;
-            const float middle = weightedMiddle(votes);
-            if (spreadAround(middle, votes) <= kAgree) sizes.push_back(std::abs(middle));
+            const float middle = weightedMedian(votes);
+            if (spreadAround(middle, votes) <= kLargestSpread) sizes.push_back(std::abs(middle));
         }
     }
     return 1.48F * median(std::move(sizes));
 }
 
-LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips) {
+LineSteps moveToRecordedAngles(InverseRange& inverse, const LineSteps& slips) {
     const bool anything = std::any_of(slips.begin(), slips.end(), [](const std::vector<float>& steps) {
         return std::any_of(steps.begin(), steps.end(), [](float extra) { return extra != 0; });
     });

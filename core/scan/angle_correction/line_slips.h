@@ -19,6 +19,6 @@ using LineSteps = std::array<std::vector<float>, 2>;
 
 /// Moves displaced lines back to their recorded angles, on slanted surfaces and never across a jump. Returns the rest of the slips: one
 /// longer or shorter step where the stepper did not make up for all of them.
-[[nodiscard]] LineSteps bringToLines(InverseRange& inverse, const LineSteps& slips);
+[[nodiscard]] LineSteps moveToRecordedAngles(InverseRange& inverse, const LineSteps& slips);
 
 } // namespace edgescan

@@ -17,7 +17,7 @@ bool measuredAround(const InverseRange& inverse, int line, int beam) {
     return true;
 }
 
-float explained(const std::vector<SlipVote>& slips, float steps) {
+float explainedShare(const std::vector<SlipVote>& slips, float steps) {
     double with = 0;
     double without = 0;
     for (const SlipVote& slip : slips) {
@@ -27,7 +27,7 @@ float explained(const std::vector<SlipVote>& slips, float steps) {
     return without > 0 ? static_cast<float>(1 - with / without) : 0.0F;
 }
 
-bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips) {
+bool isMedianWithin(float limit, const std::vector<SlipVote>& slips) {
     double total = 0;
     double below = 0;
     double upTo = 0;
@@ -41,7 +41,7 @@ bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips) {
 }
 
 // Sums of numbers with so few bits are exact in double, so their order does not matter.
-float weightedMiddle(std::vector<SlipVote> slips) {
+float weightedMedian(std::vector<SlipVote> slips) {
     const auto add = [](double sum, const SlipVote& slip) { return sum + static_cast<double>(slip.weight); };
     const double total = std::accumulate(slips.begin(), slips.end(), 0.0, add);
     double below = 0;
@@ -66,7 +66,7 @@ float weightedMiddle(std::vector<SlipVote> slips) {
 
 float spreadAround(float value, std::vector<SlipVote> slips) {
     for (SlipVote& slip : slips) slip.steps = std::abs(slip.steps - value);
-    return weightedMiddle(std::move(slips));
+    return weightedMedian(std::move(slips));
 }
 
 } // namespace edgescan

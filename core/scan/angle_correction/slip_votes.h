@@ -13,7 +13,7 @@ namespace edgescan {
 inline constexpr float kLeastSlant = 0.005F; // change of u per line, as a share of u
 inline constexpr float kMostSlant = 0.1F;    // a steeper change is an edge, not a slant
 inline constexpr std::size_t kFewestCells = 16;
-inline constexpr float kAgree = 0.35F; // largest spread of the votes of a line, in index steps or as a share of the slip
+inline constexpr float kLargestSpread = 0.35F; // largest spread of the votes of a line, in index steps or as a share of the slip
 
 /// How much the surfaces of a line slant across the lines.
 struct LineSlants {
@@ -39,13 +39,13 @@ struct SlipVote {
 [[nodiscard]] bool measuredAround(const InverseRange& inverse, int line, int beam);
 
 /// The share by which the deviations from straight lines shrink when a slip of `steps` is removed. Near 0 if the deviations are only noise.
-[[nodiscard]] float explained(const std::vector<SlipVote>& slips, float steps);
+[[nodiscard]] float explainedShare(const std::vector<SlipVote>& slips, float steps);
 
 /// Whether the weighted median is between -limit and limit, as on most lines; faster than computing the median.
-[[nodiscard]] bool isMiddleWithin(float limit, const std::vector<SlipVote>& slips);
+[[nodiscard]] bool isMedianWithin(float limit, const std::vector<SlipVote>& slips);
 
 /// The weighted median: the least value at which the votes up to it hold half of the weight.
-[[nodiscard]] float weightedMiddle(std::vector<SlipVote> slips);
+[[nodiscard]] float weightedMedian(std::vector<SlipVote> slips);
 
 /// Weighted median of the distances from `value`.
 [[nodiscard]] float spreadAround(float value, std::vector<SlipVote> slips);

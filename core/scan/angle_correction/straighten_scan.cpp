@@ -28,7 +28,7 @@ Parity parityOf(const std::vector<float>& parity) {
     const std::size_t lines = shown.size();
     for (double& steps : shown) steps -= middle;
     const double surest = std::abs(middle) / sdOfMedian(std::move(shown), lines);
-    return surest >= kSignificant ? Parity{middle, surest} : Parity{};
+    return surest >= kSignificantSds ? Parity{middle, surest} : Parity{};
 }
 
 void moveBeams(PolarGeometry& polar, double displacementDeg) {
@@ -79,7 +79,7 @@ double medianStepDeg(const std::vector<double>& lineDeg) {
 // reports no slip.
 void dropUnproved(Displacement& found) {
     for (const double steps : found.slipSteps) found.surest = std::max(found.surest, std::abs(steps));
-    if (found.surest < kSignificant * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
+    if (found.surest < kSignificantSds * found.uneven) std::ranges::fill(found.slipSteps, 0.0);
 }
 
 Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
@@ -161,7 +161,7 @@ std::string phasesText(const LinePhases& found, const PolarGeometry& polar) {
     for (std::size_t k = 0; k < phases.size(); ++k)
         degrees += (k == 0 ? "" : k + 1 == phases.size() ? " and " : ", ") + significantText(phases[k] * stepDeg, 3);
     return "the beams of " + std::to_string(phases.size()) + " lines in turn lie " + degrees + " degrees ahead of where they should be" +
-           sureText(found.surest);
+           sureText(found.significance);
 }
 
 constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
@@ -210,6 +210,6 @@ std::optional<std::string> displacementWarning(const Scan& scan) {
            "; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan > Straighten Beams) corrects the angles.";
 }
 
-bool tellsOfDisplacement(const std::string& warning) { return warning.starts_with(kDisplaced); }
+bool isDisplacementWarning(const std::string& warning) { return warning.starts_with(kDisplaced); }
 
 } // namespace edgescan

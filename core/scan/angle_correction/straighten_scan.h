@@ -21,6 +21,6 @@ namespace edgescan {
 [[nodiscard]] std::optional<std::string> displacementWarning(const Scan& scan);
 
 /// Whether `warning` is a sentence of displacementWarning().
-[[nodiscard]] bool tellsOfDisplacement(const std::string& warning);
+[[nodiscard]] bool isDisplacementWarning(const std::string& warning);
 
 } // namespace edgescan

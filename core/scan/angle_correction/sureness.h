@@ -10,7 +10,7 @@
 namespace edgescan {
 
 /// A displacement is reported if it is at least this many of its standard deviations away from 0.
-inline constexpr double kSignificant = 6;
+inline constexpr double kSignificantSds = 6;
 
 /// Standard deviation of the median of `count` values, estimated from the median size of `offMedian`, their deviations from the median;
 /// always more than 0.

@@ -78,7 +78,7 @@ Eigen::Vector3d PlacedPoints::scanner(int line, int beam, const Eigen::Vector3d&
     return unturned_[i].transpose() * (inverse(mountOf(beam)) * inMover);
 }
 
-Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {
+Eigen::Vector3d axisBasePoint(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     const Placement& placement = *scan.placement;
     const double lineDeg = turnOfLine(polar, line);
@@ -87,15 +87,15 @@ Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Ve
     return stepperTurn(placement.mount, lineDeg) * inMover;
 }
 
-Eigen::Vector3d inMineLocal(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {
+Eigen::Vector3d localMinePoint(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {
     const RigidTransform& pose = poseOfLine(*scan.placement, line);
-    return pose.translationM + scaleOf(*scan.placement).cwiseProduct(pose.rotation * inAxisBase(scan, line, beam, scannerPointM));
+    return pose.translationM + scaleOf(*scan.placement).cwiseProduct(pose.rotation * axisBasePoint(scan, line, beam, scannerPointM));
 }
 
 MinePoint minePoint(const Scan& scan, std::size_t k) {
     const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
     const int beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));
-    const Eigen::Vector3d local = inMineLocal(scan, line, beam, pointOfCell(scan, k));
+    const Eigen::Vector3d local = localMinePoint(scan, line, beam, pointOfCell(scan, k));
     return {scan.placement->originEnhM + local, local};
 }
 

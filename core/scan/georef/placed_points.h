@@ -47,10 +47,10 @@ struct MinePoint {
 [[nodiscard]] MinePoint minePoint(const Scan& scan, std::size_t k);
 
 /// Scanner frame -> metres east, north, up from the placement's origin, without tables. The scan must have a placement.
-[[nodiscard]] Eigen::Vector3d inMineLocal(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
+[[nodiscard]] Eigen::Vector3d localMinePoint(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
 
 /// Scanner frame -> axis base A, metres. The scan must have a placement.
-[[nodiscard]] Eigen::Vector3d inAxisBase(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
+[[nodiscard]] Eigen::Vector3d axisBasePoint(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM);
 
 /// The warnings about a scan's place; empty without a placement.
 [[nodiscard]] inline std::vector<std::string> placeWarnings(const Scan& scan) {

@@ -13,7 +13,7 @@ void useAngles(std::vector<double>& degrees, std::optional<double> start, std::o
 
 } // namespace
 
-void useGivenAngles(Scan& scan, const ReadingOptions& options) {
+void applyGivenAngles(Scan& scan, const ReadingOptions& options) {
     auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr) return;
     useAngles(polar->beamDeg, options.beamStartDeg, options.beamStepDeg);

@@ -6,6 +6,6 @@
 namespace edgescan {
 
 /// Sets lines and beams to the given angles, as far as they are given; does nothing for an organised cloud.
-void useGivenAngles(Scan& scan, const ReadingOptions& options);
+void applyGivenAngles(Scan& scan, const ReadingOptions& options);
 
 } // namespace edgescan

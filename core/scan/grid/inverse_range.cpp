@@ -180,7 +180,7 @@ InverseRange inverseRange(const Scan& scan, int threads) {
     InverseRange inverse{Grid<float>(lines, beams, std::vector<float>()), Grid<Support>(lines, beams)};
     inverse.u.cells.reserve(scan.cells());
     if (bands > 1) inverse.u.cells.resize(scan.cells());
-    inBands(lines, bands, [&](int first, int last) {
+    runInBands(lines, bands, [&](int first, int last) {
         IsolatedLines isolatedLines(scan, first);
         GapEnds ends(beams);
         std::vector<std::uint8_t> isolated(static_cast<std::size_t>(beams));
@@ -195,8 +195,8 @@ InverseRange inverseRange(const Scan& scan, int threads) {
     if (bands == 1) return inverse;
     // The first gap ends of a band read lines of the band before, and may close gaps there.
     constexpr int kLooksBack = kLongestGap + 1;
-    const auto start = [&](int band) { return firstOfBand(lines, bands, band); };
-    shareOut(bands, [&](int band) {
+    const auto start = [&](int band) { return firstLineOfBand(lines, bands, band); };
+    runInParallel(bands, [&](int band) {
         GapEnds ends(beams);
         for (int i = start(band) + kLooksBack; i < start(band + 1); ++i) ends.fillAlongLines(inverse, i);
     });

@@ -10,10 +10,10 @@ namespace edgescan {
 
 /// The meaning of a cell's inverse range.
 enum class Support : std::uint8_t {
-    Void,     ///< no return: u is that of 60 m
-    Measured, ///< a measured range that agrees with its neighbours
-    Filled,   ///< a short gap, filled linearly in u; never an edge
-    Wanted,   ///< a gap that the operator wants filled and processed (core/scan/gap_filling); may be an edge
+    Void,          ///< no return: u is that of 60 m
+    Measured,      ///< a measured range that agrees with its neighbours
+    Filled,        ///< a short gap, filled linearly in u; never an edge
+    RequestedFill, ///< a gap that the operator wants filled and processed (core/scan/gap_filling); may be an edge
 };
 
 struct InverseRange {

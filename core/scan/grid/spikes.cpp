@@ -50,7 +50,7 @@ bool isSpike(const InverseRange& inverse, int line, int beam, const Height& heig
 
 } // namespace
 
-void flattenSpikes(InverseRange& inverse, const RangeNoise& noise) {
+void removeSpikes(InverseRange& inverse, const RangeNoise& noise) {
     const Grid<float>& u = inverse.u;
     const Height height{kDeviations * 0.001F * static_cast<float>(noise.offsetMm),
                         kDeviations * 0.001F * static_cast<float>(noise.perMetreMm)};

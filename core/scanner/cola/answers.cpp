@@ -3,7 +3,7 @@
 
 #include "core/scanner/cola/fields.h"
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -101,4 +101,4 @@ const char* deviceStateText(int state) {
     return state == 2 ? "error" : "unknown";
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

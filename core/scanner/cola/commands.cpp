@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -103,4 +103,4 @@ const char* refusalText(int code) {
     return known ? kTexts[static_cast<std::size_t>(code)] : "a reason that is not documented";
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// EdgeScan sends only two kinds of request: reading a variable, and subscribing to one. Neither changes anything in the scanner.
 struct ColaRequest {
@@ -105,4 +105,4 @@ struct MeasuringState {
 /// SCdevicestate: 0 busy, 1 ready, 2 error.
 [[nodiscard]] const char* deviceStateText(int state);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 std::string_view ColaReader::characters(std::size_t from, std::size_t count) const {
     return {reinterpret_cast<const char*>(payload_.data()) + from, count};
@@ -148,4 +148,4 @@ void ColaWriter::values(const std::vector<std::uint16_t>& values, unsigned bits)
     for (const std::uint16_t value : values) number(bits == 8 ? value & 0xFFU : value, bits);
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// Reads forward. After the first missing field every read returns zero; call error() at the end. `field` is the name of the field for the
 /// error's sentence.
@@ -85,4 +85,4 @@ private:
     Bytes bytes_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -151,4 +151,4 @@ Bytes framed(ByteView payload, Dialect dialect) {
     return bytes;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// A: text between STX and ETX. B: binary with length and checksum.
 enum class Dialect : std::uint8_t { A, B };
@@ -94,4 +94,4 @@ private:
 /// Puts the frame around a payload.
 [[nodiscard]] Bytes framed(ByteView payload, Dialect dialect);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 struct HostTime {
     std::int64_t monotonicNs = 0; ///< never set back; only differences have a meaning
@@ -20,4 +20,4 @@ struct HostTime {
             duration_cast<nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count()};
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -9,7 +9,7 @@
 #include <atomic>
 #include <mutex>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::string addressText(const std::string& host, std::uint16_t port) {
     return (bare6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 class ColaLink {
 public:
@@ -53,4 +53,4 @@ private:
 /// "192.168.0.1:2112", "[fe80::1]:2112".
 [[nodiscard]] std::string addressText(const std::string& host, std::uint16_t port);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -62,4 +62,4 @@ Result<std::vector<std::string>> lookUp(const std::string& host, std::chrono::st
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

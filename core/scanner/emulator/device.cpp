@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan::sim {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -122,4 +122,4 @@ Bytes EmulatedDevice::answer(ByteView request, Dialect dialect, bool& subscribed
     return refusal(refusalOf(type), dialect);
 }
 
-} // namespace edgescan::sim
+} // namespace edgescan::scanner

@@ -7,11 +7,11 @@
 #include <map>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::scanner {
 class ColaWriter;
 }
 
-namespace edgescan::sim {
+namespace edgescan::scanner {
 
 /// The settings of the device and its answers. The device accepts no new settings: it refuses every change, as a scanner does without a
 /// login.
@@ -35,4 +35,4 @@ private:
     TelegramContent content_;
 };
 
-} // namespace edgescan::sim
+} // namespace edgescan::scanner

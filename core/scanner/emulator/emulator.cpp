@@ -15,7 +15,7 @@
 #include <mutex>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -67,7 +67,7 @@ struct EmulatedScanner::Server {
     void wake();
     void tick();
     void advance();
-    void send(const ClientPointer& client, const sim::SweepStep& step);
+    void send(const ClientPointer& client, const SweepStep& step);
     void sendPieces(const ClientPointer& client, const Bytes& bytes);
     [[nodiscard]] bool wanted() const;
     [[nodiscard]] bool eager() const;
@@ -78,8 +78,8 @@ struct EmulatedScanner::Server {
     }
 
     EmulatedScannerSettings settings;
-    sim::EmulatedDevice device;
-    sim::EmulatedSweep sweep;
+    EmulatedDevice device;
+    EmulatedSweep sweep;
     asio::io_context context{1};
     tcp::acceptor acceptor{context};
     asio::steady_timer timer{context};
@@ -275,7 +275,7 @@ void EmulatedScanner::Server::advance() {
     if (step->drop) closeAll();
 }
 
-void EmulatedScanner::Server::send(const ClientPointer& client, const sim::SweepStep& step) {
+void EmulatedScanner::Server::send(const ClientPointer& client, const SweepStep& step) {
     if (client->waiting > kMostWaiting) return count([](auto& s) { ++s.lost; });
     const Bytes frame = framed(encodeScanTelegram(step.telegram, client->dialect), client->dialect);
     Bytes bytes = step.garbage ? sweep.garbage() : Bytes{};
@@ -337,4 +337,4 @@ Result<std::unique_ptr<EmulatedScanner>> serveTelegrams(std::shared_ptr<const st
     return std::unique_ptr<EmulatedScanner>(new EmulatedScanner(std::move(server)));
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// Faults to produce. "Every n": at every n-th telegram, or by chance once in n if `byChance`; 0: never.
 struct ScannerFaults {
@@ -93,4 +93,4 @@ private:
 [[nodiscard]] Result<std::unique_ptr<EmulatedScanner>> serveTelegrams(std::shared_ptr<const std::vector<ScanTelegram>> telegrams,
                                                                       const EmulatedScannerSettings& settings);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

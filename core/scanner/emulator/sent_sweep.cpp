@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan::sim {
+namespace edgescan::scanner {
 
 EmulatedSweep::EmulatedSweep(std::shared_ptr<const std::vector<ScanTelegram>> telegrams, const EmulatedScannerSettings& settings)
     : contaminationWarning(settings.contaminationWarning), contaminationError(settings.contaminationError),
@@ -91,4 +91,4 @@ Bytes EmulatedSweep::corrupted(Bytes bytes) {
 
 std::size_t EmulatedSweep::pieceLength(std::size_t most) { return 1 + random_() % std::max<std::size_t>(most, 1); }
 
-} // namespace edgescan::sim
+} // namespace edgescan::scanner

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace edgescan::sim {
+namespace edgescan::scanner {
 
 /// The events at one tick of the emulated scanner.
 struct SweepStep {
@@ -55,4 +55,4 @@ private:
     int burstLeft_ = 0;
 };
 
-} // namespace edgescan::sim
+} // namespace edgescan::scanner

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -104,4 +104,4 @@ Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramSt
     return telegrams;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 struct TelegramStyle {
     std::uint32_t serialNumber = 18110550;
@@ -24,4 +24,4 @@ struct TelegramStyle {
 /// its code. Error: the scanner cannot have such a fan of beams.
 [[nodiscard]] Result<std::vector<ScanTelegram>> telegramsOf(const Scan& scan, const TelegramStyle& style = {});
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -201,4 +201,4 @@ Bytes encodeScanTelegram(const ScanTelegram& telegram, Dialect dialect) {
     return std::move(writer).done();
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 struct ScanEncoder {
     std::uint32_t position = 0; ///< counts modulo 2^32; use differences
@@ -135,4 +135,4 @@ struct DeviceFlags {
 /// The period of the mirror in seconds. If the telegram gives an impossible frequency, that of the usual 25 Hz.
 [[nodiscard]] double linePeriodS(const ScanTelegram& telegram);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -61,4 +61,4 @@ double linePeriodS(const ScanTelegram& telegram) {
     return 1.0 / (hz >= kSlowestHz && hz <= kFastestHz ? hz : kUsualHz);
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -3,7 +3,7 @@
 
 #include "core/base/number_text.h"
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -106,4 +106,4 @@ Result<ScannerIdentity> identify(ScannerDialogue& dialogue, int deviceState) {
     return who;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// The scanner's description of itself. A value that it refused is empty and listed in `refused`.
 struct ScannerIdentity {
@@ -74,4 +74,4 @@ private:
 /// Reads everything that describes the scanner and its configuration. A refused read is not an error.
 [[nodiscard]] Result<ScannerIdentity> identify(ScannerDialogue& dialogue, int deviceState);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

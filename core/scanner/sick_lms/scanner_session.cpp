@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -51,7 +51,7 @@ SessionStatistics ScannerSession::statistics() const {
     return {link_.counts(), scans_, connections, connections > 0 ? connections - 1 : 0};
 }
 
-Error withoutLines(const SessionState& state, const std::string& address) {
+Error noLinesError(const SessionState& state, const std::string& address) {
     if (state.problem) return *state.problem;
     return {"no line was received", address, "check cable, address and port"};
 }
@@ -156,4 +156,4 @@ Error ScannerSession::watch() {
     return {"interrupted", where(), {}};
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 enum class SessionPhase : std::uint8_t {
     Connecting,
@@ -33,7 +33,7 @@ struct SessionState {
 };
 
 /// The error for a scanner at `address` that never sent a line.
-[[nodiscard]] Error withoutLines(const SessionState& state, const std::string& address);
+[[nodiscard]] Error noLinesError(const SessionState& state, const std::string& address);
 
 struct SessionSettings {
     std::string host; ///< name, IPv4 or IPv6 address
@@ -101,4 +101,4 @@ private:
     std::thread thread_; // last member: the thread starts when all the others exist
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <tuple>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -53,7 +53,7 @@ LineStamp LineCounter::stamp(const ScanTelegram& telegram, std::int64_t hostNs) 
     Advance advance = advanceTo(telegram, hostNs);
     LineStamp stamp = last_->stamp;
     stamp.step = judge(advance, telegram);
-    stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.claimed = stamp.behind = 0;
+    stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.implausible = stamp.linesBehind = 0;
     stamp.clock = ClockStep::Ran;
     stamp.counters = CounterStep::Ran;
     reconnected_ = false;
@@ -69,7 +69,7 @@ LineStamp LineCounter::stamp(const ScanTelegram& telegram, std::int64_t hostNs) 
         follow(stamp, advance);
         moves_ = true;
     } else {
-        stamp.behind = advance.telegrams != 0 ? -advance.telegrams : -advance.scans / steps();
+        stamp.linesBehind = advance.telegrams != 0 ? -advance.telegrams : -advance.scans / steps();
     }
     return keep(telegram, hostNs, stamp);
 }
@@ -83,9 +83,9 @@ LineStamp LineCounter::restart(const ScanTelegram& telegram, std::int64_t hostNs
 LineStamp LineCounter::next(const ScanTelegram& telegram, std::int64_t hostNs) {
     LineStamp stamp = last_ ? last_->stamp : LineStamp{};
     stamp.step = LineStep::Next;
-    stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.claimed = stamp.behind = 0;
-    stamp.clock = ClockStep::Stood;
-    stamp.counters = CounterStep::Stood;
+    stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.implausible = stamp.linesBehind = 0;
+    stamp.clock = ClockStep::Stopped;
+    stamp.counters = CounterStep::Stopped;
     return keep(telegram, hostNs, stamp);
 }
 
@@ -164,14 +164,14 @@ void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
         if (known || moved == 0) continue;
         const bool back = static_cast<std::uint16_t>(moved) >= kCounterTurn / 2;
         if (stamp.counters != CounterStep::Jumped) stamp.counters = back ? CounterStep::Reset : CounterStep::Jumped;
-        if (!back) stamp.claimed = std::max(stamp.claimed, moved * scans / turn - 1 - stamp.lost);
+        if (!back) stamp.implausible = std::max(stamp.implausible, moved * scans / turn - 1 - stamp.lost);
     }
-    if (stood) stamp.counters = CounterStep::Stood;
+    if (stood) stamp.counters = CounterStep::Stopped;
     const double unaccounted = static_cast<double>(advance.us) - static_cast<double>((stamp.lost + 1) * turn) * advance.periodUs;
     if (advance.clockJumped)
         stamp.clock = ClockStep::Jumped;
     else if (advance.us == 0)
-        stamp.clock = ClockStep::Stood;
+        stamp.clock = ClockStep::Stopped;
     else if (unaccounted > kPauseUs && !stood)
         stamp.clock =
             advance.hostUs == 0 || 2.0 * static_cast<double>(advance.hostUs) >= unaccounted ? ClockStep::Paused : ClockStep::Jumped;
@@ -207,4 +207,4 @@ void DeviceClock::line(std::int64_t transmittedUs, std::int64_t hostNs) {
 
 std::int64_t DeviceClock::hostNs(std::int64_t deviceUs) const { return nsOf(deviceUs) + (delays_.empty() ? 0 : delays_.front().ns); }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

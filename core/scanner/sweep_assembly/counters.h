@@ -8,7 +8,7 @@
 #include <deque>
 #include <optional>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 enum class LineStep : std::uint8_t {
     First,     ///< the first line of all
@@ -21,16 +21,16 @@ enum class LineStep : std::uint8_t {
 enum class ClockStep : std::uint8_t {
     Ran,
     Paused, ///< advanced by over a second more than the counters account for
-    Stood,
+    Stopped,
     Jumped, ///< went back, or far ahead of the host's clock, while the counters continued
 };
 
 /// Irregularities of the counters.
 enum class CounterStep : std::uint8_t {
     Ran,
-    Jumped, ///< one of them advanced further than a clock allows
-    Reset,  ///< one of them went back
-    Stood,  ///< neither advanced
+    Jumped,  ///< one of them advanced further than a clock allows
+    Reset,   ///< one of them went back
+    Stopped, ///< neither advanced
 };
 
 /// A line's position in the scanner's history.
@@ -43,8 +43,8 @@ struct LineStamp {
     std::int64_t lost = 0;          ///< lines missing before this one: the larger of the next two
     std::int64_t lostTelegrams = 0; ///< by the telegram counter
     std::int64_t lostScans = 0;     ///< by the scan counter, divided by the output interval
-    std::int64_t claimed = 0;       ///< lines that a counter claims but the clocks do not allow; not in `lost`
-    std::int64_t behind = 0;        ///< of a Duplicate: number of lines before the newest
+    std::int64_t implausible = 0;   ///< lines that a counter claims but the clocks do not allow; not in `lost`
+    std::int64_t linesBehind = 0;   ///< of a Duplicate: number of lines before the newest
     ClockStep clock = ClockStep::Ran;
     CounterStep counters = CounterStep::Ran;
     int epoch = 0; ///< grows by one with every Restart
@@ -127,4 +127,4 @@ private:
     std::int64_t lines_ = 0;
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

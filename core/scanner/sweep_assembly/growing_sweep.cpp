@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 constexpr std::size_t kEarlyLines = 16; // after this many lines the interlacing of lines is known
@@ -175,7 +175,7 @@ void GrowingSweep::write(const SweepLine& line, std::int64_t slot, int part) {
     }
     grid_.write(row, part, beams_.parts, {line.ranges.rangeMm, line.ranges.state, line.intensity});
     --missing_[static_cast<std::size_t>(row)];
-    LineFacts& facts = facts_[static_cast<std::size_t>(row)];
+    LineTiming& facts = facts_[static_cast<std::size_t>(row)];
     if (!facts.received) {
         facts = line.facts;
         facts.received = true;
@@ -193,16 +193,16 @@ void GrowingSweep::grow(int rows) {
     missing_.resize(static_cast<std::size_t>(rows), beams_.parts);
 }
 
-void GrowingSweep::loseRest(int rows) {
+void GrowingSweep::markRestLost(int rows) {
     grow(rows);
     finish();
 }
 
-void GrowingSweep::loseNext(std::int64_t telegrams, const SweepSettings& settings) {
+void GrowingSweep::markNextLost(std::int64_t telegrams, const SweepSettings& settings) {
     if (telegrams <= 0 || lastSlot_ < 0) return;
     const std::int64_t last = origin_ + static_cast<std::int64_t>(mostRows(settings)) * beams_.parts - 1;
     lastSlot_ = std::max(lastSlot_, std::min(last, lastSlot_ + telegrams));
-    loseRest(rowOf(lastSlot_) + 1);
+    markRestLost(rowOf(lastSlot_) + 1);
 }
 
 void GrowingSweep::noteStatus(const SweepLine& line, int row) {
@@ -224,7 +224,7 @@ std::optional<int> GrowingSweep::reversal(const SweepSettings& settings) {
     const AngleSource source = angleSourceOf(facts_, settings);
     if (settings.reversalDeg <= 0 || (source != AngleSource::Encoder && source != AngleSource::Stepper)) return std::nullopt;
     for (; examined_ < wholeRows_; ++examined_) {
-        const LineFacts& line = facts_[static_cast<std::size_t>(examined_)];
+        const LineTiming& line = facts_[static_cast<std::size_t>(examined_)];
         const auto deg = measuredDeg(line, source, settings);
         if (!deg && line.received && wholeRows_ - examined_ < kAnglesWaitedFor) break;
         if (!deg) continue;
@@ -267,4 +267,4 @@ GrowingSweep GrowingSweep::cutFrom(int row) {
     return rest;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -8,7 +8,7 @@
 #include <deque>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// The content of one telegram, as the sweep needs it.
 struct SweepLine {
@@ -17,7 +17,7 @@ struct SweepLine {
     /// RSSI of each beam's echo, as the telegram counts it, NaN where the echo has no RSSI; empty: the telegram has no RSSI
     std::vector<float> intensity;
     double unitMm = 1.0;
-    LineFacts facts;
+    LineTiming facts;
     DeviceFlags device;
     std::uint32_t serialNumber = 0;
     std::string echoes; ///< range channels in the telegram: "DIST1 DIST2", or "DIST1 (DIST2)" if the beams of the second differ
@@ -52,9 +52,9 @@ public:
     void finish() { wholeRows_ = grid_.rows(); }
 
     /// Marks the missing rows up to `rows` as lost.
-    void loseRest(int rows);
+    void markRestLost(int rows);
     /// Marks so many telegrams behind the last one as lost.
-    void loseNext(std::int64_t telegrams, const SweepSettings& settings);
+    void markNextLost(std::int64_t telegrams, const SweepSettings& settings);
 
     /// The first row after the motor reversed; empty if it did not.
     [[nodiscard]] std::optional<int> reversal(const SweepSettings& settings);
@@ -66,12 +66,12 @@ public:
     [[nodiscard]] const InterlacedBeams& beams() const { return beams_; }
     /// For each part, the number of mirror rotations after the row's first part at which it is measured.
     [[nodiscard]] const std::vector<int>& turnsOf() const { return turns_; }
-    [[nodiscard]] std::span<LineFacts> facts() { return facts_; }
-    [[nodiscard]] std::span<const LineFacts> facts() const { return facts_; }
+    [[nodiscard]] std::span<LineTiming> facts() { return facts_; }
+    [[nodiscard]] std::span<const LineTiming> facts() const { return facts_; }
     /// Number of missing telegrams per row.
     [[nodiscard]] const std::vector<int>& missing() const { return missing_; }
     /// Whether a row is incomplete: a telegram is missing, or its telegram had too few beams.
-    [[nodiscard]] bool lacks(int row) const { return missing_[static_cast<std::size_t>(row)] != 0 || grid_.lostIn(row) > 0; }
+    [[nodiscard]] bool isIncomplete(int row) const { return missing_[static_cast<std::size_t>(row)] != 0 || grid_.lostIn(row) > 0; }
     /// Number of telegrams in a row, and of those without a row because they came before the first whole row.
     [[nodiscard]] std::int64_t placed() const;
     [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
@@ -107,7 +107,7 @@ private:
     std::deque<Early> early_;
 
     SweepGrid grid_;
-    std::vector<LineFacts> facts_;
+    std::vector<LineTiming> facts_;
     std::vector<int> missing_;
     int wholeRows_ = 0;
     std::int64_t leftOut_ = 0;
@@ -124,4 +124,4 @@ private:
     int extremeRow_ = 0;
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

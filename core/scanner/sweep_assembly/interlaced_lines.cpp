@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 constexpr int kMostParts = 8;
@@ -60,4 +60,4 @@ std::optional<InterlacedBeams> interlacedBeams(std::span<const BeamGrid> grids) 
     return all;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// The beams of a grid line that arrive in `parts` telegrams: beam p + parts * i of the line is beam i of part p.
 struct InterlacedBeams {
@@ -28,4 +28,4 @@ struct InterlacedBeams {
 /// The smallest number of parts that contains all these beams; empty if they cannot belong together.
 [[nodiscard]] std::optional<InterlacedBeams> interlacedBeams(std::span<const BeamGrid> grids);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -1,7 +1,7 @@
 // Sentences about irregularities: one row per kind.
 #include "core/scanner/sweep_assembly/irregularities.h"
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 struct Words {
@@ -73,4 +73,4 @@ std::vector<std::string> Irregularities::sentences() const {
     return all;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -7,25 +7,25 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 enum class Irregularity : std::uint8_t {
-    Duplicate,     ///< came twice; dropped
-    Late,          ///< came after a later one; is in its line
-    TooLate,       ///< the same, but its sweep had ended: not in any line
-    LeftOut,       ///< half of a line that began before the sweep: not in any line
-    Misfit,        ///< other beams than those of the sweep: not in any line
-    NoRanges,      ///< without a range channel: not in any line
-    CounterJump,   ///< a counter advanced further than the clocks allow
-    CounterReset,  ///< a counter went back while the clock continued
-    CountersStand, ///< neither counter advanced from one line to the next
-    ClockJump,     ///< the device clock went back, or far ahead, while the counters continued
-    ClockStands,   ///< the device clock did not advance from one line to the next
-    Pause,         ///< more than a second without a line that the counters account for
-    Restart,       ///< the scanner's counters and clock started again
-    OtherEchoes,   ///< other range channels than those of the sweep's first telegram, or channels with different beams
-    OtherScanner,  ///< another serial number than that of the line before
-    Gap,           ///< so many consecutive lines were lost that a new sweep began
+    Duplicate,       ///< came twice; dropped
+    Late,            ///< came after a later one; is in its line
+    TooLate,         ///< the same, but its sweep had ended: not in any line
+    LeftOut,         ///< half of a line that began before the sweep: not in any line
+    Misfit,          ///< other beams than those of the sweep: not in any line
+    NoRanges,        ///< without a range channel: not in any line
+    CounterJump,     ///< a counter advanced further than the clocks allow
+    CounterReset,    ///< a counter went back while the clock continued
+    CountersStopped, ///< neither counter advanced from one line to the next
+    ClockJump,       ///< the device clock went back, or far ahead, while the counters continued
+    ClockStopped,    ///< the device clock did not advance from one line to the next
+    Pause,           ///< more than a second without a line that the counters account for
+    Restart,         ///< the scanner's counters and clock started again
+    OtherEchoes,     ///< other range channels than those of the sweep's first telegram, or channels with different beams
+    OtherScanner,    ///< another serial number than that of the line before
+    Gap,             ///< so many consecutive lines were lost that a new sweep began
 };
 inline constexpr int kIrregularities = 16;
 
@@ -40,8 +40,8 @@ public:
 
     [[nodiscard]] std::int64_t count(Irregularity kind) const { return counts_[static_cast<std::size_t>(kind)]; }
     /// Lines that counters claim but the clocks do not allow.
-    [[nodiscard]] std::int64_t claimed() const { return claimed_; }
-    void claim(std::int64_t lines) { claimed_ += lines; }
+    [[nodiscard]] std::int64_t implausibleLines() const { return claimed_; }
+    void noteImplausible(std::int64_t lines) { claimed_ += lines; }
     /// True if the counters do not show whether lines are missing.
     [[nodiscard]] bool countersInDoubt() const;
     /// A sentence for each kind that affects the sweep. Duplicates and telegrams before its first line do not affect it.
@@ -70,4 +70,4 @@ struct TelegramAccount {
     bool operator==(const TelegramAccount&) const = default;
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

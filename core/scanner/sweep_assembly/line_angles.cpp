@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 /// Interpolates between known angles, and extrapolates outside of them by `step`.
@@ -21,7 +21,7 @@ void fill(std::vector<double>& lineDeg, const std::vector<int>& known, double st
 }
 
 /// Degrees per second between the first and the last line with a known angle.
-double meanRate(std::span<const LineFacts> lines, const LineAngles& angles, const std::vector<int>& known) {
+double meanRate(std::span<const LineTiming> lines, const LineAngles& angles, const std::vector<int>& known) {
     if (known.size() < 2) return 0.0;
     const auto a = static_cast<std::size_t>(known.front());
     const auto b = static_cast<std::size_t>(known.back());
@@ -30,10 +30,10 @@ double meanRate(std::span<const LineFacts> lines, const LineAngles& angles, cons
 }
 
 /// The mean speed that the stepper reported, over the lines with a report.
-double saidRate(std::span<const LineFacts> lines) {
+double saidRate(std::span<const LineTiming> lines) {
     double sum = 0.0;
     int count = 0;
-    for (const LineFacts& line : lines) {
+    for (const LineTiming& line : lines) {
         if (!line.received || !line.stepperDeg) continue;
         sum += line.degPerSecond;
         ++count;
@@ -41,16 +41,16 @@ double saidRate(std::span<const LineFacts> lines) {
     return count > 0 ? sum / count : 0.0;
 }
 
-double secondsPerTurn(std::span<const LineFacts> lines) {
-    for (const LineFacts& line : lines) {
+double secondsPerTurn(std::span<const LineTiming> lines) {
+    for (const LineTiming& line : lines) {
         if (line.received) return line.secondsPerTurn;
     }
     return 0.0;
 }
 
 /// The angle of a received line by a source that may be computed instead of measured.
-std::optional<double> angleOf(std::span<const LineFacts> lines, std::size_t row, AngleSource source, const SweepSettings& settings) {
-    const LineFacts& line = lines[row];
+std::optional<double> angleOf(std::span<const LineTiming> lines, std::size_t row, AngleSource source, const SweepSettings& settings) {
+    const LineTiming& line = lines[row];
     switch (source) {
     case AngleSource::Encoder:
         if (line.encoder) return settings.firstLineDeg + static_cast<double>(*line.encoder) / *settings.ticksPerDeg;
@@ -60,7 +60,7 @@ std::optional<double> angleOf(std::span<const LineFacts> lines, std::size_t row,
     case AngleSource::Steps:
         return settings.firstLineDeg + static_cast<double>(row) * *settings.degPerLine;
     case AngleSource::Time: {
-        const auto first = std::find_if(lines.begin(), lines.end(), [](const LineFacts& l) { return l.received; });
+        const auto first = std::find_if(lines.begin(), lines.end(), [](const LineTiming& l) { return l.received; });
         return settings.firstLineDeg + settings.degPerSecond * (line.seconds - first->seconds);
     }
     }
@@ -69,14 +69,14 @@ std::optional<double> angleOf(std::span<const LineFacts> lines, std::size_t row,
 
 } // namespace
 
-AngleSource angleSourceOf(std::span<const LineFacts> lines, const SweepSettings& settings) {
-    if (settings.ticksPerDeg && std::any_of(lines.begin(), lines.end(), [](const LineFacts& l) { return l.encoder.has_value(); }))
+AngleSource angleSourceOf(std::span<const LineTiming> lines, const SweepSettings& settings) {
+    if (settings.ticksPerDeg && std::any_of(lines.begin(), lines.end(), [](const LineTiming& l) { return l.encoder.has_value(); }))
         return AngleSource::Encoder;
-    if (std::any_of(lines.begin(), lines.end(), [](const LineFacts& l) { return l.stepperDeg.has_value(); })) return AngleSource::Stepper;
+    if (std::any_of(lines.begin(), lines.end(), [](const LineTiming& l) { return l.stepperDeg.has_value(); })) return AngleSource::Stepper;
     return settings.degPerLine ? AngleSource::Steps : AngleSource::Time;
 }
 
-std::optional<double> measuredDeg(const LineFacts& line, AngleSource source, const SweepSettings& settings) {
+std::optional<double> measuredDeg(const LineTiming& line, AngleSource source, const SweepSettings& settings) {
     if (!line.received) return std::nullopt;
     if (source == AngleSource::Encoder && line.encoder)
         return settings.firstLineDeg + static_cast<double>(*line.encoder) / *settings.ticksPerDeg;
@@ -84,7 +84,7 @@ std::optional<double> measuredDeg(const LineFacts& line, AngleSource source, con
     return std::nullopt;
 }
 
-LineAngles lineAngles(std::span<const LineFacts> lines, const SweepSettings& settings) {
+LineAngles lineAngles(std::span<const LineTiming> lines, const SweepSettings& settings) {
     LineAngles angles{angleSourceOf(lines, settings), std::vector<double>(lines.size(), settings.firstLineDeg), 0.0};
     std::vector<int> known;
     for (std::size_t row = 0; row < lines.size(); ++row) {
@@ -123,4 +123,4 @@ std::vector<double> lineSkewDeg(std::span<const double> beamDeg, std::span<const
     return skew;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

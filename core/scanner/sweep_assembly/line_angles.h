@@ -8,12 +8,12 @@
 #include <span>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 enum class AngleSource : std::uint8_t { Encoder, Stepper, Steps, Time };
 
 /// The data of one line about its angle.
-struct LineFacts {
+struct LineTiming {
     bool received = false;
     int turns = 0;                       ///< mirror rotations after the line's first part, if only a later part arrived
     std::int64_t hostNs = 0;             ///< when it arrived
@@ -33,16 +33,16 @@ struct LineAngles {
 };
 
 /// The best source that any of the lines has.
-[[nodiscard]] AngleSource angleSourceOf(std::span<const LineFacts> lines, const SweepSettings& settings);
+[[nodiscard]] AngleSource angleSourceOf(std::span<const LineTiming> lines, const SweepSettings& settings);
 
 /// The angle of one line if it is certain and was measured at the motor.
-[[nodiscard]] std::optional<double> measuredDeg(const LineFacts& line, AngleSource source, const SweepSettings& settings);
+[[nodiscard]] std::optional<double> measuredDeg(const LineTiming& line, AngleSource source, const SweepSettings& settings);
 
-[[nodiscard]] LineAngles lineAngles(std::span<const LineFacts> lines, const SweepSettings& settings);
+[[nodiscard]] LineAngles lineAngles(std::span<const LineTiming> lines, const SweepSettings& settings);
 
 /// Degrees to add to a line's angle per beam. Beam j is measured `turnsOf[j % parts]` mirror rotations after the line's stamp
 /// (docs/protocol.md, "Time of a beam").
 [[nodiscard]] std::vector<double> lineSkewDeg(std::span<const double> beamDeg, std::span<const int> turnsOf, double degPerTurn,
                                               double indexDeg);
 
-} // namespace edgescan
+} // namespace edgescan::scanner

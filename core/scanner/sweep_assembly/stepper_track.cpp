@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 constexpr std::size_t kReadings = 64; // readings stored for later lines
@@ -11,7 +11,7 @@ constexpr std::size_t kLines = 256;   // number of earlier lines that a reading 
 
 double rateOf(const StepperReading& reading) { return reading.moving ? reading.degPerSecond : 0.0; }
 
-void take(LineFacts& line, double deg, double rate, bool settled) {
+void take(LineTiming& line, double deg, double rate, bool settled) {
     line.stepperDeg = deg;
     line.degPerSecond = rate;
     line.stepperSettled = settled;
@@ -19,7 +19,7 @@ void take(LineFacts& line, double deg, double rate, bool settled) {
 
 } // namespace
 
-void StepperTrack::line(LineFacts& line) const {
+void StepperTrack::line(LineTiming& line) const {
     if (last_.empty()) return;
     const auto latched = std::find_if(last_.rbegin(), last_.rend(), [&](const StepperReading& r) { return r.hostNs == line.hostNs; });
     if (latched != last_.rend()) return take(line, latched->phiDeg, rateOf(*latched), true);
@@ -27,10 +27,10 @@ void StepperTrack::line(LineFacts& line) const {
     take(line, newest.phiDeg + rateOf(newest) * secondsBetween(newest.hostNs, line.stampNs), rateOf(newest), false);
 }
 
-void StepperTrack::reading(const StepperReading& reading, std::span<LineFacts> lines) {
+void StepperTrack::reading(const StepperReading& reading, std::span<LineTiming> lines) {
     const std::size_t first = lines.size() > kLines ? lines.size() - kLines : 0;
     for (std::size_t row = lines.size(); row-- > first;) {
-        LineFacts& line = lines[row];
+        LineTiming& line = lines[row];
         if (!line.received) continue;
         if (line.hostNs == reading.hostNs) {
             take(line, reading.phiDeg, rateOf(reading), true);
@@ -47,4 +47,4 @@ void StepperTrack::reading(const StepperReading& reading, std::span<LineFacts> l
     if (last_.size() > kReadings) last_.pop_front();
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <deque>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 inline constexpr double kNsPerSecond = 1e9;
 [[nodiscard]] inline double secondsBetween(std::int64_t fromNs, std::int64_t toNs) {
@@ -29,12 +29,12 @@ struct StepperReading {
 class StepperTrack {
 public:
     /// A line that just arrived: it gets the angle known so far.
-    void line(LineFacts& line) const;
+    void line(LineTiming& line) const;
     /// A new reading: the last lines that it affects get their angle.
-    void reading(const StepperReading& reading, std::span<LineFacts> lines);
+    void reading(const StepperReading& reading, std::span<LineTiming> lines);
 
 private:
     std::deque<StepperReading> last_; // newest at the back
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 constexpr std::size_t kFinishedKept = 4;
@@ -37,11 +37,11 @@ void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
         ++restarts_;
         if (last_) restartSeconds_ = last_->seconds + std::max(0.0, secondsBetween(last_->hostNs, hostNs)) - deviceSeconds;
         lost = lostInRestart(line);
-    } else if (last_ && (stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stood)) {
+    } else if (last_ && (stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stopped)) {
         const double lines = static_cast<double>((lost + 1) * std::max(1, settings_.outputInterval));
         restartSeconds_ = last_->seconds + lines * line.facts.secondsPerTurn - deviceSeconds;
     }
-    if (restarted || stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stood) clock_.restart();
+    if (restarted || stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stopped) clock_.restart();
     line.facts.seconds = deviceSeconds + restartSeconds_;
     clock_.line(stamp.transmittedUs, hostNs);
     line.facts.stampNs = clock_.hostNs(stamp.deviceUs);
@@ -68,7 +68,7 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
         line.facts.encoder = encoderCount_ + static_cast<std::int32_t>(telegram.encoders.front().position - *encoderAt_);
     stepper_.line(line.facts);
     const bool comparable = sweep_ && !misfit_ && line.beams.beams > 0;
-    const auto repeat = comparable ? sweep_->repeat(line, stamp.behind - lostSince_) : Outside;
+    const auto repeat = comparable ? sweep_->repeat(line, stamp.linesBehind - lostSince_) : Outside;
     ++repeats_;
     if (repeat == Filled) {
         repeats_ = 0;
@@ -78,17 +78,17 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
         return false;
     }
     const double later = last_ ? secondsBetween(last_->hostNs, hostNs) : 0.0;
-    if (repeat == Other && stamp.behind == 0 && (!counter_.moves() || later >= kHalf * line.facts.secondsPerTurn)) {
+    if (repeat == Other && stamp.linesBehind == 0 && (!counter_.moves() || later >= kHalf * line.facts.secondsPerTurn)) {
         stamp = counter_.next(telegram, hostNs);
         return true;
     }
     const bool odd = repeat == Other || repeat == Outside;
-    const bool anew = odd && stamp.behind > kFewBehind;
+    const bool anew = odd && stamp.linesBehind > kFewBehind;
     if (comparable && (anew || (repeat == Other && repeats_ >= kFewRepeats) || repeats_ >= kManyRepeats)) {
         stamp = counter_.restart(telegram, hostNs);
         return true;
     }
-    if (comparable && repeat == Outside && stamp.behind > 0)
+    if (comparable && repeat == Outside && stamp.linesBehind > 0)
         note(Irregularity::TooLate);
     else
         note(Irregularity::Duplicate);
@@ -109,12 +109,12 @@ void SweepAssembler::note(const SweepLine& line, const LineStamp& stamp) {
     here(stamp.step == LineStep::Restart, Irregularity::Restart);
     here(stamp.counters == CounterStep::Jumped, Irregularity::CounterJump);
     here(stamp.counters == CounterStep::Reset, Irregularity::CounterReset);
-    here(stamp.counters == CounterStep::Stood, Irregularity::CountersStand);
+    here(stamp.counters == CounterStep::Stopped, Irregularity::CountersStopped);
     here(stamp.clock == ClockStep::Jumped, Irregularity::ClockJump);
-    here(stamp.clock == ClockStep::Stood, Irregularity::ClockStands);
+    here(stamp.clock == ClockStep::Stopped, Irregularity::ClockStopped);
     here(stamp.clock == ClockStep::Paused, Irregularity::Pause);
-    irregular_.claim(stamp.claimed);
-    irregularEver_.claim(stamp.claimed);
+    irregular_.noteImplausible(stamp.implausible);
+    irregularEver_.noteImplausible(stamp.implausible);
     here(sweep_ && line.beams.beams > 0 && line.echoes != echoes_, Irregularity::OtherEchoes);
     if (line.serialNumber == 0) return;
     here(serial_ != 0 && serial_ != line.serialNumber, Irregularity::OtherScanner);
@@ -122,7 +122,7 @@ void SweepAssembler::note(const SweepLine& line, const LineStamp& stamp) {
 }
 
 void SweepAssembler::push(const StepperReading& reading) {
-    stepper_.reading(reading, sweep_ ? sweep_->facts() : std::span<LineFacts>{});
+    stepper_.reading(reading, sweep_ ? sweep_->facts() : std::span<LineTiming>{});
     changed_ = true;
     splitAtReversal();
 }
@@ -135,7 +135,7 @@ std::int64_t SweepAssembler::lostInRestart(const SweepLine& line) const {
     return std::isfinite(lines) && lines > 1.0 ? std::min(kLongAgo, static_cast<std::int64_t>(std::llround(lines)) - 1) : 0;
 }
 
-void SweepAssembler::followEncoder(const ScanTelegram& telegram, LineFacts& facts, std::int64_t lost, bool restarted) {
+void SweepAssembler::followEncoder(const ScanTelegram& telegram, LineTiming& facts, std::int64_t lost, bool restarted) {
     if (telegram.encoders.empty()) return;
     const std::uint32_t position = telegram.encoders.front().position;
     if (!settings_.ticksPerDeg) {
@@ -181,7 +181,7 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
         return;
     case GrowingSweep::Place::Full:
         if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
-        if (settings_.expectedLines > 0) sweep_->loseRest(settings_.expectedLines);
+        if (settings_.expectedLines > 0) sweep_->markRestLost(settings_.expectedLines);
         finishSweep();
         return start(line);
     case GrowingSweep::Place::Misfit:
@@ -228,7 +228,7 @@ void SweepAssembler::splitAtReversal() {
 void SweepAssembler::finishSweep() {
     if (!sweep_) return;
     if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
-    sweep_->loseNext(std::exchange(lostSince_, 0), settings_);
+    sweep_->markNextLost(std::exchange(lostSince_, 0), settings_);
     sweep_->finish();
     changed_ = true;
     if (auto scan = snapshot()) {
@@ -259,7 +259,7 @@ TelegramAccount SweepAssembler::account() const {
     ++all.sweeps;
     all.lines += rows;
     for (int row = 0; row < rows; ++row) {
-        all.linesLost += sweep_->lacks(row) ? 1 : 0;
+        all.linesLost += sweep_->isIncomplete(row) ? 1 : 0;
         all.cellsLost += sweep_->grid().lostIn(row);
     }
     all.cells += static_cast<std::int64_t>(rows) * sweep_->grid().beams();
@@ -274,4 +274,4 @@ std::vector<FinishedSweep> SweepAssembler::takeFinished() {
     return taken;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

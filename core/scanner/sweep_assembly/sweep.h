@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// The progress of a sweep. "Lines" are rows of the grid; a row consists of one or more telegrams.
 struct SweepProgress {
@@ -47,11 +47,11 @@ struct SweepProgress {
 [[nodiscard]] std::string rowsText(const std::vector<int>& rows, int groups = 8);
 
 /// A sweep and its progress.
-struct SweepSoFar {
+struct SweepState {
     std::shared_ptr<const Scan> scan; ///< null: no row yet
     SweepProgress progress;
 };
-using FinishedSweep = SweepSoFar;
+using FinishedSweep = SweepState;
 
 /// A value type; not for several threads at once, but the scans that it returns are. Memory is bounded: one growing sweep and the last
 /// finished ones.
@@ -88,7 +88,7 @@ private:
     void start(const SweepLine& line);
     void finishSweep();
     void splitAtReversal();
-    void followEncoder(const ScanTelegram& telegram, LineFacts& facts, std::int64_t lost, bool restarted);
+    void followEncoder(const ScanTelegram& telegram, LineTiming& facts, std::int64_t lost, bool restarted);
     [[nodiscard]] std::int64_t lostInRestart(const SweepLine& line) const;
     void describe(Scan& scan);
     [[nodiscard]] TelegramAccount account() const;
@@ -101,9 +101,9 @@ private:
     std::optional<SweepLine> misfit_; // the last line, if its beams did not fit
     std::int64_t lostSince_ = 0;      // telegrams without a row since the last one with a row
 
-    std::string echoes_;            // range channels of the sweep's first telegram
-    std::optional<LineFacts> last_; // of the newest line
-    double restartSeconds_ = 0.0;   // added to the device clock since its last restart
+    std::string echoes_;             // range channels of the sweep's first telegram
+    std::optional<LineTiming> last_; // of the newest line
+    double restartSeconds_ = 0.0;    // added to the device clock since its last restart
     std::optional<std::uint32_t> encoderAt_;
     std::int64_t encoderCount_ = 0;
     bool encoderWithoutScale_ = false, encoderWasReset_ = false;
@@ -122,4 +122,4 @@ private:
     bool changed_ = true; // since snapshot_
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -5,7 +5,7 @@
 #include <limits>
 #include <mutex>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 constexpr float kNoIntensity = std::numeric_limits<float>::quiet_NaN();
@@ -147,4 +147,4 @@ std::shared_ptr<Scan> SweepGrid::scan(int rows) {
     return {shared, &shared->scan};
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

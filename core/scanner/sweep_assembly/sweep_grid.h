@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// Cells of one row, as many as `rangeMm` has; `intensity` is empty if there are none.
 struct RowCells {
@@ -77,4 +77,4 @@ private:
     Store store_;
 };
 
-} // namespace edgescan
+} // namespace edgescan::scanner

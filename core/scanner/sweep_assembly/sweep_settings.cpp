@@ -11,7 +11,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 std::string numberText(double value) {
@@ -136,4 +136,4 @@ SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& oth
     return found;
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

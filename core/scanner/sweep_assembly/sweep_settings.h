@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::scanner {
 
 /// Which of a beam's returns gives the range.
 enum class Echo : std::uint8_t { First, Last };
@@ -61,4 +61,4 @@ struct SettingsFound {
 };
 [[nodiscard]] SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& otherwise = {});
 
-} // namespace edgescan
+} // namespace edgescan::scanner

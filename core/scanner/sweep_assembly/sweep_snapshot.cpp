@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <iterator>
 
-namespace edgescan {
+namespace edgescan::scanner {
 namespace {
 
 /// Interpolates the times of lines that did not arrive.
-std::vector<double> lineTimes(std::span<const LineFacts> rows) {
+std::vector<double> lineTimes(std::span<const LineTiming> rows) {
     std::vector<double> times(rows.size(), 0.0);
     std::size_t last = rows.size();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -97,7 +97,7 @@ SweepProgress SweepAssembler::progress() const {
     if (sweep_) {
         progress.lines = sweep_->wholeRows();
         for (int row = 0; row < progress.lines; ++row) {
-            if (!sweep_->lacks(row)) continue;
+            if (!sweep_->isIncomplete(row)) continue;
             progress.lost.push_back(row);
             if (sweep_->missing()[static_cast<std::size_t>(row)] == 0) progress.narrow.push_back(row);
         }
@@ -173,4 +173,4 @@ void SweepAssembler::describe(Scan& scan) {
     if (ever.contaminationWarning) warn("The scanner reported a dirty window" + from);
 }
 
-} // namespace edgescan
+} // namespace edgescan::scanner

@@ -20,7 +20,7 @@ TEST(Shares, EachIsDoneOnceForAllWhoAskAtOnce) {
     askers.reserve(kAskers);
     for (std::vector<int>& mine : done) {
         askers.emplace_back([&mine] {
-            for (int call = 0; call < kCalls; ++call) shareOut(kShares, [&mine](int n) { ++mine[static_cast<std::size_t>(n)]; });
+            for (int call = 0; call < kCalls; ++call) runInParallel(kShares, [&mine](int n) { ++mine[static_cast<std::size_t>(n)]; });
         });
     }
     for (std::thread& asker : askers) asker.join();
@@ -30,16 +30,16 @@ TEST(Shares, EachIsDoneOnceForAllWhoAskAtOnce) {
 
 TEST(Shares, WhatOneThrowsIsThrownAfterAllAreDone) {
     std::atomic<int> done{0};
-    EXPECT_THROW(shareOut(50,
-                          [&done](int n) {
-                              ++done;
-                              if (n % 10 == 3) throw std::runtime_error("no");
-                          }),
+    EXPECT_THROW(runInParallel(50,
+                               [&done](int n) {
+                                   ++done;
+                                   if (n % 10 == 3) throw std::runtime_error("no");
+                               }),
                  std::runtime_error);
     EXPECT_EQ(done, 50);
     endSecondThread();
     endSecondThread(); // there is none
-    shareOut(2, [&done](int) { ++done; });
+    runInParallel(2, [&done](int) { ++done; });
     EXPECT_EQ(done, 52);
     endSecondThread();
 }
@@ -51,11 +51,11 @@ TEST(Shares, ACopyOfTheProcessStartsItsOwn) {
 #endif
     std::atomic<int> done{0};
     for (int call = 0; call < 20; ++call) {
-        shareOut(4, [&done](int) { ++done; });
+        runInParallel(4, [&done](int) { ++done; });
         const pid_t child = ::fork();
         if (child == 0) {
             std::atomic<int> here{0};
-            for (int again = 0; again < 20; ++again) shareOut(7, [&here](int) { ++here; });
+            for (int again = 0; again < 20; ++again) runInParallel(7, [&here](int) { ++here; });
             ::_exit(here == 140 ? 0 : 1);
         }
         ASSERT_GT(child, 0);
@@ -71,7 +71,7 @@ TEST(Shares, BandsCoverAllLinesOnce) {
     for (const int lines : {0, 1, 2, 7, 100}) {
         for (const int bands : {0, 1, 2, 3, 1000}) {
             std::vector<std::atomic<int>> seen(static_cast<std::size_t>(lines));
-            inBands(lines, bands, [&seen](int first, int last) {
+            runInBands(lines, bands, [&seen](int first, int last) {
                 for (int i = first; i < last; ++i) ++seen[static_cast<std::size_t>(i)];
             });
             for (const std::atomic<int>& times : seen) EXPECT_EQ(times, 1) << lines << " lines, " << bands << " bands";

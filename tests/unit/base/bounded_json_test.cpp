@@ -79,12 +79,12 @@ TEST(BoundedJson, EveryDoorThatJsonComesInBy) {
     const Folder folder;
     const std::string deep = "{\"format\":\"edgescan-preset/1\",\"settings\":" + nested(kDeep) + "}";
     writeText(folder / "deep.json", deep);
-    const auto preset = findPreset((folder / "deep.json").string());
+    const auto preset = edges::findPreset((folder / "deep.json").string());
     ASSERT_FALSE(preset);
     EXPECT_NE(preset.error().sentence().find("nested too deep"), std::string::npos) << preset.error().sentence();
     writeText(folder / "large.json", "{\"format\":\"edgescan-preset/1\"}");
     std::filesystem::resize_file(folder / "large.json", std::uintmax_t{1} << 36U); // sparse: not to be read
-    const auto large = findPreset((folder / "large.json").string());
+    const auto large = edges::findPreset((folder / "large.json").string());
     ASSERT_FALSE(large);
     EXPECT_NE(large.error().sentence().find("too large"), std::string::npos) << large.error().sentence();
 
@@ -93,15 +93,15 @@ TEST(BoundedJson, EveryDoorThatJsonComesInBy) {
         EXPECT_FALSE(parseJsonObject(text, format, "x"));
     }
     EXPECT_FALSE(parseReadingOptions("{\"axis\":" + nested(kDeep) + "}", "x"));
-    EXPECT_FALSE(settingsOf({{"stepper.axis", nested(kDeep)}}).warnings.empty());
+    EXPECT_FALSE(scanner::settingsOf({{"stepper.axis", nested(kDeep)}}).warnings.empty());
     const std::string reading = "{\"phi_deg\":1,\"x\":" + nested(1000) + "}";
-    EXPECT_FALSE(parseStepper(Bytes(reading.begin(), reading.end()), 0));
+    EXPECT_FALSE(files::parseStepper(Bytes(reading.begin(), reading.end()), 0));
 
     // Inside and beside an export.
     writeText(folder / "edges.xyz", "# edgescan-record {\"a\":" + nested(kDeep) + "}\n1 2 3\n");
-    EXPECT_FALSE(verifyExport(folder / "edges.xyz", {}));
+    EXPECT_FALSE(exports::verifyExport(folder / "edges.xyz", {}));
     writeText(folder / "edges.xyz.provenance.json", nested(kDeep, '{', '}'));
-    EXPECT_FALSE(verifyExport(folder / "edges.xyz", {}));
+    EXPECT_FALSE(exports::verifyExport(folder / "edges.xyz", {}));
     for (const char* extension : {".xyz", ".pcd", ".ply"}) {
         const std::string mark = extension == std::string(".ply") ? "ply\ncomment edgescan " : "# edgescan ";
         EXPECT_NE(refusalOf(mark + "{\"format\":\"edgescan-raw-grid/1\",\"note\":" + nested(kDeep) + "}\n1 2 3\n", extension), "");

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::sim {
 namespace {
 
 double uniformAt(int n, int axis) {
@@ -81,4 +81,4 @@ TEST(SimRockLooks, RocksAreAsLargeAsAskedFor) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::sim

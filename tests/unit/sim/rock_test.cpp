@@ -19,7 +19,7 @@ using Points = std::vector<Eigen::Vector3d>;
 const Eigen::Vector3d& at(const Points& points, int i) { return points[static_cast<std::size_t>(i)]; }
 
 Points cloud(int count, std::uint64_t seed) {
-    Dice dice(seed, Purpose::Shapes);
+    RandomSequence dice(seed, Purpose::Shapes);
     Points points;
     for (int i = 0; i < count; ++i) points.emplace_back(Eigen::Vector3d{dice.normal(), dice.normal(), dice.normal()});
     return points;
@@ -72,7 +72,7 @@ TEST(SimHull, FlatPointsHaveNone) {
 }
 
 TEST(SimRock, CornersSpansAndAspect) {
-    Dice dice(5, Purpose::Shapes);
+    RandomSequence dice(5, Purpose::Shapes);
     for (int i = 0; i < 100; ++i) {
         const Points corners = rockCorners(1.5, dice);
         EXPECT_GE(corners.size(), 12U);
@@ -112,7 +112,7 @@ Mesh trianglesOf(const Points& corners, const Eigen::Vector3d& centre) {
 }
 
 TEST(SimRock, RaysMeetItWhereItsTrianglesAre) {
-    Dice dice(9, Purpose::Shapes);
+    RandomSequence dice(9, Purpose::Shapes);
     int hitsSeen = 0;
     int outlines = 0;
     for (int trial = 0; trial < 40; ++trial) {
@@ -144,7 +144,7 @@ TEST(SimRock, RaysMeetItWhereItsTrianglesAre) {
 }
 
 TEST(SimCaster, TreeFindsWhatBruteForceFinds) {
-    Dice dice(21, Purpose::Shapes);
+    RandomSequence dice(21, Purpose::Shapes);
     Scene scene;
     for (int i = 0; i < 80; ++i) {
         const Eigen::Vector3d centre{dice.uniform(-4, 4), dice.uniform(-4, 4), dice.uniform(2, 9)};
@@ -152,7 +152,7 @@ TEST(SimCaster, TreeFindsWhatBruteForceFinds) {
     }
     const Lattice ground{12, 12, false, [](int i, int j) { return Eigen::Vector3d(i - 5.5, j - 5.5, 9.0 + 0.3 * ((i * 7 + j * 3) % 5)); }};
     addLattice(scene, scene.solids, ground, {});
-    const Caster caster(scene, {});
+    const RayCaster caster(scene, {});
     for (int ray = 0; ray < 800; ++ray) {
         const RayBundle bundle = bundleAlong(Eigen::Vector3d{dice.normal(), dice.normal(), 3.0 * dice.uniform()}.normalized(), {});
         const BundleHits hits = caster.cast(bundle);
@@ -171,7 +171,7 @@ TEST(SimCaster, BeamPassesFromVoidToVoid) {
     scene.voids.resize(2);
     addLattice(scene, scene.voids[0], plate(3.0), {.face = 1});
     addLattice(scene, scene.voids[1], plate(5.0), {.face = 2});
-    const Caster caster(scene, {});
+    const RayCaster caster(scene, {});
     const BundleHits hits = caster.cast(bundleAlong(Eigen::Vector3d::UnitZ(), {}));
     EXPECT_FLOAT_EQ(hits.distanceM[0], 5.0F);
     EXPECT_EQ(scene.surfaces[static_cast<std::size_t>(hits.surface[0])].face, 2);
@@ -194,7 +194,7 @@ TEST(SimRandom, NormalAndUniformHaveTheirMoments) {
 }
 
 TEST(SimNoise, ReliefHasItsNominalSizeAndNoSteps) {
-    Dice dice(2, Purpose::Shapes);
+    RandomSequence dice(2, Purpose::Shapes);
     double squares = 0.0;
     constexpr int kCount = 20000;
     for (int i = 0; i < kCount; ++i) {

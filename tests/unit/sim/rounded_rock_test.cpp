@@ -71,7 +71,7 @@ TEST(SimRoundedRock, AWornCubeHasItsKnownMeasures) {
 }
 
 TEST(SimRoundedRock, RaysEndOneRadiusOffTheCoreAndNotBehindIt) {
-    Dice dice(31, Purpose::Shapes);
+    RandomSequence dice(31, Purpose::Shapes);
     int hit = 0;
     int missed = 0;
     int round = 0;
@@ -116,11 +116,11 @@ TEST(SimRoundedRock, RaysEndOneRadiusOffTheCoreAndNotBehindIt) {
 }
 
 TEST(SimRoundedRock, TurnsAndGrowsWithItsScene) {
-    Dice dice(33, Purpose::Shapes);
+    RandomSequence dice(33, Purpose::Shapes);
     Scene scene;
     addRock(scene, rockCorners(1.5, dice), {0.3, -0.2, 4.0}, 0.5);
     const Eigen::Matrix3f turn = Eigen::AngleAxisf(0.7F, Eigen::Vector3f(1, 2, 3).normalized()).toRotationMatrix();
-    const Scene other = turned(scaled(scene, 2.0F), turn);
+    const Scene other = rotated(scaled(scene, 2.0F), turn);
     int round = 0;
     for (int ray = 0; ray < 200; ++ray) {
         const Vector3d aim = (Vector3d{0.3, -0.2, 4.0} + 0.3 * Vector3d{dice.normal(), dice.normal(), dice.normal()}).normalized();
@@ -141,7 +141,7 @@ TEST(SimRoundedRock, TurnsAndGrowsWithItsScene) {
 struct Cube {
     Scan scan;
     SimulationTruth truth;
-    EdgeTruth edges;
+    lab::EdgeTruth edges;
 
     explicit Cube(double rounding) {
         constexpr int kCells = 70;
@@ -165,7 +165,7 @@ struct Cube {
             return Vector3d(9.0 * ahead + 9.0 * (i - 0.5) * turn.col(2) + 9.0 * (j - 0.5) * across.normalized());
         };
         addLattice(scene, scene.solids, {2, 2, false, plate}, {.texture = Texture::Smooth});
-        const Caster caster(scene, {});
+        const RayCaster caster(scene, {});
         truth = {{kCells, kCells},
                  {kCells, kCells},
                  {kCells, kCells},
@@ -187,10 +187,10 @@ struct Cube {
             truth.rounded[k] = surface.ridge >= 0 ? 1 : 0;
         }
         for (int i = 0; i < kCells; ++i) findSeams({scene, caster, {&tables, &tables}}, i, truth);
-        edges = edgeTruth(truth);
+        edges = lab::edgeTruth(truth);
     }
 
-    [[nodiscard]] long count(EdgeClass wanted) const {
+    [[nodiscard]] long count(lab::EdgeClass wanted) const {
         return std::ranges::count(edges.edgeClass.cells, static_cast<std::uint8_t>(wanted));
     }
     /// Cells that are not scored, of the row that crosses the ridge in the middle.
@@ -203,20 +203,20 @@ struct Cube {
 
 TEST(SimRoundedRock, AFoldIsACreaseOnlyWhileItTurnsWithinOneCell) {
     const Cube sharp(0.0);
-    const long ridge = sharp.count(EdgeClass::Crease);
+    const long ridge = sharp.count(lab::EdgeClass::Crease);
     EXPECT_GT(ridge, 20);
     EXPECT_EQ(sharp.unscored(), 0);
 
     const Cube hardly(0.01); // 5 mm: nobody can see it
-    EXPECT_NEAR(static_cast<double>(hardly.count(EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
+    EXPECT_NEAR(static_cast<double>(hardly.count(lab::EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
 
     const Cube worn(0.3); // 150 mm: 90 degrees over 7 cells
-    EXPECT_EQ(worn.count(EdgeClass::Crease), 0);
+    EXPECT_EQ(worn.count(lab::EdgeClass::Crease), 0);
     EXPECT_GT(worn.unscored(), 4);
     EXPECT_LT(worn.unscored(), 12);
 
     const Cube round(0.9); // 450 mm: 90 degrees over 18 cells and more
-    EXPECT_EQ(round.count(EdgeClass::Crease), 0);
+    EXPECT_EQ(round.count(lab::EdgeClass::Crease), 0);
     EXPECT_EQ(round.unscored(), 0);
 }
 
@@ -234,7 +234,8 @@ TEST(SimRoundedRock, ItsOutlineStaysAnOutline) {
                 bool found = false; // thinning takes corners of stairs away
                 for (int di = -1; di <= 1; ++di)
                     for (int dj = -1; dj <= 1; ++dj) {
-                        const bool occluding = rock.edges.edgeClass.at(i + di, j + dj) == static_cast<std::uint8_t>(EdgeClass::Occluding);
+                        const bool occluding =
+                            rock.edges.edgeClass.at(i + di, j + dj) == static_cast<std::uint8_t>(lab::EdgeClass::Occluding);
                         found = found || (occluding && rock.edges.ignore.at(i + di, j + dj) == 0);
                     }
                 EXPECT_TRUE(found) << rounding << ": " << i << ", " << j;
@@ -254,19 +255,19 @@ TEST(SimRoundedRock, RoundingTakesCreasesOfAPileAndLeavesOutlines) {
         settings.rockRounding = rounding;
         settings.truth = true;
         const Result<Simulation> pile = simulate(settings);
-        EdgeTruth truth = edgeTruth(*pile->truth);
+        lab::EdgeTruth truth = lab::edgeTruth(*pile->truth);
         for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
             if (pile->truth->object[k] < kFirstRock) truth.edgeClass[k] = 0; // the wall keeps its own
         }
         return truth;
     };
-    const auto count = [](const EdgeTruth& truth, EdgeClass wanted) {
+    const auto count = [](const lab::EdgeTruth& truth, lab::EdgeClass wanted) {
         return static_cast<double>(std::ranges::count(truth.edgeClass.cells, static_cast<std::uint8_t>(wanted)));
     };
-    const EdgeTruth sharp = truthOf(0.0);
-    const EdgeTruth worn = truthOf(0.8);
-    EXPECT_LT(count(worn, EdgeClass::Crease), 0.5 * count(sharp, EdgeClass::Crease));
-    EXPECT_GT(count(worn, EdgeClass::Occluding), 0.8 * count(sharp, EdgeClass::Occluding));
+    const lab::EdgeTruth sharp = truthOf(0.0);
+    const lab::EdgeTruth worn = truthOf(0.8);
+    EXPECT_LT(count(worn, lab::EdgeClass::Crease), 0.5 * count(sharp, lab::EdgeClass::Crease));
+    EXPECT_GT(count(worn, lab::EdgeClass::Occluding), 0.8 * count(sharp, lab::EdgeClass::Occluding));
     SimulationSettings nonsense;
     nonsense.rockRounding = 1.0;
     const auto refused = simulate(nonsense);

@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::sim {
 namespace {
 
 using namespace sim;
@@ -285,7 +285,7 @@ TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
         EXPECT_EQ(seen.size(), treads.size()) << distanceM;
         for (const double step : {50.0, 80.0, 120.0, 200.0, 300.0, 500.0})
             EXPECT_EQ(std::ranges::count(treads, step, &StaircaseTread::stepMm), 1) << step;
-        const EdgeTruth truth = edgeTruth(*result.truth);
+        const lab::EdgeTruth truth = lab::edgeTruth(*result.truth);
         for (int j = 240; j < 900; ++j) { // every step that is scored is one edge between the cells beside it
             const int a = result.truth->object.at(10, j);
             const int b = result.truth->object.at(10, j + 1);
@@ -507,4 +507,4 @@ TEST(SimSweep, ProgressRisesAndCancels) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::sim

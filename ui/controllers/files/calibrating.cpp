@@ -37,7 +37,7 @@ QImage imageOf(const Grid<Rgb>& picture) {
 }
 
 /// The pixel of the seam's picture with the most edges of both views around it.
-QPoint busiestOf(const SeamEdges& seam) {
+QPoint busiestOf(const inspect::SeamEdges& seam) {
     constexpr int kSquare = 40, kPxPerCell = 3;
     int most = -1;
     QPoint best(seam.late.beams / 2, seam.late.lines / 2);
@@ -56,10 +56,10 @@ QPoint busiestOf(const SeamEdges& seam) {
     return best * kPxPerCell;
 }
 
-Result<CalibrationSource> sourceOf(const std::string& file) {
+Result<inspect::CalibrationSource> sourceOf(const std::string& file) {
     const Result<std::string> hash = sha256OfFile(file);
     if (!hash) return hash.error();
-    return CalibrationSource{std::filesystem::path(file).filename().string(), *hash};
+    return inspect::CalibrationSource{std::filesystem::path(file).filename().string(), *hash};
 }
 
 } // namespace
@@ -83,17 +83,17 @@ void Calibrating::show() {
             tr("What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording."));
     if (card_ == nullptr) {
         card_ = new CalibrationCard(notice_.window());
-        connect(card_, &CalibrationCard::addWanted, this, &Calibrating::askAdd);
-        connect(card_, &CalibrationCard::removeWanted, this, [this](int row) {
+        connect(card_, &CalibrationCard::addRequested, this, &Calibrating::askAdd);
+        connect(card_, &CalibrationCard::removeRequested, this, [this](int row) {
             if (row <= 0 || row > others_.size()) return; // the scan on the screen stays in the list
             others_.removeAt(row - 1);
             ask();
         });
-        connect(card_, &CalibrationCard::baseWanted, this, &Calibrating::askBase);
-        connect(card_, &CalibrationCard::startWanted, this, &Calibrating::start);
+        connect(card_, &CalibrationCard::baseRequested, this, &Calibrating::askBase);
+        connect(card_, &CalibrationCard::startRequested, this, &Calibrating::start);
         connect(card_, &CalibrationCard::givenUp, this, &Calibrating::giveUp);
-        connect(card_, &CalibrationCard::saveWanted, this, &Calibrating::askSave);
-        connect(card_, &CalibrationCard::applyWanted, this, &Calibrating::apply);
+        connect(card_, &CalibrationCard::saveRequested, this, &Calibrating::askSave);
+        connect(card_, &CalibrationCard::applyRequested, this, &Calibrating::apply);
     }
     if (screenPath_ != files_.path()) {
         screenPath_ = files_.path();
@@ -172,9 +172,10 @@ bool Calibrating::tell(std::uint64_t number, const char* stage, double fraction)
     return wanted_ == number;
 }
 
-Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question, std::vector<CalibrationSource>& sources) {
+Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question,
+                                                                   std::vector<inspect::CalibrationSource>& sources) {
     const std::string& shown = question.shown->scan->path;
-    const Result<CalibrationSource> first = sourceOf(shown);
+    const Result<inspect::CalibrationSource> first = sourceOf(shown);
     if (!first) return first.error();
     sources.push_back(*first);
     std::vector<std::shared_ptr<const Scan>> scans{question.shown->scan};
@@ -182,10 +183,10 @@ Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Questio
     reading.progress = [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); };
     for (const QString& path : question.others) {
         const std::string file = path.toStdString();
-        Result<Scan> scan = openAsAsked(file, reading);
+        Result<Scan> scan = files::openAsAsked(file, reading);
         if (!scan) return scan.error();
-        if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return enough.error();
-        const Result<CalibrationSource> source = sourceOf(file);
+        if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *scan); !enough) return enough.error();
+        const Result<inspect::CalibrationSource> source = sourceOf(file);
         if (!source) return source.error();
         sources.push_back(*source);
         scan->name = file;
@@ -194,14 +195,14 @@ Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Questio
     return scans;
 }
 
-Calibrating::Seam Calibrating::seamOf(const Detection& shown, const AssemblyErrors& errors) {
+Calibrating::Seam Calibrating::seamOf(const edges::Detection& shown, const AssemblyErrors& errors) {
     Seam seam;
     const std::array<AssemblyErrors, 2> both{AssemblyErrors{}, errors};
     for (std::size_t n = 0; n < 2; ++n) {
-        const SeamEdges edges = seamEdges(*shown.scan, *shown.mask, both[n]);
-        seam.edges[n] = imageOf(seamPicture(edges));
-        seam.apart[n] = imageOf(viewsPicture(*shown.scan, both[n]));
-        seam.met[n] = edges.metShare();
+        const inspect::SeamEdges edges = inspect::seamEdges(*shown.scan, *shown.mask, both[n]);
+        seam.edges[n] = imageOf(inspect::seamPicture(edges));
+        seam.apart[n] = imageOf(inspect::viewsPicture(*shown.scan, both[n]));
+        seam.met[n] = edges.matchedShare();
         seam.lateEdges = edges.lateEdges;
         if (n == 1) seam.busiest = busiestOf(edges);
     }
@@ -212,14 +213,14 @@ Calibrating::Answer Calibrating::run(const Question& question) {
     const BindInputs inputs;
     Answer answer{question.number, std::nullopt, {}, {}, nullptr};
     try {
-        std::vector<CalibrationSource> sources;
+        std::vector<inspect::CalibrationSource> sources;
         const auto scans = read(question, sources);
         if (!scans) {
             answer.found = scans.error();
             return answer;
         }
-        answer.found =
-            calibrateFromTurn(*scans, [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); });
+        answer.found = inspect::calibrateFromSweeps(
+            *scans, [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); });
         if (!*answer.found) return answer;
         std::string base;
         if (!question.base.isEmpty()) {
@@ -230,7 +231,7 @@ Calibrating::Answer Calibrating::run(const Question& question) {
             }
             base = textOf(*bytes);
         }
-        const Result<std::string> file = calibrationText(base, question.base.toStdString(), **answer.found, sources);
+        const Result<std::string> file = inspect::calibrationText(base, question.base.toStdString(), **answer.found, sources);
         if (!file) {
             answer.found = file.error();
             return answer;
@@ -259,7 +260,7 @@ void Calibrating::take(const Answer& answer) {
     shown.pictures[1].beforeImage = seam.apart[0];
     shown.pictures[1].afterImage = seam.apart[1];
     shown.pictures[1].busiest = seam.busiest / 3;
-    card_->tell(shown);
+    card_->showResult(shown);
 }
 
 void Calibrating::askSave() {
@@ -282,9 +283,9 @@ void Calibrating::saveTo(const QString& path) {
         [this, path, answer = found_]() -> std::function<void()> {
             const Result<Done> written = writeWholeFile(path.toStdString(), answer->file);
             return [this, path, answer, written] {
-                if (!written) return notice_.tell(written.error());
+                if (!written) return notice_.showError(written.error());
                 memory_.keepFolder("exports", path);
-                notice_.tellSaved(path, tr("a calibration"));
+                notice_.showSaved(path, tr("a calibration"));
                 emit saved(path);
                 if (found_ != answer) return; // another question was asked meanwhile
                 saved_ = path;

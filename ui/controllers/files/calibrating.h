@@ -48,7 +48,7 @@ public:
     /// Null before the first show().
     [[nodiscard]] CalibrationCard* card() const { return card_; }
     /// Null while there is no result.
-    [[nodiscard]] const SelfCalibration* found() const { return found_ && *found_->found ? &**found_->found : nullptr; }
+    [[nodiscard]] const inspect::SelfCalibration* found() const { return found_ && *found_->found ? &**found_->found : nullptr; }
     [[nodiscard]] bool saving() const { return saving_; }
 
 signals:
@@ -57,7 +57,7 @@ signals:
 private:
     struct Question {
         std::uint64_t number = 0;
-        std::shared_ptr<const Detection> shown; ///< with the edges of the shown picture
+        std::shared_ptr<const edges::Detection> shown; ///< with the edges of the shown picture
         QStringList others;
         ReadingOptions reading; ///< for the other scans
         QString base;
@@ -71,15 +71,16 @@ private:
     };
     struct Answer {
         std::uint64_t number = 0;
-        std::optional<Result<SelfCalibration>> found;
+        std::optional<Result<inspect::SelfCalibration>> found;
         std::string file; ///< the text to be saved
         Seam seam;
         std::shared_ptr<const InputClaims> inputs; ///< files that must not be overwritten
     };
     [[nodiscard]] Answer run(const Question& question); // worker's thread
-    [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, std::vector<CalibrationSource>& sources);
+    [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question,
+                                                                        std::vector<inspect::CalibrationSource>& sources);
     bool tell(std::uint64_t number, const char* stage, double fraction);
-    static Seam seamOf(const Detection& shown, const AssemblyErrors& errors);
+    static Seam seamOf(const edges::Detection& shown, const AssemblyErrors& errors);
     void take(const Answer& answer);
     void ask();
     void askAdd();

@@ -14,7 +14,7 @@ std::array<QString, 3> errorRow(const QString& name, double value, double sd, co
 
 } // namespace
 
-CalibrationShown calibrationWords(const SelfCalibration& found) {
+CalibrationShown calibrationWords(const inspect::SelfCalibration& found) {
     const AssemblyErrors& e = found.errors;
     const AssemblyErrors& sd = found.sd;
     CalibrationShown shown;
@@ -23,8 +23,9 @@ CalibrationShown calibrationWords(const SelfCalibration& found) {
                   errorRow(QObject::tr("lever arm t2, across it"), e.t2Mm(), sd.t2Mm(), mm, 2),
                   errorRow(QObject::tr("tilt of the fan"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
                   errorRow(QObject::tr("beam index"), e.indexDeg(), sd.indexDeg(), deg, 4),
-                  found.turnTold ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
-                                 : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not told")}};
+                  found.turnIsEstimated
+                      ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
+                      : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not told")}};
     shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(found.cells).arg(decimals(found.overlapDeg, 1));
     shown.about =
         QObject::tr("The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan "
@@ -43,7 +44,7 @@ CalibrationPicture seamWords(std::size_t lateEdges, const std::array<double, 2>&
     return picture;
 }
 
-CalibrationPicture apartWords(const SelfCalibration& found) {
+CalibrationPicture apartWords(const inspect::SelfCalibration& found) {
     CalibrationPicture picture;
     picture.title = QObject::tr("Distance of the views");
     picture.before = QObject::tr("Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)")

@@ -9,10 +9,10 @@
 namespace edgescan::ui {
 
 /// All parts except the pictures.
-[[nodiscard]] CalibrationShown calibrationWords(const SelfCalibration& found);
+[[nodiscard]] CalibrationShown calibrationWords(const inspect::SelfCalibration& found);
 /// About the edges at the seam; `met`: share of the late edges within a cell of an early one, before and after. The images are not set.
 [[nodiscard]] CalibrationPicture seamWords(std::size_t lateEdges, const std::array<double, 2>& met);
 /// About the distance between the views.
-[[nodiscard]] CalibrationPicture apartWords(const SelfCalibration& found);
+[[nodiscard]] CalibrationPicture apartWords(const inspect::SelfCalibration& found);
 
 } // namespace edgescan::ui

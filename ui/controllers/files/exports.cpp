@@ -33,32 +33,32 @@ namespace edgescan::ui {
 namespace {
 
 struct ContentNames {
-    ExportContent content;
+    exports::ExportContent content;
     const char* tail;   // of the file's name
     const char* things; // what is counted
 };
-constexpr std::array<ContentNames, 10> kNames{{{ExportContent::EdgeCloud, "edges", "edge points"},
-                                               {ExportContent::FullCloud, "cloud", "points"},
-                                               {ExportContent::EdgeImage, "edge-map", "cells"},
-                                               {ExportContent::GrayImage, "gray", "cells"},
-                                               {ExportContent::RangeImage, "range", "cells"},
-                                               {ExportContent::RockLabels, "rocks", "cells"},
-                                               {ExportContent::RockTable, "rocks", "rocks"},
-                                               {ExportContent::RockReport, "rocks", "rocks"},
-                                               {ExportContent::RockOutlines, "rocks", "rocks"},
-                                               {ExportContent::RockHulls, "hulls", "rocks"}}};
+constexpr std::array<ContentNames, 10> kNames{{{exports::ExportContent::EdgeCloud, "edges", "edge points"},
+                                               {exports::ExportContent::FullCloud, "cloud", "points"},
+                                               {exports::ExportContent::EdgeImage, "edge-map", "cells"},
+                                               {exports::ExportContent::GrayImage, "gray", "cells"},
+                                               {exports::ExportContent::RangeImage, "range", "cells"},
+                                               {exports::ExportContent::RockLabels, "rocks", "cells"},
+                                               {exports::ExportContent::RockTable, "rocks", "rocks"},
+                                               {exports::ExportContent::RockReport, "rocks", "rocks"},
+                                               {exports::ExportContent::RockOutlines, "rocks", "rocks"},
+                                               {exports::ExportContent::RockHulls, "hulls", "rocks"}}};
 
-const ContentNames& namesOf(ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
+const ContentNames& namesOf(exports::ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
 
 // "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
-QString exportName(const Detection& detection, ExportContent content, CoordinateFrame frame) {
+QString exportName(const edges::Detection& detection, exports::ExportContent content, CoordinateFrame frame) {
     QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), namesOf(content).tail};
-    const Settings& settings = detection.settings;
-    const Parameter& swept = sweptParameter(settings.method);
-    const bool ofEdges = content != ExportContent::RangeImage && content != ExportContent::GrayImage;
-    if (ofEdges) parts << traitsOf(settings.method).key << swept.key + exactText(formatValue(swept, swept.get(settings)));
+    const edges::Settings& settings = detection.settings;
+    const edges::Parameter& swept = edges::sweptParameter(settings.method);
+    const bool ofEdges = content != exports::ExportContent::RangeImage && content != exports::ExportContent::GrayImage;
+    if (ofEdges) parts << edges::traitsOf(settings.method).key << swept.key + exactText(edges::formatValue(swept, swept.get(settings)));
     parts << QDate::currentDate().toString(Qt::ISODate);
-    return parts.join('_') + (isCloud(content) ? frameTail(frame) : "");
+    return parts.join('_') + (exports::isCloud(content) ? frameTail(frame) : "");
 }
 
 } // namespace
@@ -73,29 +73,29 @@ Result<Done> savePng(const QImage& image, const QString& path) {
 
 Exports::Exports(Engine& engine, const Files& files, NoticeBar& notice, Memory& memory)
     : engine_(engine), files_(files), notice_(notice), memory_(memory) {
-    connect(&engine_, &Engine::saved, this, &Exports::tellSaved);
+    connect(&engine_, &Engine::saved, this, &Exports::reportSaved);
 }
 
-void Exports::ask(ExportContent wanted) { askOf(wanted, false); }
+void Exports::ask(exports::ExportContent wanted) { askOf(wanted, false); }
 
 void Exports::setSelection(const std::vector<std::uint32_t>& cells) {
     selection_ = cells.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(cells);
 }
 
 void Exports::askSelected() {
-    if (selection_) return askOf(ExportContent::FullCloud, true);
+    if (selection_) return askOf(exports::ExportContent::FullCloud, true);
     notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
 }
 
-void Exports::askOf(ExportContent wanted, bool selectedOnly) {
+void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     if (!engine_.picture()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
         return;
     }
-    const std::shared_ptr<const Detection> detection = engine_.picture()->detection;
+    const std::shared_ptr<const edges::Detection> detection = engine_.picture()->detection;
     ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
     if (dialog.exec() != QDialog::Accepted) return;
-    const bool cloud = isCloud(dialog.content());
+    const bool cloud = exports::isCloud(dialog.content());
     SaveQuestion question;
     question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
     question.extension = cloud ? memory_.text("export/extension", ".pcd") : ".png";
@@ -105,19 +105,19 @@ void Exports::askOf(ExportContent wanted, bool selectedOnly) {
     if (!cloud)
         question.filters << tr("PNG picture (*.png)");
     else
-        for (const Format& each : formats()) {
+        for (const files::Format& each : files::formats()) {
             if (each.write != nullptr) question.filters << filterOf(each, each.writes);
         }
     // The record beside the file is replaced with it.
-    question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
+    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
 }
 
-void Exports::tellSaved(ExportContent what, const QString& path, qint64 count) {
-    memory_.keepFolder(isCloud(what) ? "exports" : "images", path);
-    if (isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.tellSaved(path, QString("%1 %2").arg(count).arg(namesOf(what).things));
+void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count) {
+    memory_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
+    if (exports::isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
+    notice_.showSaved(path, QString("%1 %2").arg(count).arg(namesOf(what).things));
 }
 
 void Exports::askScreenshot(const QImage& image) {
@@ -128,7 +128,7 @@ void Exports::askScreenshot(const QImage& image) {
     if (path.isEmpty()) return;
     memory_.keepFolder("images", path);
     if (const Result<Done> written = saveScreenshot(image, path); !written)
-        notice_.tell(written.error());
+        notice_.showError(written.error());
     else
         notice_.showNotice(NoticeBar::Kind::Done, tr("Saved %1.").arg(path));
 }
@@ -139,13 +139,13 @@ Result<Done> Exports::saveScreenshot(const QImage& image, const QString& path) {
 
 void Exports::copyCommand() {
     if (!engine_.picture() || engine_.picture()->detection->scan->path.empty()) return;
-    const Detection& detection = *engine_.picture()->detection;
+    const edges::Detection& detection = *engine_.picture()->detection;
     const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
     // Beside this program where it is not on the PATH.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
     QGuiApplication::clipboard()->setText(
-        exactText(detectCommand(program.toStdString(), path.toStdString(), readingFlags(files_.options()), detection.settings)));
+        exactText(edges::detectCommand(program.toStdString(), path.toStdString(), readingFlags(files_.options()), detection.settings)));
     notice_.showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 

@@ -25,7 +25,7 @@ public:
     Exports(Engine& engine, const Files& files, NoticeBar& notice, Memory& memory);
 
     /// Asks what, in which coordinates and where to.
-    void ask(ExportContent wanted);
+    void ask(exports::ExportContent wanted);
     /// The same for what is selected alone.
     void askSelected();
     /// Cells, ascending, that an export may be cut down to; none: nothing is selected.
@@ -40,8 +40,8 @@ public:
     void copyCommand();
 
 private:
-    void askOf(ExportContent wanted, bool selectedOnly);
-    void tellSaved(ExportContent what, const QString& path, qint64 count);
+    void askOf(exports::ExportContent wanted, bool selectedOnly);
+    void reportSaved(exports::ExportContent what, const QString& path, qint64 count);
 
     Engine& engine_;
     const Files& files_;

@@ -10,7 +10,7 @@
 namespace edgescan::ui {
 
 /// "Point Cloud Library (*.pcd)"; empty if the format has no extensions of that kind.
-[[nodiscard]] inline QString filterOf(const Format& format, const std::vector<const char*>& extensions) {
+[[nodiscard]] inline QString filterOf(const files::Format& format, const std::vector<const char*>& extensions) {
     QStringList patterns;
     for (const char* extension : extensions) patterns << QString("*") + extension;
     return patterns.isEmpty() ? QString() : QString("%1 (%2)").arg(format.title, patterns.join(' '));

@@ -23,7 +23,7 @@ namespace {
 /// The scans in its folder, by name, including the file itself; other files of a scan (records, settings) are skipped.
 QStringList scansBeside(const QString& path) {
     QStringList patterns;
-    for (const Format& format : formats()) {
+    for (const files::Format& format : files::formats()) {
         for (const char* extension : format.reads) patterns << QString("*") + extension;
     }
     const QFileInfo own(path);
@@ -45,7 +45,7 @@ Files::Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo
     connect(&engine_, &Engine::workEnded, this, [this] {
         if (!engine_.opening()) setOptions(shownOptions_);
     });
-    connect(&engine_, &Engine::streamChanged, this, &Files::tellWarnings);
+    connect(&engine_, &Engine::streamChanged, this, &Files::showWarnings);
 }
 
 void Files::open(const QStringList& paths, const ReadingOptions& options) {
@@ -67,7 +67,7 @@ void Files::openDemo(bool afterBlast) {
 QString Files::filters() {
     QStringList all;
     QStringList filters;
-    for (const Format& format : formats()) {
+    for (const files::Format& format : files::formats()) {
         for (const char* extension : format.reads) all << QString("*") + extension;
         filters << filterOf(format, format.reads);
     }
@@ -161,7 +161,7 @@ void Files::noteOpened(const QString& path) {
     memory_.keepFolder("scans", path);
 }
 
-void Files::tellWarnings() {
+void Files::showWarnings() {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
     QStringList warnings;
@@ -170,7 +170,7 @@ void Files::tellWarnings() {
     // The health strip reports the warnings of a live scan.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
-    if (std::ranges::any_of(scan.warnings, tellsOfDisplacement) && !path_.isEmpty())
+    if (std::ranges::any_of(scan.warnings, isDisplacementWarning) && !path_.isEmpty())
         notice_.offer(tr("Straighten beams"), [this] { straighten(true); });
 }
 
@@ -187,10 +187,10 @@ void Files::fillRecent(QMenu& menu) {
     menu.addAction(tr("Clear"), this, [this] { memory_.forgetRecentFiles(); });
 }
 
-std::optional<SessionScan> Files::scanShown(const Scan& scan) const {
+std::optional<inspect::SessionScan> Files::scanShown(const Scan& scan) const {
     if (path_.isEmpty() && !demo_) return std::nullopt;
-    SessionScan of = fileScan(path_.toStdString(), options_, notebookScan(scan));
-    if (demo_) of.kind = *demo_ ? SessionScan::Kind::DemoAfterBlast : SessionScan::Kind::Demo;
+    inspect::SessionScan of = inspect::fileScan(path_.toStdString(), options_, inspect::notebookScan(scan));
+    if (demo_) of.kind = *demo_ ? inspect::SessionScan::Kind::DemoAfterBlast : inspect::SessionScan::Kind::Demo;
     return of;
 }
 

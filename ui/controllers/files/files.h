@@ -48,7 +48,7 @@ public:
     /// The options of the file on the screen.
     [[nodiscard]] const ReadingOptions& options() const { return options_; }
     /// `scan`, which is on the screen, as it can be opened again; empty: it comes from no file.
-    [[nodiscard]] std::optional<SessionScan> scanShown(const Scan& scan) const;
+    [[nodiscard]] std::optional<inspect::SessionScan> scanShown(const Scan& scan) const;
     /// " (2 of 3)" in a series, else empty.
     [[nodiscard]] QString placeInSeries() const;
     /// The filters of a dialog that asks for a scan.
@@ -62,7 +62,7 @@ private:
     bool readAs(const QString& path, const ReadingOptions& options);
     void setOptions(const ReadingOptions& options);
     void noteOpened(const QString& path);
-    void tellWarnings();
+    void showWarnings();
 
     Engine& engine_;
     NoticeBar& notice_;

@@ -21,7 +21,7 @@ Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
       worker_(
           this,
           [](const Question& asked) {
-              return Answer{asked.scan, asked.scan ? openingCheck(*asked.scan, asked.options) : std::vector<OpeningPoint>()};
+              return Answer{asked.scan, asked.scan ? files::openingCheck(*asked.scan, asked.options) : std::vector<files::OpeningPoint>()};
           },
           [this](Answer answer) { take(std::move(answer)); }, [](const QString&) {}) { // the check failed: show no message
     connect(&engine_, &Engine::streamChanged, this, &Opening::follow);
@@ -44,16 +44,16 @@ void Opening::take(Answer answer) {
     if (!picture || !answer.scan || picture->detection->scan != answer.scan || before_) return;
     points_ = std::move(answer.points);
     if (cardWanted_ || (card_ != nullptr && card_->isVisible())) fillCard();
-    const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const OpeningPoint& point) {
-                               return std::string_view(point.what) == kDisplacedPoint;
+    const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const files::OpeningPoint& point) {
+                               return std::string_view(point.what) == files::kDisplacedPoint;
                            });
     QStringList against;
-    for (const OpeningPoint& point : *points_) {
+    for (const files::OpeningPoint& point : *points_) {
         // The scan's warnings already report beams and lines out of place.
-        if (!point.against.empty() && std::string_view(point.what) != kDisplacedPoint) against << shownSentence(point.against);
+        if (!point.against.empty() && std::string_view(point.what) != files::kDisplacedPoint) against << shownSentence(point.against);
     }
     const bool told = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning; // a warning about guesses is shown
-    if (against.isEmpty() && (displaced || !told || !looksGuessed(*points_))) return;
+    if (against.isEmpty() && (displaced || !told || !files::looksGuessed(*points_))) return;
     if (!against.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Warning, (notice_.isVisible() ? notice_.text() + '\n' : QString()) + against.join('\n'));
     notice_.offer(tr("Does this look right?"), [this] { show(); });
@@ -71,23 +71,23 @@ void Opening::fillCard() {
     cardWanted_ = false;
     if (card_ == nullptr) {
         card_ = new OpeningCard(notice_.window());
-        connect(card_, &OpeningCard::previewWanted, this, &Opening::preview);
-        connect(card_, &OpeningCard::adoptWanted, this, &Opening::adopt);
+        connect(card_, &OpeningCard::previewRequested, this, &Opening::preview);
+        connect(card_, &OpeningCard::adoptRequested, this, &Opening::adopt);
         connect(card_, &QDialog::finished, this, &Opening::closed);
     }
-    card_->tell(shownName(QFileInfo(path_).fileName()), *points_);
+    card_->showPoints(shownName(QFileInfo(path_).fileName()), *points_);
     card_->show();
     card_->raise();
 }
 
-const OtherReading* Opening::otherAt(int point, int other) const {
+const files::OtherReading* Opening::otherAt(int point, int other) const {
     if (!points_ || point < 0 || point >= static_cast<int>(points_->size())) return nullptr;
     const auto& others = (*points_)[static_cast<std::size_t>(point)].others;
     return other >= 0 && other < static_cast<int>(others.size()) ? &others[static_cast<std::size_t>(other)] : nullptr;
 }
 
 void Opening::preview(int point, int other) {
-    const OtherReading* wanted = otherAt(point, other);
+    const files::OtherReading* wanted = otherAt(point, other);
     if (wanted == nullptr) return;
     if (!before_) before_ = files_.options();
     files_.look(wanted->options);
@@ -95,7 +95,7 @@ void Opening::preview(int point, int other) {
 }
 
 void Opening::adopt(int point, int other) {
-    const OtherReading* wanted = otherAt(point, other);
+    const files::OtherReading* wanted = otherAt(point, other);
     if (wanted == nullptr) return;
     const ReadingOptions before = before_.value_or(files_.options());
     const ReadingOptions after = wanted->options;

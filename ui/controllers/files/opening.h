@@ -29,7 +29,7 @@ public:
     /// Null before it was first shown.
     [[nodiscard]] OpeningCard* card() const { return card_; }
     /// For the file on the screen; empty until known.
-    [[nodiscard]] const std::optional<std::vector<OpeningPoint>>& points() const { return points_; }
+    [[nodiscard]] const std::optional<std::vector<files::OpeningPoint>>& points() const { return points_; }
 
 private:
     struct Question {
@@ -38,7 +38,7 @@ private:
     };
     struct Answer {
         std::shared_ptr<const Scan> scan;
-        std::vector<OpeningPoint> points;
+        std::vector<files::OpeningPoint> points;
     };
     void follow();
     void take(Answer answer);
@@ -46,13 +46,13 @@ private:
     void preview(int point, int other);
     void adopt(int point, int other);
     void closed();
-    [[nodiscard]] const OtherReading* otherAt(int point, int other) const;
+    [[nodiscard]] const files::OtherReading* otherAt(int point, int other) const;
 
     Engine& engine_;
     Files& files_;
     NoticeBar& notice_;
     OpeningCard* card_ = nullptr;
-    std::optional<std::vector<OpeningPoint>> points_;
+    std::optional<std::vector<files::OpeningPoint>> points_;
     QString path_;                         // the file of points_
     std::optional<ReadingOptions> before_; // set while a preview is on the screen
     bool cardWanted_ = false;              // show the card as soon as the points are known

@@ -19,18 +19,18 @@ namespace {
 // The extension determines the content of the file.
 struct RockFile {
     const char* extension;
-    ExportContent content;
+    exports::ExportContent content;
     const char* title;
     bool hasFrame; // it contains coordinates
 };
 constexpr std::array<RockFile, 7> kRockFiles{{
-    {"csv", ExportContent::RockTable, QT_TRANSLATE_NOOP("QObject", "Table, one row per rock"), true},
-    {"json", ExportContent::RockReport, QT_TRANSLATE_NOOP("QObject", "Report with settings and edits"), true},
-    {"png", ExportContent::RockLabels, QT_TRANSLATE_NOOP("QObject", "Labels as a 16-bit picture"), false},
-    {"dxf", ExportContent::RockOutlines, QT_TRANSLATE_NOOP("QObject", "Outlines in space"), true},
-    {"geojson", ExportContent::RockOutlines, QT_TRANSLATE_NOOP("QObject", "Outlines in the picture"), false},
-    {"ply", ExportContent::RockHulls, QT_TRANSLATE_NOOP("QObject", "Convex hulls of the visible points"), true},
-    {"obj", ExportContent::RockHulls, QT_TRANSLATE_NOOP("QObject", "Convex hulls of the visible points"), true},
+    {"csv", exports::ExportContent::RockTable, QT_TRANSLATE_NOOP("QObject", "Table, one row per rock"), true},
+    {"json", exports::ExportContent::RockReport, QT_TRANSLATE_NOOP("QObject", "Report with settings and edits"), true},
+    {"png", exports::ExportContent::RockLabels, QT_TRANSLATE_NOOP("QObject", "Labels as a 16-bit picture"), false},
+    {"dxf", exports::ExportContent::RockOutlines, QT_TRANSLATE_NOOP("QObject", "Outlines in space"), true},
+    {"geojson", exports::ExportContent::RockOutlines, QT_TRANSLATE_NOOP("QObject", "Outlines in the picture"), false},
+    {"ply", exports::ExportContent::RockHulls, QT_TRANSLATE_NOOP("QObject", "Convex hulls of the visible points"), true},
+    {"obj", exports::ExportContent::RockHulls, QT_TRANSLATE_NOOP("QObject", "Convex hulls of the visible points"), true},
 }};
 
 const RockFile* rockFileOf(const QString& path) {
@@ -54,7 +54,7 @@ void Rocks::askExport() {
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
     question.place = QDir(memory_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
-    question.files = [](const QString& path) { return QStringList{path, exactText(sidecarPath(path.toStdString()).string())}; };
+    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);
 }
@@ -70,9 +70,9 @@ void Rocks::exportTo(const QString& path) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
         return;
     }
-    ExportOptions options;
+    exports::ExportOptions options;
     if (file->hasFrame) options.frame = usualFrame(*picture_->detection->scan);
-    options.rocks = std::shared_ptr<const RockStudy>(picture_, &picture_->study);
+    options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
     engine_.save(file->content, path, options);
 }
 

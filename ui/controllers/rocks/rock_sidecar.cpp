@@ -16,7 +16,7 @@ constexpr int kSoonMs = 400; // a moving slider causes one write
 
 } // namespace
 
-class RocksBeside::Disk {
+class RockSidecar::Disk {
 public:
     Result<Done> write(const Writing& writing) {
         const std::lock_guard lock(mutex_);
@@ -34,15 +34,15 @@ private:
     std::uint64_t last_ = 0;
 };
 
-RocksBeside::RocksBeside(QObject* parent) : QObject(parent), disk_(std::make_shared<Disk>()) {
+RockSidecar::RockSidecar(QObject* parent) : QObject(parent), disk_(std::make_shared<Disk>()) {
     soon_.setSingleShot(true);
     soon_.setInterval(kSoonMs);
-    connect(&soon_, &QTimer::timeout, this, &RocksBeside::writeInBackground);
+    connect(&soon_, &QTimer::timeout, this, &RockSidecar::writeInBackground);
 }
 
-RocksBeside::~RocksBeside() { writeNow(); }
+RockSidecar::~RockSidecar() { writeNow(); }
 
-void RocksBeside::follow(std::shared_ptr<const Scan> scan) {
+void RockSidecar::follow(std::shared_ptr<const Scan> scan) {
     writeNow();
     scan_ = std::move(scan);
     ++number_;
@@ -55,10 +55,10 @@ void RocksBeside::follow(std::shared_ptr<const Scan> scan) {
         this,
         [this, about = scan_, number = number_]() -> std::function<void()> {
             std::error_code none;
-            const std::filesystem::path path = rockPresetPath(about->path);
+            const std::filesystem::path path = rocks::rockPresetPath(about->path);
             const bool isFile = std::filesystem::is_regular_file(about->path, none);
             const bool isThere = isFile && std::filesystem::exists(path, none);
-            auto preset = isThere ? readRockPreset(path, *about) : Result<RockPreset>(RockPreset{});
+            auto preset = isThere ? rocks::readRockPreset(path, *about) : Result<rocks::Preset>(rocks::Preset{});
             return [this, number, isFile, isThere, path = path.string(), preset = std::move(preset)] {
                 if (number != number_) return; // another scan is on the screen
                 reading_ = false;
@@ -78,24 +78,25 @@ void RocksBeside::follow(std::shared_ptr<const Scan> scan) {
         });
 }
 
-void RocksBeside::keep(const RockSettings& settings, const std::vector<RockEdit>& edits) {
+void RockSidecar::keep(const rocks::RockSettings& settings, const std::vector<rocks::Edit>& edits) {
     if (!scan_ || path_.empty()) return;
     const bool any = !edits.empty() || !settings.region.empty();
     if (!any && !ours_) return;
-    waiting_ = {++writings_, path_, any ? rockPresetText({settings, edits, scan_->sha256}, scan_->lines(), scan_->beams()) : std::string()};
+    waiting_ = {++writings_, path_,
+                any ? rocks::rockPresetText({settings, edits, scan_->sha256}, scan_->lines(), scan_->beams()) : std::string()};
     ours_ = any;
     soon_.start();
 }
 
 // Called when another scan comes or the program ends: the last chance to write this small file.
-void RocksBeside::writeNow() {
+void RockSidecar::writeNow() {
     soon_.stop();
     if (!waiting_) return;
     const auto written = disk_->write(*std::exchange(waiting_, std::nullopt));
     if (!written) emit failed(tr("Edits of rocks are not kept: %1").arg(exactText(written.error().sentence())));
 }
 
-void RocksBeside::writeInBackground() {
+void RockSidecar::writeInBackground() {
     if (writing_) {
         soon_.start(); // wait for the running write
         return;

@@ -14,24 +14,24 @@
 namespace edgescan::ui {
 
 /// GUI thread only; files are read and written on separate threads.
-class RocksBeside : public QObject {
+class RockSidecar : public QObject {
     Q_OBJECT
 public:
-    explicit RocksBeside(QObject* parent = nullptr);
-    ~RocksBeside() override;
+    explicit RockSidecar(QObject* parent = nullptr);
+    ~RockSidecar() override;
 
     /// Switches to the sidecar of this scan; pending writes for the previous scan are finished. Null, or a growing scan: no sidecar.
     void follow(std::shared_ptr<const Scan> scan);
     /// True until follow() has its answer.
     [[nodiscard]] bool reading() const { return reading_; }
     /// Schedules a write; without edits and region the file is deleted.
-    void keep(const RockSettings& settings, const std::vector<RockEdit>& edits);
+    void keep(const rocks::RockSettings& settings, const std::vector<rocks::Edit>& edits);
     /// Path of the sidecar; empty: none.
     [[nodiscard]] const std::string& path() const { return path_; }
 
 signals:
     /// After follow(), if there was a file.
-    void found(const edgescan::RockPreset& preset);
+    void found(const edgescan::rocks::Preset& preset);
     /// After follow() and a possible found().
     void readEnded();
     /// A sentence: the sidecar cannot be read or written.

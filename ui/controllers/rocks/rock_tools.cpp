@@ -33,35 +33,35 @@ void Rocks::useTool(RockTool tool) {
 }
 
 void Rocks::choosePieceAt(std::size_t cell) {
-    const Grid<std::uint32_t>& leaf = picture_->study.leaves->leaf;
+    const Grid<std::uint32_t>& leaf = picture_->study.segmentation->segment;
     if (familyPicture_ == picture_ && leaf[familyCell_] == leaf[cell]) return;
-    const RockStudy& study = picture_->study;
-    family_ = familyAt(*study.leaves, *study.tree, study.settings.level, static_cast<std::uint32_t>(cell));
+    const rocks::Study& study = picture_->study;
+    family_ = rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, static_cast<std::uint32_t>(cell));
     familyPicture_ = picture_;
     familyCell_ = cell;
     piece_ = family_.split;
 }
 
 void Rocks::stepPiece(int by) {
-    if (familyPicture_ == nullptr || familyPicture_ != picture_ || family_.line.pieces.empty()) return;
-    const int last = static_cast<int>(family_.line.pieces.size()) - 1;
+    if (familyPicture_ == nullptr || familyPicture_ != picture_ || family_.nested.pieces.empty()) return;
+    const int last = static_cast<int>(family_.nested.pieces.size()) - 1;
     piece_ = static_cast<std::size_t>(std::clamp(static_cast<int>(piece_) + by, 0, last));
     showPiece(nullptr);
 }
 
 // Shows the segment's outline in all views, and the effect of a click.
 void Rocks::showPiece(const QObject* from) {
-    if (family_.line.pieces.empty()) return;
-    const RockAncestor& piece = family_.line.pieces[piece_];
-    const Grid<std::uint32_t>& leaf = picture_->study.leaves->leaf;
-    std::vector<std::uint8_t> isOfPiece(picture_->study.leaves->sums.size(), 0);
-    for (const std::uint32_t n : piece.leaves) isOfPiece[n] = 1;
+    if (family_.nested.pieces.empty()) return;
+    const rocks::NestedPiece& piece = family_.nested.pieces[piece_];
+    const Grid<std::uint32_t>& leaf = picture_->study.segmentation->segment;
+    std::vector<std::uint8_t> isOfPiece(picture_->study.segmentation->sums.size(), 0);
+    for (const std::uint32_t n : piece.segments) isOfPiece[n] = 1;
     Grid<std::uint32_t> mask(leaf.lines, leaf.beams);
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = isOfPiece[leaf[k]];
     RockOutline outline = outlineOf(mask, 1);
     QString does = tr("the whole piece as it is");
-    if (piece_ < family_.line.region) does = tr("a click splits it off");
-    if (piece_ > family_.line.region) does = tr("larger than the rock: a click joins it");
+    if (piece_ < family_.nested.region) does = tr("a click splits it off");
+    if (piece_ > family_.nested.region) does = tr("larger than the rock: a click joins it");
     const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(piece.cells).arg(does);
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         view->setOutline(outline.sides);
@@ -79,8 +79,8 @@ void Rocks::splitAt(std::size_t cell) {
         return;
     }
     choosePieceAt(cell);
-    const bool isLarger = piece_ > family_.line.region;
-    RockEdit edit = family_.line.pieces[piece_].part;
+    const bool isLarger = piece_ > family_.nested.region;
+    rocks::Edit edit = family_.nested.pieces[piece_].edit;
     useTool(RockTool::None);
     if (edit.cells.empty()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: this rock is one piece with nothing to tell its parts by."));
@@ -95,37 +95,37 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
     useTool(RockTool::None);
     if (!picture_) return;
     if (tool == RockTool::Region) return takeRegion(cells);
-    CutLine stroke;
+    rocks::CutLine stroke;
     for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
     if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that grew meanwhile
-    const RockStudy& study = picture_->study;
+    const rocks::Study& study = picture_->study;
     if (tool == RockTool::Join) {
-        if (auto join = joinAlong(*study.leaves, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));
+        if (auto join = rocks::joinAlong(*study.segmentation, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));
         notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was joined: draw the line from one rock over the crack into the next."));
     }
     if (tool == RockTool::Cut) {
-        auto cut = stroke.size() < 2 ? std::nullopt : cutAlong(*study.leaves, study.map, stroke);
+        auto cut = stroke.size() < 2 ? std::nullopt : rocks::cutAlong(*study.segmentation, study.map, stroke);
         if (cut) return push(stepName("cut of a rock"), std::move(*cut));
         notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was cut: draw the line through a rock, from one side to the other."));
     }
 }
 
 void Rocks::takeRegion(const std::vector<QPoint>& cells) {
-    std::vector<RegionCorner> drawn;
+    std::vector<rocks::RegionCorner> drawn;
     for (const QPoint& cell : cells) drawn.push_back({cell.y(), cell.x()});
-    RockByHand after = byHand();
-    after.region = regionOfDrawing(drawn);
+    OperatorEdits after = operatorEdits();
+    after.region = rocks::regionOfDrawing(drawn);
     if (after.region.empty())
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no region yet: draw the line round what counts, in one of the images."));
     else
-        pushByHand(stepName("region of interest"), std::move(after));
+        pushOperatorEdits(stepName("region of interest"), std::move(after));
 }
 
 void Rocks::clearRegion() {
     if (settings_.region.empty()) return;
-    RockByHand after = byHand();
+    OperatorEdits after = operatorEdits();
     after.region.clear();
-    pushByHand(stepName("region of interest"), std::move(after));
+    pushOperatorEdits(stepName("region of interest"), std::move(after));
 }
 
 } // namespace edgescan::ui

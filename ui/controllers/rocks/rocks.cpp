@@ -27,7 +27,7 @@ bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::
 
 Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo), drag_(views, this),
-      beside_(this) {
+      sidecar_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
@@ -36,26 +36,26 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         notice_.showNotice(NoticeBar::Kind::Error,
                            tr("the rocks could not be worked out (%1); close other programs or open a smaller scan.").arg(what));
     });
-    connect(&panel_, &RocksPanel::edited, this, &Rocks::turn);
+    connect(&panel_, &RocksPanel::edited, this, &Rocks::change);
     connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
         std::vector<std::size_t> cells;
         for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
         select(std::move(cells));
     });
-    connect(&table_, &RockTable::jumpWanted, this, &Rocks::jumpTo);
-    connect(&table_, &RockTable::exportWanted, this, &Rocks::askExport);
+    connect(&table_, &RockTable::jumpRequested, this, &Rocks::jumpTo);
+    connect(&table_, &RockTable::exportRequested, this, &Rocks::askExport);
     RockCard& card = panel_.card();
-    connect(&card, &RockCard::closeWanted, this, [this] { select({}); });
-    connect(&card, &RockCard::splitWanted, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
-    connect(&card, &RockCard::mergeWanted, this, &Rocks::mergeSelected);
-    connect(&card, &RockCard::callWanted, this, &Rocks::callSelected);
+    connect(&card, &RockCard::closeRequested, this, [this] { select({}); });
+    connect(&card, &RockCard::splitRequested, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
+    connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeSelected);
+    connect(&card, &RockCard::markRequested, this, &Rocks::callSelected);
     connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
-    connect(&beside_, &RocksBeside::found, this, &Rocks::takePreset);
-    connect(&beside_, &RocksBeside::readEnded, this, [this] {
+    connect(&sidecar_, &RockSidecar::found, this, &Rocks::takePreset);
+    connect(&sidecar_, &RockSidecar::readEnded, this, [this] {
         followPicture();
         setPart(std::exchange(restored_, std::nullopt));
     });
-    connect(&beside_, &RocksBeside::failed, this,
+    connect(&sidecar_, &RockSidecar::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
     connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells, std::nullopt}); });
     connect(&drag_, &CellDrag::finished, this, &Rocks::takeStroke);
@@ -101,7 +101,7 @@ void Rocks::forget() {
 
 bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() || picture_->detection != engine_.picture()->detection; }
 
-bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (beside_.reading() || finder_.behind() || ofAnotherPicture()); }
+bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (sidecar_.reading() || finder_.behind() || ofAnotherPicture()); }
 
 void Rocks::followPicture() {
     const std::shared_ptr<const Picture>& shown = engine_.picture();
@@ -113,11 +113,11 @@ void Rocks::followPicture() {
         if (on_) forget();
     }
     if (!on_) return;
-    if (std::exchange(besideStream_, stream_) != stream_) {
+    if (std::exchange(sidecarStream_, stream_) != stream_) {
         const bool isFile = shown->source.growth.sweep < 0;
-        beside_.follow(isFile ? shown->detection->scan : nullptr);
+        sidecar_.follow(isFile ? shown->detection->scan : nullptr);
     }
-    if (beside_.reading()) return show();
+    if (sidecar_.reading()) return show();
     if (asked_ != shown->detection) {
         if (shown->source.growth.growing && nextOfSweep_.isActive()) {
             show(); // the former rocks stay, marked as older
@@ -135,16 +135,16 @@ void Rocks::ask() {
     finder_.ask({asked_, settings_, edits_});
 }
 
-void Rocks::useSettings(const RockSettings& settings) {
+void Rocks::useSettings(const rocks::RockSettings& settings) {
     if (settings == settings_) return;
     settings_ = settings;
     panel_.showSettings(settings);
-    beside_.keep(settings_, edits_);
+    sidecar_.keep(settings_, edits_);
     ask();
     emit changed();
 }
 
-void Rocks::takePreset(const RockPreset& preset) {
+void Rocks::takePreset(const rocks::Preset& preset) {
     if (preset.settings) settings_ = *preset.settings;
     edits_ = preset.edits;
     panel_.showSettings(settings_);
@@ -194,7 +194,7 @@ void Rocks::showFaces() {
         cloud.setFaces(picture_->points);
     } else { // the number of lines changed since: the common cells are the same
         auto fitted = std::make_shared<std::vector<std::uint32_t>>(*picture_->points);
-        fitted->resize(cells, kBesideRocks);
+        fitted->resize(cells, kOutsideRocks);
         cloud.setFaces(std::move(fitted));
     }
 }
@@ -233,7 +233,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
         choosePieceAt(*cell);
         return showPiece(from);
     }
-    const Rock* rock = picture_ && cell ? picture_->rockAt(*cell) : nullptr;
+    const rocks::Rock* rock = picture_ && cell ? picture_->rockAt(*cell) : nullptr;
     const QString tip = rock != nullptr ? rockTip(*rock) : QString();
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         if (view == from && rock != nullptr)

@@ -37,10 +37,10 @@ enum class RockTool : std::uint8_t {
 };
 
 /// The part that belongs to one scan and is stored when the scan is closed.
-struct RockByHand {
-    std::vector<RockEdit> edits{};
-    std::vector<RegionCorner> region{};
-    bool operator==(const RockByHand&) const = default;
+struct OperatorEdits {
+    std::vector<rocks::Edit> edits{};
+    std::vector<rocks::RegionCorner> region{};
+    bool operator==(const OperatorEdits&) const = default;
 };
 
 /// GUI thread only. The objects passed to it must outlive it.
@@ -59,14 +59,14 @@ public:
     /// True if the shown rocks do not belong to the current picture, settings and edits.
     [[nodiscard]] bool behind() const;
 
-    void useSettings(const RockSettings& settings);
-    [[nodiscard]] const RockSettings& settings() const { return settings_; }
+    void useSettings(const rocks::RockSettings& settings);
+    [[nodiscard]] const rocks::RockSettings& settings() const { return settings_; }
     /// The same as one undo step; consecutive changes by a slider are merged into one step.
-    void turn(const RockSettings& settings);
+    void change(const rocks::RockSettings& settings);
     /// Empty while they are not shown.
-    [[nodiscard]] std::optional<RockPreset> part() const;
+    [[nodiscard]] std::optional<rocks::Preset> part() const;
     /// Restores settings and edits as undo steps, after the scan's sidecar was read.
-    void setPart(const std::optional<RockPreset>& part);
+    void setPart(const std::optional<rocks::Preset>& part);
 
     /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
@@ -74,11 +74,11 @@ public:
     void jumpTo(std::uint32_t label);
 
     /// The operator's edits stay with the scan when settings change; each is one undo step.
-    [[nodiscard]] const std::vector<RockEdit>& edits() const { return edits_; }
-    [[nodiscard]] RockByHand byHand() const { return {edits_, settings_.region}; }
-    void setByHand(const RockByHand& byHand);
+    [[nodiscard]] const std::vector<rocks::Edit>& edits() const { return edits_; }
+    [[nodiscard]] OperatorEdits operatorEdits() const { return {edits_, settings_.region}; }
+    void setOperatorEdits(const OperatorEdits& byHand);
     /// The sidecar file with the edits; empty without edits or if it cannot be stored.
-    [[nodiscard]] std::string keptIn() const { return byHand() == RockByHand{} ? std::string() : beside_.path(); }
+    [[nodiscard]] std::string editsFile() const { return operatorEdits() == OperatorEdits{} ? std::string() : sidecar_.path(); }
     void mergeSelected();
     /// Sets the tool for the next click or drag; afterwards no tool is set.
     void useTool(RockTool tool);
@@ -86,7 +86,7 @@ public:
     void clearRegion();
     void callSelected(bool rock);
     /// Changes a rock to "not a rock", other regions to "rock".
-    void turnSelected();
+    void toggleSelected();
 
     /// Asks for a path; the extension determines the content.
     void askExport();
@@ -117,9 +117,9 @@ private:
     void point(std::optional<std::size_t> cell, const QObject* from);
     void click(std::size_t cell);
     void splitAt(std::size_t cell);
-    void push(const QString& name, RockEdit edit);
-    void pushByHand(const QString& name, RockByHand after);
-    void takePreset(const RockPreset& preset);
+    void push(const QString& name, rocks::Edit edit);
+    void pushOperatorEdits(const QString& name, OperatorEdits after);
+    void takePreset(const rocks::Preset& preset);
     void takeStroke(const std::vector<QPoint>& cells);
     void takeRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
@@ -138,19 +138,19 @@ private:
     bool on_ = false;
     RockTool tool_ = RockTool::None;
     CellDrag drag_;
-    RocksBeside beside_;
-    RockSettings settings_;
-    std::vector<RockEdit> edits_;
-    std::optional<RockPreset> restored_; // waits until the sidecar was read
-    std::uint64_t stream_ = 0;           // the stream of the edits and the selection
-    std::uint64_t besideStream_ = 0;     // the stream of beside_
+    RockSidecar sidecar_;
+    rocks::RockSettings settings_;
+    std::vector<rocks::Edit> edits_;
+    std::optional<rocks::Preset> restored_; // waits until the sidecar was read
+    std::uint64_t stream_ = 0;              // the stream of the edits and the selection
+    std::uint64_t sidecarStream_ = 0;       // the stream of beside_
     std::shared_ptr<const RockPicture> picture_;
-    std::shared_ptr<const Detection> asked_; // the newest request
+    std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
     // For the split tool: the cell under the mouse, and the outlined segment around it.
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;
-    RockFamily family_;
+    rocks::WheelPieces family_;
     std::size_t piece_ = 0; // index in the family
     // Turning on without a pause is one step of undo: the number of the last one, what it turned, and when.
     int turn_ = 0;

@@ -22,15 +22,15 @@ Autosaves::Autosaves(const QString& folder) : folder_(folder) {
     if (folder.isEmpty() || !QDir().mkpath(folder)) return;
     // A number separates several windows of one process.
     for (int n = 0; n < 100 && own_.isEmpty(); ++n) {
-        const QString path =
-            folder + "/" + kRunningStart + QString::number(QCoreApplication::applicationPid()) + "-" + QString::number(n) + kSessionEnding;
+        const QString path = folder + "/" + kRunningStart + QString::number(QCoreApplication::applicationPid()) + "-" + QString::number(n) +
+                             inspect::kSessionEnding;
         auto lock = std::make_unique<QLockFile>(lockOf(path));
         lock->setStaleLockTime(0);
         if (QFile::exists(path) || !lock->tryLock(0)) continue; // of a former process with the same number
         lock_ = std::move(lock);
         own_ = path;
     }
-    const QStringList left = leftBehind();
+    const QStringList left = afterCrash();
     for (const QString& old : left.mid(kMostLeftBehind)) QFile::remove(old);
 }
 
@@ -45,10 +45,11 @@ bool Autosaves::isRunning(const QString& path) const {
     return false;
 }
 
-QStringList Autosaves::leftBehind() const {
+QStringList Autosaves::afterCrash() const {
     QStringList left;
     if (folder_.isEmpty()) return left;
-    for (const QFileInfo& file : QDir(folder_).entryInfoList({QString(kRunningStart) + "*" + kSessionEnding}, QDir::Files, QDir::Time)) {
+    for (const QFileInfo& file :
+         QDir(folder_).entryInfoList({QString(kRunningStart) + "*" + inspect::kSessionEnding}, QDir::Files, QDir::Time)) {
         const QString path = file.absoluteFilePath();
         if (!takenUp_.contains(path) && !isRunning(path)) left << path;
     }
@@ -56,11 +57,11 @@ QStringList Autosaves::leftBehind() const {
 }
 
 QString Autosaves::last() const {
-    const QString path = folder_ + "/last" + kSessionEnding;
+    const QString path = folder_ + "/last" + inspect::kSessionEnding;
     return !folder_.isEmpty() && QFile::exists(path) ? path : QString();
 }
 
-void Autosaves::takenUp(const QString& path) {
+void Autosaves::markContinued(const QString& path) {
     if (path != own_ && QFileInfo(path).fileName().startsWith(kRunningStart) &&
         QFileInfo(path).absolutePath() == QFileInfo(folder_).absoluteFilePath())
         takenUp_ << path;
@@ -68,7 +69,7 @@ void Autosaves::takenUp(const QString& path) {
 
 void Autosaves::end() {
     if (own_.isEmpty() || !QFile::exists(own_)) return;
-    const QString last = folder_ + "/last" + kSessionEnding;
+    const QString last = folder_ + "/last" + inspect::kSessionEnding;
     QFile::remove(last);
     QFile::rename(own_, last);
     for (const QString& path : takenUp_) QFile::remove(path);

@@ -19,11 +19,11 @@ public:
     /// The path of this viewer's autosave; empty: none.
     [[nodiscard]] const QString& own() const { return own_; }
     /// Autosaves of viewers that did not end normally, the newest first.
-    [[nodiscard]] QStringList leftBehind() const;
+    [[nodiscard]] QStringList afterCrash() const;
     /// The autosave of the viewer that was closed last; empty: none.
     [[nodiscard]] QString last() const;
     /// The session at `path` was continued: from now on the own autosave contains it.
-    void takenUp(const QString& path);
+    void markContinued(const QString& path);
     /// The viewer closes: its session becomes the last one.
     void end();
 

@@ -12,16 +12,16 @@
 namespace edgescan::ui {
 namespace {
 
-ViewPart viewOf(LinkedViews& views) {
-    ViewPart view;
+inspect::ViewPart viewOf(LinkedViews& views) {
+    inspect::ViewPart view;
     const CameraPose pose = views.cloud().camera();
-    view.camera = SessionCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
+    view.camera = inspect::SessionCamera{pose.position, pose.focus, pose.up, pose.viewAngleDeg, pose.parallel};
     if (const ViewPort& port = *views.gray().viewPort(); !port.fitted())
-        view.images = SessionImages{port.centre().x(), port.centre().y(), port.zoom()};
+        view.images = inspect::SessionImages{port.centre().x(), port.centre().y(), port.zoom()};
     return view;
 }
 
-void useView(LinkedViews& views, const ViewPart& view) {
+void useView(LinkedViews& views, const inspect::ViewPart& view) {
     ViewPort& port = *views.gray().viewPort();
     if (view.images) {
         const QPointF centre(view.images->beam, view.images->line);
@@ -31,7 +31,7 @@ void useView(LinkedViews& views, const ViewPart& view) {
         port.fit();
     }
     if (view.camera) {
-        const SessionCamera& camera = *view.camera;
+        const inspect::SessionCamera& camera = *view.camera;
         views.cloud().setCamera({camera.position, camera.focus, camera.up, camera.viewAngleDeg, camera.parallel});
     }
 }
@@ -47,8 +47,8 @@ void forSwitches(const QWidget& window, const Act& act) {
 } // namespace
 
 StatePart viewPart(LinkedViews& views) {
-    return {[&views](ViewerState& state) { state.view = viewOf(views); },
-            [&views](const ViewerState& state) { useView(views, state.view); }, GivenBack::OnScan,
+    return {[&views](inspect::ViewerState& state) { state.view = viewOf(views); },
+            [&views](const inspect::ViewerState& state) { useView(views, state.view); }, GivenBack::OnScan,
             [&views](const QObject& to, const std::function<void()>& changed) {
                 changesOf(views, &LinkedViews::pinChanged, &LinkedViews::rangeWindowChanged)(to, changed);
                 changesOf(views.cloud(), &CloudView::frameDrawn)(to, changed);
@@ -57,10 +57,10 @@ StatePart viewPart(LinkedViews& views) {
 }
 
 StatePart switchesPart(QWidget& window) {
-    const auto take = [&window](ViewerState& state) {
+    const auto take = [&window](inspect::ViewerState& state) {
         forSwitches(window, [&](const QAction& action, const std::string& key) { state.switches[key] = action.isChecked(); });
     };
-    const auto use = [&window](const ViewerState& state) {
+    const auto use = [&window](const inspect::ViewerState& state) {
         forSwitches(window, [&](QAction& action, const std::string& key) {
             const auto found = state.switches.find(key);
             if (found != state.switches.end() && found->second != action.isChecked()) action.trigger();

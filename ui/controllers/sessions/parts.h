@@ -23,8 +23,8 @@ enum class GivenBack : std::uint8_t { BeforeScan, OnScan, Both };
 
 /// All that it names outlives it.
 struct StatePart {
-    std::function<void(ViewerState& state)> take;
-    std::function<void(const ViewerState& state)> use;
+    std::function<void(inspect::ViewerState& state)> take;
+    std::function<void(const inspect::ViewerState& state)> use;
     GivenBack when = GivenBack::OnScan;
     std::function<void(const QObject& to, const std::function<void()>& changed)> follow{};
 };
@@ -39,9 +39,10 @@ template <class Sender, class... Signals>
 
 /// What a controller has by part() and takes by setPart().
 template <class Controller, class Value, class... Signals>
-[[nodiscard]] StatePart partOf(Controller& controller, Value ViewerState::*value, GivenBack when, Signals... changes) {
-    return {[&controller, value](ViewerState& state) { state.*value = controller.part(); },
-            [&controller, value](const ViewerState& state) { controller.setPart(state.*value); }, when, changesOf(controller, changes...)};
+[[nodiscard]] StatePart partOf(Controller& controller, Value inspect::ViewerState::*value, GivenBack when, Signals... changes) {
+    return {[&controller, value](inspect::ViewerState& state) { state.*value = controller.part(); },
+            [&controller, value](const inspect::ViewerState& state) { controller.setPart(state.*value); }, when,
+            changesOf(controller, changes...)};
 }
 
 /// Camera, and what part of the images is seen.

@@ -16,7 +16,7 @@ constexpr qint64 kLargestPicture = qint64{256} << 20U;
 
 } // namespace
 
-bool isSessionName(const QString& path) { return path.endsWith(kSessionEnding, Qt::CaseInsensitive); }
+bool isSessionName(const QString& path) { return path.endsWith(inspect::kSessionEnding, Qt::CaseInsensitive); }
 
 QImage withSession(QImage picture, const std::string& text) {
     if (!text.empty() && text.size() <= kMostCarried)
@@ -31,11 +31,11 @@ std::string sessionIn(const QString& picture) {
     return QByteArray::fromBase64(reader.text(kSessionKey).toLatin1()).toStdString();
 }
 
-std::optional<Result<ReadSession>> sessionOf(const QString& path) {
-    if (isSessionName(path)) return readSession(path.toStdString());
+std::optional<Result<inspect::ReadSession>> sessionOf(const QString& path) {
+    if (isSessionName(path)) return inspect::readSession(path.toStdString());
     const std::string text = sessionIn(path);
     if (text.empty()) return std::nullopt;
-    return sessionFromText(text, QFileInfo(path).absolutePath().toStdString(), path.toStdString());
+    return inspect::sessionFromText(text, QFileInfo(path).absolutePath().toStdString(), path.toStdString());
 }
 
 } // namespace edgescan::ui

@@ -17,6 +17,6 @@ namespace edgescan::ui {
 /// The session text in a picture; empty: none. For any thread.
 [[nodiscard]] std::string sessionIn(const QString& picture);
 /// Reads a session file or a picture with a session; empty: the file is neither. For any thread.
-[[nodiscard]] std::optional<Result<ReadSession>> sessionOf(const QString& path);
+[[nodiscard]] std::optional<Result<inspect::ReadSession>> sessionOf(const QString& path);
 
 } // namespace edgescan::ui

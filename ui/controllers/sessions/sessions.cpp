@@ -26,11 +26,11 @@ namespace {
 
 constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
-QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(kSessionEnding); }
+QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(inspect::kSessionEnding); }
 
 std::filesystem::path folderOf(const QString& path) { return QFileInfo(path).absolutePath().toStdString(); }
 
-bool isSame(const NotebookScan& a, const NotebookScan& b) {
+bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
     return a.sha256 == b.sha256 && a.name == b.name && a.lines == b.lines && a.beams == b.beams;
 }
 
@@ -39,7 +39,7 @@ bool isSame(const NotebookScan& a, const NotebookScan& b) {
 Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo,
                    std::vector<StatePart> parts)
     : engine_(engine), files_(files), live_(live), notice_(notice), memory_(memory), undo_(undo), parts_(std::move(parts)),
-      autosaves_(memory.ownFolder().isEmpty() ? QString() : memory.ownFolder() + "/sessions"),
+      autosaves_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/sessions"),
       worker_(
           this, [this](const Job& job) { return write(job); }, [this](const Written& written) { take(written); },
           [this](const QString& what) {
@@ -66,7 +66,8 @@ Sessions::~Sessions() {
     if (soon_.isActive() || posted_ != answered_) {
         if (const auto last = job()) {
             for (const QString& path : {last->own, last->file}) {
-                if (!path.isEmpty()) (void)writeWholeFile(path.toStdString(), sessionText(last->state, folderOf(path), utcText(utcNow())));
+                if (!path.isEmpty())
+                    (void)writeWholeFile(path.toStdString(), inspect::sessionText(last->state, folderOf(path), utcText(utcNow())));
             }
         }
     }
@@ -77,39 +78,39 @@ void Sessions::changed() {
     if (!soon_.isActive() && !wanted_ && !reading_) soon_.start();
 }
 
-std::optional<SessionScan> Sessions::scanTaken() const {
+std::optional<inspect::SessionScan> Sessions::scanTaken() const {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
     if (picture.source.growth.sweep < 0) return scan.sha256.empty() ? std::nullopt : files_.scanShown(scan);
     const QString recording = live_.recordingOf(picture.source.stream);
     if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
-    SessionScan of = fileScan(recording.toStdString(), {}, notebookScan(scan));
-    of.kind = SessionScan::Kind::Recording;
+    inspect::SessionScan of = inspect::fileScan(recording.toStdString(), {}, inspect::notebookScan(scan));
+    of.kind = inspect::SessionScan::Kind::Recording;
     of.identity.sha256.clear(); // of a file that grows
-    of.head = scanHead(scan);
+    of.head = inspect::scanHead(scan);
     return of;
 }
 
-std::optional<ViewerState> Sessions::taken() const {
+std::optional<inspect::ViewerState> Sessions::taken() const {
     auto scan = engine_.picture() ? scanTaken() : std::nullopt;
     if (!scan) return std::nullopt;
-    ViewerState state;
+    inspect::ViewerState state;
     state.scan = std::move(*scan);
     for (const StatePart& part : parts_) part.take(state);
     if (state.rocks) state.rocks->sha256 = state.scan.identity.sha256;
     return state;
 }
 
-void Sessions::give(const ViewerState& state, GivenBack when) {
+void Sessions::give(const inspect::ViewerState& state, GivenBack when) {
     for (const StatePart& part : parts_) {
         if (part.when == when || part.when == GivenBack::Both) part.use(state);
     }
 }
 
-bool Sessions::isShown(const SessionScan& scan) const {
+bool Sessions::isShown(const inspect::SessionScan& scan) const {
     const Scan& shown = *engine_.picture()->detection->scan;
-    if (scan.kind == SessionScan::Kind::Recording)
-        return shown.beams() == scan.identity.beams && scanHead(shown, scan.head.lines) == scan.head &&
+    if (scan.kind == inspect::SessionScan::Kind::Recording)
+        return shown.beams() == scan.identity.beams && inspect::scanHead(shown, scan.head.lines) == scan.head &&
                (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
     return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
 }
@@ -120,7 +121,7 @@ std::optional<Sessions::Job> Sessions::job() {
     if (!state) return std::nullopt;
     state->keptIn = file_.toStdString();
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
-    const bool closed = state->scan.kind == SessionScan::Kind::Recording && live_.scanner().recordingClosed();
+    const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && live_.scanner().recordingClosed();
     return Job{std::move(*state), autosaves_.own(), file_, closed, ++posted_};
 }
 
@@ -140,12 +141,12 @@ Sessions::Written Sessions::write(const Job& job) {
     }
     for (const QString& path : {job.own, job.file}) {
         if (path.isEmpty()) continue;
-        ViewerState state = job.state;
+        inspect::ViewerState state = job.state;
         if (job.closed) state.scan.identity.sha256 = hash;
         if (path == job.file) state.keptIn.clear();
-        std::string text = sessionText(state, folderOf(path), {});
+        std::string text = inspect::sessionText(state, folderOf(path), {});
         if (const auto last = lastTexts_.find(path); last != lastTexts_.end() && last->second == text) continue;
-        const auto done = writeWholeFile(path.toStdString(), sessionText(state, folderOf(path), utcText(utcNow())));
+        const auto done = writeWholeFile(path.toStdString(), inspect::sessionText(state, folderOf(path), utcText(utcNow())));
         if (done)
             lastTexts_[path] = std::move(text);
         else
@@ -161,7 +162,7 @@ void Sessions::take(const Written& written) {
     failing_ = !written.trouble.isEmpty();
     if (!toTell_ || answered_ < *toTell_) return;
     toTell_.reset();
-    if (!failing_ && !file_.isEmpty()) notice_.tellSaved(file_, tr("from now on saved as it changes"));
+    if (!failing_ && !file_.isEmpty()) notice_.showSaved(file_, tr("from now on saved as it changes"));
 }
 
 void Sessions::saveAs(const QString& path) {
@@ -181,9 +182,11 @@ void Sessions::saveAs(const QString& path) {
 void Sessions::askSaveAs() {
     if (!taken()) return saveAs({});
     const QString scan = QFileInfo(files_.path().isEmpty() ? "demo" : files_.path()).completeBaseName();
-    SaveQuestion question{tr("Save session"), QDir(memory_.folder("sessions")).filePath(scan + kSessionEnding), {filterOfSessions()}};
+    SaveQuestion question{
+        tr("Save session"), QDir(memory_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
     question.keeps = [](const QString& there) {
-        return readSession(there.toStdString()) ? QString() : tr("%1 is no session and stays as it is: choose another name.").arg(there);
+        return inspect::readSession(there.toStdString()) ? QString()
+                                                         : tr("%1 is no session and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(notice_.window(), question);
     if (path.isEmpty()) return;
@@ -220,7 +223,7 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 if (!read)
                     files_.open(paths, options);
                 else if (!*read)
-                    notice_.tell(read->error());
+                    notice_.showError(read->error());
                 else
                     restore(**read, isSessionName(first) ? first : QString());
             };
@@ -231,12 +234,12 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
         });
 }
 
-void Sessions::restore(ReadSession read, const QString& file) {
+void Sessions::restore(inspect::ReadSession read, const QString& file) {
     wanted_ = std::move(read);
     // An autosaved session continues in the file that the operator had given it.
     const bool byItself = QFileInfo(file).absolutePath() == QFileInfo(autosaves_.own()).absolutePath() && !file.isEmpty();
     wantedFile_ = byItself ? exactText(wanted_->state.keptIn.string()) : file;
-    autosaves_.takenUp(file);
+    autosaves_.markContinued(file);
     place_ = 0;
     file_.clear();
     undo_.clear();
@@ -245,8 +248,8 @@ void Sessions::restore(ReadSession read, const QString& file) {
 }
 
 void Sessions::openNextPlace() {
-    const SessionScan& scan = wanted_->state.scan;
-    if (!hasPath(scan.kind)) return files_.openDemo(scan.kind == SessionScan::Kind::DemoAfterBlast);
+    const inspect::SessionScan& scan = wanted_->state.scan;
+    if (!inspect::hasPath(scan.kind)) return files_.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
     if (place_ < wanted_->places.size()) return files_.open({exactText(wanted_->places[place_].string())}, scan.reading);
     askForPlace(tr("%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest "
                    "comes with the scan.")
@@ -272,7 +275,7 @@ void Sessions::locate(const QString& path) {
 /// Another scan is on the screen: the one that the session waits for, or an unrelated one.
 void Sessions::followStream() {
     if (!wanted_) {
-        if (!file_.isEmpty() && !isSame(filed_, notebookScan(*engine_.picture()->detection->scan))) {
+        if (!file_.isEmpty() && !isSame(filed_, inspect::notebookScan(*engine_.picture()->detection->scan))) {
             if (notice_.isHidden())
                 notice_.showNotice(NoticeBar::Kind::Done,
                                    tr("The session %1 stays as it was: this is another scan.").arg(shownName(QFileInfo(file_).fileName())));
@@ -281,7 +284,7 @@ void Sessions::followStream() {
         }
         return;
     }
-    const bool isFile = hasPath(wanted_->state.scan.kind);
+    const bool isFile = inspect::hasPath(wanted_->state.scan.kind);
     if (isFile && (place_ >= wanted_->places.size() || files_.path().toStdString() != wanted_->places[place_].string())) {
         wanted_.reset(); // the operator opened another scan meanwhile
         return;
@@ -293,27 +296,27 @@ void Sessions::followStream() {
                         .arg(shownName(exactText(engine_.picture()->detection->scan->name))));
         return;
     }
-    const ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
-    give(cutTo(read.state, engine_.picture()->detection->scan->cells()), GivenBack::OnScan);
+    const inspect::ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
+    give(inspect::cutTo(read.state, engine_.picture()->detection->scan->cells()), GivenBack::OnScan);
     file_ = wantedFile_;
-    filed_ = notebookScan(*engine_.picture()->detection->scan);
+    filed_ = inspect::notebookScan(*engine_.picture()->detection->scan);
     emit nameChanged();
     changed();
 }
 
 QString Sessions::toGoOn() const {
-    const QStringList left = autosaves_.leftBehind();
+    const QStringList left = autosaves_.afterCrash();
     return left.isEmpty() ? autosaves_.last() : left.front();
 }
 
-void Sessions::goOn() {
+void Sessions::continueLast() {
     const QString path = toGoOn();
     if (!path.isEmpty()) return openSession(path);
     notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no session to go on with yet: open a scan first."));
 }
 
-void Sessions::offerToGoOn() {
-    const QStringList left = autosaves_.leftBehind();
+void Sessions::offerToContinue() {
+    const QStringList left = autosaves_.afterCrash();
     if (left.isEmpty()) return;
     notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is kept."));
     notice_.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
@@ -321,7 +324,7 @@ void Sessions::offerToGoOn() {
 
 std::string Sessions::textFor(const QString& folder) const {
     const auto state = taken();
-    return state ? sessionText(*state, QDir(folder).absolutePath().toStdString(), utcText(utcNow())) : std::string();
+    return state ? inspect::sessionText(*state, QDir(folder).absolutePath().toStdString(), utcText(utcNow())) : std::string();
 }
 
 } // namespace edgescan::ui

@@ -38,10 +38,10 @@ public:
     void askSaveAs();
     void saveAs(const QString& path);
     /// Continues the session that a crash left, else the last closed one.
-    void goOn();
+    void continueLast();
     [[nodiscard]] QString toGoOn() const;
     /// Offers this in the bar above the views if a crash left a session.
-    void offerToGoOn();
+    void offerToContinue();
     /// Another path of the scan that the session waits for.
     void locate(const QString& path);
 
@@ -58,7 +58,7 @@ signals:
 
 private:
     struct Job {
-        ViewerState state;
+        inspect::ViewerState state;
         QString own, file;   ///< target paths; either may be empty
         bool closed = false; ///< the recording of the sweep is closed: its hash is known
         std::uint64_t number = 0;
@@ -70,16 +70,16 @@ private:
     void changed();
     /// The state now. Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not
     /// being recorded.
-    [[nodiscard]] std::optional<ViewerState> taken() const;
-    [[nodiscard]] std::optional<SessionScan> scanTaken() const;
+    [[nodiscard]] std::optional<inspect::ViewerState> taken() const;
+    [[nodiscard]] std::optional<inspect::SessionScan> scanTaken() const;
     /// That the scan on the screen is that one.
-    [[nodiscard]] bool isShown(const SessionScan& scan) const;
-    void give(const ViewerState& state, GivenBack when);
+    [[nodiscard]] bool isShown(const inspect::SessionScan& scan) const;
+    void give(const inspect::ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
     [[nodiscard]] Written write(const Job& job); // worker's thread
     void take(const Written& written);
     void save();
-    void restore(ReadSession read, const QString& file);
+    void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();
     void followStream();
     void askForPlace(const QString& sentence);
@@ -93,8 +93,8 @@ private:
     std::vector<StatePart> parts_; // in the order in which they are given back
     Autosaves autosaves_;
     QString file_; // chosen by the operator; of the scan below
-    NotebookScan filed_;
-    std::optional<ReadSession> wanted_; // waits for its scan
+    inspect::NotebookScan filed_;
+    std::optional<inspect::ReadSession> wanted_; // waits for its scan
     QString wantedFile_;
     std::size_t place_ = 0;
     bool reading_ = false;

@@ -19,7 +19,7 @@ namespace edgescan::ui {
 MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : engine_(engine), views_(views), targets_(targets), undo_(undo), notice_(notice),
       worker_(
-          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { tell(answer); },
+          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { showAnswer(answer); },
           [this](const QString& what) {
               working_ = false;
               card_->hide();
@@ -41,13 +41,14 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
         return;
     }
     const auto k = static_cast<std::uint32_t>(*cell);
-    EdgeMarks after = marks_;
+    edges::EdgeMarks after = marks_;
     std::vector<std::uint32_t>& these = isEdge ? after.wanted : after.unwanted;
     std::vector<std::uint32_t>& others = isEdge ? after.unwanted : after.wanted;
     std::erase(others, k);
     if (std::erase(these, k) == 0) these.push_back(k);
-    if (after.wanted.size() > kMostMarks || after.unwanted.size() > kMostMarks) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell was not marked: there are %1 marks, clear some first.").arg(kMostMarks));
+    if (after.wanted.size() > edges::kMostMarks || after.unwanted.size() > edges::kMostMarks) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("This cell was not marked: there are %1 marks, clear some first.").arg(edges::kMostMarks));
         return;
     }
     change(isEdge ? stepName("Mark of an Edge") : stepName("Mark of No Edge"), after);
@@ -55,17 +56,17 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
 
 void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
 
-void MarkedEdges::setPart(const EdgeMarks& marks) { change(stepName("Open Session"), marks); }
+void MarkedEdges::setPart(const edges::EdgeMarks& marks) { change(stepName("Open Session"), marks); }
 
-void MarkedEdges::change(const QString& what, const EdgeMarks& after) {
+void MarkedEdges::change(const QString& what, const edges::EdgeMarks& after) {
     if (after == marks_) return;
-    undo_.push(new UndoStep<EdgeMarks>(what, marks_, after, [this, stream = stream_](const EdgeMarks& value) {
+    undo_.push(new UndoStep<edges::EdgeMarks>(what, marks_, after, [this, stream = stream_](const edges::EdgeMarks& value) {
         if (stream_ == stream) use(value);
         return stream_ == stream;
     }));
 }
 
-void MarkedEdges::use(const EdgeMarks& marks) {
+void MarkedEdges::use(const edges::EdgeMarks& marks) {
     marks_ = marks;
     if (marks_.empty()) {
         wanted_ = 0;
@@ -81,7 +82,7 @@ void MarkedEdges::show() {
     std::vector<TargetMark> tags;
     for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false});
     for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ no edge"), tr("✕"), false});
-    targets_.showBeside(std::move(tags));
+    targets_.showExtraMarks(std::move(tags));
 }
 
 void MarkedEdges::propose() {
@@ -95,7 +96,7 @@ void MarkedEdges::propose() {
         return;
     }
     if (card_ == nullptr) makeCard();
-    const Settings before = before_.value_or(engine_.settings());
+    const edges::Settings before = before_.value_or(engine_.settings());
     putBack();
     working_ = true;
     wanted_ = ++questions_;
@@ -113,30 +114,31 @@ MarkedEdges::Answer MarkedEdges::run(const Question& question) {
         ++method;
         return wanted_ == question.number;
     };
-    return {question, edgeProposals(question.scan, question.settings, question.marks, goOn)};
+    return {question, edges::edgeProposals(question.scan, question.settings, question.marks, goOn)};
 }
 
 void MarkedEdges::showStage(std::uint64_t number, int method) {
     if (number != wanted_ || !card_->working()) return;
-    const auto methods = static_cast<int>(methodTraits().size());
+    const auto methods = static_cast<int>(edges::methodTraits().size());
     card_->showStage(tr("Working out settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
                      methods);
 }
 
 void MarkedEdges::makeCard() {
     card_ = new ProposalsCard(notice_.window());
-    connect(card_, &ProposalsCard::previewWanted, this, [this](int row) {
+    connect(card_, &ProposalsCard::previewRequested, this, [this](int row) {
         if (!before_ || engine_.settings() != previewed_) before_ = engine_.settings();
         previewed_ = proposals_[static_cast<std::size_t>(row)].settings;
         engine_.setSettings(previewed_);
     });
-    connect(card_, &ProposalsCard::adoptWanted, this, [this](int row) {
-        const Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
+    connect(card_, &ProposalsCard::adoptRequested, this, [this](int row) {
+        const edges::Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
         putBack(); // undo then leads to the settings before the preview
-        undo_.push(new UndoStep<Settings>(stepName("Settings for These Marks"), engine_.settings(), adopted, [this](const Settings& value) {
-            engine_.setSettings(value);
-            return true;
-        }));
+        undo_.push(new UndoStep<edges::Settings>(stepName("Settings for These Marks"), engine_.settings(), adopted,
+                                                 [this](const edges::Settings& value) {
+                                                     engine_.setSettings(value);
+                                                     return true;
+                                                 }));
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {
@@ -145,18 +147,18 @@ void MarkedEdges::makeCard() {
     });
 }
 
-void MarkedEdges::tell(const Answer& answer) {
+void MarkedEdges::showAnswer(const Answer& answer) {
     working_ = false;
     if (answer.asked.number != wanted_) return;
     if (marks_.empty() || engine_.picture()->detection->scan != answer.asked.scan) return card_->hide();
     putBack();
     proposals_ = answer.proposals;
     QStringList rows;
-    for (const EdgeProposal& proposal : proposals_) rows << shownText(proposalText(proposal, answer.asked.marks));
-    const auto fit = std::ranges::count_if(proposals_, &EdgeProposal::separates);
-    card_->tell(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
-                        : tr("No setting separates these marks. Those that get most of them right come first."),
-                rows);
+    for (const edges::EdgeProposal& proposal : proposals_) rows << shownText(edges::proposalText(proposal, answer.asked.marks));
+    const auto fit = std::ranges::count_if(proposals_, &edges::EdgeProposal::meetsAllMarks);
+    card_->showProposals(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
+                                 : tr("No setting separates these marks. Those that get most of them right come first."),
+                         rows);
 }
 
 void MarkedEdges::putBack() {

@@ -32,11 +32,11 @@ public:
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
     /// Restores all marks as one undo step.
-    void setPart(const EdgeMarks& marks);
+    void setPart(const edges::EdgeMarks& marks);
     /// Finds settings that agree, on a separate thread, and shows them.
     ~MarkedEdges() override { wanted_ = 0; }
     void propose();
-    [[nodiscard]] const EdgeMarks& part() const { return marks_; }
+    [[nodiscard]] const edges::EdgeMarks& part() const { return marks_; }
     [[nodiscard]] bool settled() const { return !working_; }
     /// Null before the first proposals.
     [[nodiscard]] ProposalsCard* card() const { return card_; }
@@ -48,19 +48,19 @@ private:
     struct Question {
         std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
-        Settings settings;
-        EdgeMarks marks;
+        edges::Settings settings;
+        edges::EdgeMarks marks;
     };
     struct Answer {
         Question asked;
-        std::vector<EdgeProposal> proposals;
+        std::vector<edges::EdgeProposal> proposals;
     };
-    void change(const QString& what, const EdgeMarks& after);
-    void use(const EdgeMarks& marks);
+    void change(const QString& what, const edges::EdgeMarks& after);
+    void use(const edges::EdgeMarks& marks);
     [[nodiscard]] Answer run(const Question& question); // worker's thread
     void makeCard();
     void showStage(std::uint64_t number, int method);
-    void tell(const Answer& answer);
+    void showAnswer(const Answer& answer);
     void show();
     void putBack();
 
@@ -69,11 +69,11 @@ private:
     Targets& targets_;
     QUndoStack& undo_;
     NoticeBar& notice_;
-    EdgeMarks marks_;
+    edges::EdgeMarks marks_;
     std::uint64_t stream_ = 0; // the stream of the marks
-    std::vector<EdgeProposal> proposals_;
-    std::optional<Settings> before_; // set while a proposal is previewed
-    Settings previewed_;
+    std::vector<edges::EdgeProposal> proposals_;
+    std::optional<edges::Settings> before_; // set while a proposal is previewed
+    edges::Settings previewed_;
     std::uint64_t questions_ = 0;
     std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is awaited; 0: none
     ProposalsCard* card_ = nullptr;

@@ -11,7 +11,7 @@
 namespace edgescan::ui {
 namespace {
 
-QString wordsFor(MeasureKind kind, std::size_t picked) {
+QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
     static const QStringList two{Measures::tr("click the one end"), Measures::tr("click the other end")};
     static const QStringList height{Measures::tr("click the lower cell"), Measures::tr("click the higher cell")};
     static const QStringList angle{Measures::tr("click the end of one side"), Measures::tr("click where the sides meet"),
@@ -19,12 +19,12 @@ QString wordsFor(MeasureKind kind, std::size_t picked) {
     static const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                                    Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
     static const QStringList throat{Measures::tr("click the rim on one side"), Measures::tr("click the rim on the other side")};
-    const QStringList& all = kind == MeasureKind::Throat     ? throat
-                             : kind == MeasureKind::Angle    ? angle
-                             : kind == MeasureKind::Spans    ? spans
-                             : kind == MeasureKind::Vertical ? height
-                                                             : two;
-    return Measures::tr(traitsOf(kind).label) + ": " + all.value(static_cast<int>(picked));
+    const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
+                             : kind == inspect::MeasureKind::Angle    ? angle
+                             : kind == inspect::MeasureKind::Spans    ? spans
+                             : kind == inspect::MeasureKind::Vertical ? height
+                                                                      : two;
+    return Measures::tr(inspect::traitsOf(kind).label) + ": " + all.value(static_cast<int>(picked));
 }
 
 } // namespace
@@ -42,7 +42,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice) : vi
     });
 }
 
-void Measures::start(MeasureKind kind) {
+void Measures::start(inspect::MeasureKind kind) {
     kind_ = kind;
     picked_.clear();
     views_.setTool(Tool::Measure);
@@ -51,7 +51,7 @@ void Measures::start(MeasureKind kind) {
 }
 
 void Measures::startAt(std::size_t cell) {
-    start(MeasureKind::Distance);
+    start(inspect::MeasureKind::Distance);
     pick(cell);
 }
 
@@ -65,7 +65,7 @@ void Measures::stop() {
     emit kindChanged();
 }
 
-bool Measures::takeBack() {
+bool Measures::removeLastPick() {
     if (picked_.empty()) return false;
     picked_.pop_back();
     show();
@@ -79,15 +79,15 @@ void Measures::pick(std::size_t cell) {
         return;
     }
     picked_.push_back(static_cast<std::uint32_t>(cell));
-    if (picked_.size() == traitsOf(*kind_).cells) keepPicked();
+    if (picked_.size() == inspect::traitsOf(*kind_).cells) keepPicked();
     show();
 }
 
 void Measures::keepPicked() {
     std::vector<std::uint32_t> cells = std::exchange(picked_, {});
-    if (kind_ == MeasureKind::Throat) {
+    if (kind_ == inspect::MeasureKind::Throat) {
         const Scan& scan = *views_.shown()->detection->scan;
-        const auto ends = narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
+        const auto ends = inspect::narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
         if (!ends) {
             notice_.showNotice(NoticeBar::Kind::Warning,
                                tr("No free way was seen between these two rims: click cells on the two borders of an opening."));

@@ -21,15 +21,15 @@ public:
     Measures(LinkedViews& views, Targets& targets, NoticeBar& notice);
 
     /// From now on clicks pick cells for this measurement, until stop().
-    void start(MeasureKind kind);
+    void start(inspect::MeasureKind kind);
     /// The same with the first cell already picked.
     void startAt(std::size_t cell);
     void stop();
     /// Empty while no measurement is active.
-    [[nodiscard]] std::optional<MeasureKind> kind() const { return kind_; }
+    [[nodiscard]] std::optional<inspect::MeasureKind> kind() const { return kind_; }
     [[nodiscard]] const std::vector<std::uint32_t>& picked() const { return picked_; }
     /// Removes the last picked cell; false: there was none.
-    bool takeBack();
+    bool removeLastPick();
 
 signals:
     /// Another kind of measurement, or none, is active.
@@ -45,7 +45,7 @@ private:
     LinkedViews& views_;
     Targets& targets_;
     NoticeBar& notice_;
-    std::optional<MeasureKind> kind_;
+    std::optional<inspect::MeasureKind> kind_;
     std::vector<std::uint32_t> picked_;
 };
 

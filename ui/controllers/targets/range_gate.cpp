@@ -10,27 +10,27 @@
 
 namespace edgescan::ui {
 
-void Selection::hideToo(const QString& what, const CellSet& cells) {
+void Selection::hideToo(const QString& what, const inspect::CellSet& cells) {
     if (cells.empty())
         notice_.showNotice(NoticeBar::Kind::Done, tr("No cell lies there: nothing more is hidden."));
     else
-        change(what, {without(state_.selected, cells), united(state_.hidden, cells)});
-    tellOfGrowth();
+        change(what, {inspect::without(state_.selected, cells), inspect::united(state_.hidden, cells)});
+    reportGrowth();
 }
 
-void Selection::tellOfGrowth() {
+void Selection::reportGrowth() {
     if (!engine_.picture() || !engine_.picture()->source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning,
                        tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
 }
 
-void Selection::setPart(const SelectionPart& part) {
+void Selection::setPart(const inspect::SelectionPart& part) {
     const std::size_t cells = engine_.picture()->detection->scan->cells();
-    change(stepName("Open Session"), {cellsOf(part.selected, cells), cellsOf(part.hidden, cells)});
+    change(stepName("Open Session"), {inspect::cellsOf(part.selected, cells), inspect::cellsOf(part.hidden, cells)});
 }
 
 void Selection::hideBeyond(double nearM, double farM) {
-    if (engine_.picture()) hideToo(stepName("Range Gate"), cellsBeyond(*engine_.picture()->detection->scan, nearM, farM));
+    if (engine_.picture()) hideToo(stepName("Range Gate"), inspect::cellsBeyond(*engine_.picture()->detection->scan, nearM, farM));
 }
 
 std::optional<double> Selection::rangeAt(std::optional<std::size_t> cell) {
@@ -61,11 +61,11 @@ void Selection::askRangeGate() {
 void Selection::clipToSelected() {
     if (!needSelection()) return;
     const Scan& scan = *engine_.picture()->detection->scan;
-    const CellSet outside = cellsOutsideBoxOf(scan, state_.selected);
+    const inspect::CellSet outside = inspect::cellsOutsideBoxOf(scan, state_.selected);
     // The selection defined the corners of the box; now its content is of interest.
     if (outside.empty()) return hideToo(stepName("Clip to Box"), outside);
-    change(stepName("Clip to Box"), {{}, united(state_.hidden, outside)});
-    tellOfGrowth();
+    change(stepName("Clip to Box"), {{}, inspect::united(state_.hidden, outside)});
+    reportGrowth();
 }
 
 } // namespace edgescan::ui

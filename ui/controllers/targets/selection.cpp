@@ -21,7 +21,7 @@ namespace edgescan::ui {
 namespace {
 
 // Over the images: the selection hatched in the same colour as in the cloud, hidden cells under a dark layer.
-std::shared_ptr<const QImage> selectionPicture(const CellSet& selected, const CellSet& hidden, int beams, int rows) {
+std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected, const inspect::CellSet& hidden, int beams, int rows) {
     if (selected.empty() && hidden.empty()) return nullptr;
     auto image = std::make_shared<QImage>(beams, rows, QImage::Format_ARGB32_Premultiplied);
     image->fill(Qt::transparent);
@@ -56,7 +56,7 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
         const Scan& scan = *views_.shown()->detection->scan;
         std::vector<Eigen::Vector2d> way;
         for (const QPointF& corner : corners) way.emplace_back(corner.x(), corner.y());
-        combine(without(cellsInside(scan.lines(), scan.beams(), way), state_.hidden), modifiers);
+        combine(inspect::without(inspect::cellsInside(scan.lines(), scan.beams(), way), state_.hidden), modifiers);
     });
     connect(&views_, &LinkedViews::cloudOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         CloudView& cloud = views_.cloud();
@@ -83,19 +83,19 @@ void Selection::followPicture() {
 }
 
 /// Shift adds to the selection, Ctrl removes from it.
-void Selection::combine(CellSet cells, Qt::KeyboardModifiers modifiers) {
-    if (modifiers.testFlag(Qt::ShiftModifier)) cells = united(state_.selected, cells);
-    if (modifiers.testFlag(Qt::ControlModifier)) cells = without(state_.selected, cells);
+void Selection::combine(inspect::CellSet cells, Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ShiftModifier)) cells = inspect::united(state_.selected, cells);
+    if (modifiers.testFlag(Qt::ControlModifier)) cells = inspect::without(state_.selected, cells);
     select(std::move(cells));
 }
 
-void Selection::select(CellSet cells) {
+void Selection::select(inspect::CellSet cells) {
     change(cells.empty() ? stepName("Select Nothing") : stepName("Select"), {std::move(cells), state_.hidden});
 }
 
 void Selection::selectChainAt(std::size_t cell) {
     if (!views_.shown()) return;
-    CellSet chain = chainAt(*views_.shown()->detection->mask, static_cast<std::uint32_t>(cell));
+    inspect::CellSet chain = inspect::chainAt(*views_.shown()->detection->mask, static_cast<std::uint32_t>(cell));
     if (chain.empty())
         notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is no edge, so it is on no chain of edges: choose one that is."));
     else
@@ -110,7 +110,7 @@ void Selection::selectRockAt(std::size_t cell) {
                                                          : tr("Rocks are not shown, so none can be selected: press K first."));
         return;
     }
-    CellSet rock;
+    inspect::CellSet rock;
     const auto& labels = rocks_.picture()->labels.cells;
     for (std::size_t k = 0; k < labels.size(); ++k) {
         if (labels[k] == label) rock.push_back(static_cast<std::uint32_t>(k));
@@ -125,12 +125,12 @@ bool Selection::needSelection() {
 }
 
 void Selection::hideSelected() {
-    if (needSelection()) change(stepName("Hide"), {{}, united(state_.hidden, state_.selected)});
+    if (needSelection()) change(stepName("Hide"), {{}, inspect::united(state_.hidden, state_.selected)});
 }
 
 void Selection::isolateSelected() {
     if (needSelection())
-        change(stepName("Isolate"), {state_.selected, allBut(state_.selected, engine_.picture()->detection->scan->cells())});
+        change(stepName("Isolate"), {state_.selected, inspect::allBut(state_.selected, engine_.picture()->detection->scan->cells())});
 }
 
 void Selection::showAll() {
@@ -168,7 +168,7 @@ void Selection::show() {
     const Picture& picture = *engine_.picture();
     // If only the selection is visible, it needs no colour.
     const bool isolated = state_.selected.size() + state_.hidden.size() >= picture.detection->scan->cells();
-    const CellSet coloured = isolated ? CellSet() : state_.selected;
+    const inspect::CellSet coloured = isolated ? inspect::CellSet() : state_.selected;
     const auto image = selectionPicture(coloured, state_.hidden, picture.gray->width(), picture.gray->height());
     for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setSelection(image);
     CloudView& cloud = views_.cloud();
@@ -180,13 +180,13 @@ void Selection::show() {
         }
     }
     cloud.setHidden(std::move(mask));
-    cloud.setSelection(coloured.empty() ? nullptr : std::make_shared<const CellSet>(coloured));
+    cloud.setSelection(coloured.empty() ? nullptr : std::make_shared<const inspect::CellSet>(coloured));
 }
 
 QString Selection::words() const {
     QString words;
     if (!state_.selected.empty() && engine_.picture()) {
-        const Detection& detection = *engine_.picture()->detection;
+        const edges::Detection& detection = *engine_.picture()->detection;
         std::size_t points = 0, edges = 0;
         for (const std::uint32_t k : state_.selected) {
             if (k >= detection.scan->cells()) continue;
@@ -212,7 +212,7 @@ void Selection::addToMenu(QMenu& menu, std::size_t cell) {
     more->addAction(tr("&Hide Selected"), this, &Selection::hideSelected)->setEnabled(some);
     more->addAction(tr("&Isolate Selected"), this, &Selection::isolateSelected)->setEnabled(some);
     more->addAction(tr("Show &All"), this, &Selection::showAll)->setEnabled(!state_.hidden.empty());
-    more->addAction(tr("&Export Selected…"), this, &Selection::exportWanted)->setEnabled(some);
+    more->addAction(tr("&Export Selected…"), this, &Selection::exportRequested)->setEnabled(some);
 }
 
 } // namespace edgescan::ui

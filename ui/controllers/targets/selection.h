@@ -29,18 +29,18 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    [[nodiscard]] const CellSet& cells() const { return state_.selected; }
-    [[nodiscard]] const CellSet& hidden() const { return state_.hidden; }
+    [[nodiscard]] const inspect::CellSet& cells() const { return state_.selected; }
+    [[nodiscard]] const inspect::CellSet& hidden() const { return state_.hidden; }
     /// Each of these functions is one undo step.
-    void select(CellSet cells);
+    void select(inspect::CellSet cells);
     void selectChainAt(std::size_t cell);
     void selectRockAt(std::size_t cell);
     void hideSelected();
     /// Hides everything except the selection.
     void isolateSelected();
     void showAll();
-    [[nodiscard]] SelectionPart part() const { return {runsOf(state_.selected), runsOf(state_.hidden)}; }
-    void setPart(const SelectionPart& part);
+    [[nodiscard]] inspect::SelectionPart part() const { return {inspect::runsOf(state_.selected), inspect::runsOf(state_.hidden)}; }
+    void setPart(const inspect::SelectionPart& part);
     /// Also hides nearer and farther cells, metres.
     void hideBeyond(double nearM, double farM);
     /// The same with the range of a cell as one of the limits.
@@ -58,11 +58,11 @@ public:
 
 signals:
     void changed();
-    void exportWanted();
+    void exportRequested();
 
 private:
     struct State {
-        CellSet selected, hidden;
+        inspect::CellSet selected, hidden;
         bool operator==(const State&) const = default;
     };
     struct Question { // about the cloud
@@ -73,17 +73,17 @@ private:
     };
     struct Answer {
         std::shared_ptr<const CloudGeometry> cloud;
-        CellSet cells;
+        inspect::CellSet cells;
         Qt::KeyboardModifiers modifiers;
     };
-    void combine(CellSet cells, Qt::KeyboardModifiers modifiers);
+    void combine(inspect::CellSet cells, Qt::KeyboardModifiers modifiers);
     void change(const QString& what, State after);
     void use(const State& state);
     void show();
     void addToMenu(QMenu& menu, std::size_t cell);
     [[nodiscard]] bool needSelection();
-    void tellOfGrowth();
-    void hideToo(const QString& what, const CellSet& cells);
+    void reportGrowth();
+    void hideToo(const QString& what, const inspect::CellSet& cells);
     [[nodiscard]] std::optional<double> rangeAt(std::optional<std::size_t> cell);
 
     Engine& engine_;

@@ -23,20 +23,20 @@ TargetStore::~TargetStore() {
     if (!waiting_.empty()) (void)write(waiting_); // written again if the worker had begun: the bytes are the same
 }
 
-QString TargetStore::pathOf(const NotebookScan& scan) const {
-    const std::string name = notebookFileName(scan);
+QString TargetStore::pathOf(const inspect::NotebookScan& scan) const {
+    const std::string name = inspect::notebookFileName(scan);
     return folder_.isEmpty() || name.empty() ? QString() : folder_ + "/" + exactText(name);
 }
 
-Result<Notebook> TargetStore::load(const NotebookScan& scan) {
+Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
     const std::string path = pathOf(scan).toStdString();
-    if (path.empty()) return Notebook{};
+    if (path.empty()) return inspect::Notebook{};
     std::string text;
     if (const auto waits = waiting_.find(path); waits != waiting_.end()) {
         text = waits->second;
     } else {
         std::error_code ignored;
-        if (!std::filesystem::exists(path, ignored)) return Notebook{};
+        if (!std::filesystem::exists(path, ignored)) return inspect::Notebook{};
         const auto bytes = readWholeFile(path, kMostNotebookBytes);
         if (!bytes) {
             refused_.insert(path);
@@ -44,7 +44,7 @@ Result<Notebook> TargetStore::load(const NotebookScan& scan) {
         }
         text = textOf(*bytes);
     }
-    auto notebook = notebookFromText(text, scan, path);
+    auto notebook = inspect::notebookFromText(text, scan, path);
     if (!notebook)
         refused_.insert(path);
     else
@@ -52,10 +52,10 @@ Result<Notebook> TargetStore::load(const NotebookScan& scan) {
     return notebook;
 }
 
-void TargetStore::save(const Notebook& notebook, const NotebookScan& scan) {
+void TargetStore::save(const inspect::Notebook& notebook, const inspect::NotebookScan& scan) {
     const std::string path = pathOf(scan).toStdString();
     if (path.empty() || refused_.contains(path)) return;
-    waiting_[path] = notebookText(notebook, scan);
+    waiting_[path] = inspect::notebookText(notebook, scan);
     worker_.post(waiting_);
 }
 

@@ -24,10 +24,10 @@ public:
     ~TargetStore() override;
 
     /// Path of the targets of this scan; empty if they are not stored.
-    [[nodiscard]] QString pathOf(const NotebookScan& scan) const;
+    [[nodiscard]] QString pathOf(const inspect::NotebookScan& scan) const;
     /// An empty notebook if no file exists. Error: the file is damaged or belongs to another scan; it is not changed or overwritten.
-    Result<Notebook> load(const NotebookScan& scan);
-    void save(const Notebook& notebook, const NotebookScan& scan);
+    Result<inspect::Notebook> load(const inspect::NotebookScan& scan);
+    void save(const inspect::Notebook& notebook, const inspect::NotebookScan& scan);
 
 signals:
     void failed(const QString& sentence);

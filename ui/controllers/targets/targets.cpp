@@ -22,16 +22,16 @@ namespace edgescan::ui {
 
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
-      store_(memory.ownFolder().isEmpty() ? QString() : memory.ownFolder() + "/targets"),
+      store_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/targets"),
       worker_(
           this, [this](const Question& question) { return workOut(question); }, [this](KnownTargets known) { take(std::move(known)); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
           }) {
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
-    connect(&views_, &LinkedViews::letGoOf, this, [this](std::size_t cell) {
-        const auto target = std::ranges::find(notebook_.targets, cell, &PinnedTarget::cell);
-        if (target != notebook_.targets.end() && !target->locked) letGo(target->number);
+    connect(&views_, &LinkedViews::pinCleared, this, [this](std::size_t cell) {
+        const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
+        if (target != notebook_.targets.end() && !target->locked) remove(target->number);
     });
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::showCard);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::showCard);
@@ -43,39 +43,41 @@ void Targets::connectPanel() {
     connect(&panel_, &TargetsPanel::targetChosen, this, [this](int place) {
         if (place < static_cast<int>(notebook_.targets.size())) views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
     });
-    connect(&panel_, &TargetsPanel::letGoOfAllWanted, this, &Targets::letGoOfAll);
+    connect(&panel_, &TargetsPanel::removeAllRequested, this, &Targets::removeAll);
     connect(&panel_, &TargetsPanel::measureRemoved, this, [this](int place) { removeMeasure(static_cast<std::size_t>(place)); });
     TargetCard& card = panel_.card();
     const auto ofActive = [this](auto act) {
         return [this, act](const auto&... given) {
-            if (const PinnedTarget* target = active()) act(*target, given...);
+            if (const inspect::PinnedTarget* target = active()) act(*target, given...);
         };
     };
-    connect(&card, &TargetCard::closeWanted, this, ofActive([this](const PinnedTarget& target) { letGo(target.number); }));
-    connect(&card, &TargetCard::lockWanted, this, ofActive([this](const PinnedTarget& target, bool on) { lock(target.number, on); }));
+    connect(&card, &TargetCard::closeRequested, this, ofActive([this](const inspect::PinnedTarget& target) { remove(target.number); }));
+    connect(&card, &TargetCard::lockRequested, this,
+            ofActive([this](const inspect::PinnedTarget& target, bool on) { lock(target.number, on); }));
     connect(&card, &TargetCard::renamed, this,
-            ofActive([this](const PinnedTarget& target, const QString& name) { rename(target.number, name); }));
-    connect(card.why(), &QPushButton::clicked, this, ofActive([this](const PinnedTarget& target, bool) { emit whyWanted(target.cell); }));
+            ofActive([this](const inspect::PinnedTarget& target, const QString& name) { rename(target.number, name); }));
+    connect(card.why(), &QPushButton::clicked, this,
+            ofActive([this](const inspect::PinnedTarget& target, bool) { emit explanationRequested(target.cell); }));
     connect(card.measure(), &QPushButton::clicked, this,
-            ofActive([this](const PinnedTarget& target, bool) { emit measureWanted(target.cell); }));
+            ofActive([this](const inspect::PinnedTarget& target, bool) { emit measureRequested(target.cell); }));
     connect(card.copy(), &QPushButton::clicked, this, &Targets::copyCard);
 }
 
-const PinnedTarget* Targets::active() const {
+const inspect::PinnedTarget* Targets::active() const {
     const auto cell = views_.pinned();
     if (!cell) return nullptr;
-    const auto target = std::ranges::find(notebook_.targets, *cell, &PinnedTarget::cell);
+    const auto target = std::ranges::find(notebook_.targets, *cell, &inspect::PinnedTarget::cell);
     return target == notebook_.targets.end() ? nullptr : &*target;
 }
 
-PinnedTarget* Targets::numbered(Notebook& notebook, int number) const {
-    const auto target = std::ranges::find(notebook.targets, number, &PinnedTarget::number);
+inspect::PinnedTarget* Targets::numbered(inspect::Notebook& notebook, int number) const {
+    const auto target = std::ranges::find(notebook.targets, number, &inspect::PinnedTarget::number);
     return target == notebook.targets.end() ? nullptr : &*target;
 }
 
 // For a file: the file and its sweep, for all reading options. For a scanner: the sweep.
 QString Targets::keyOf(const Picture& picture) const {
-    const std::string name = notebookFileName(notebookScan(*picture.detection->scan));
+    const std::string name = inspect::notebookFileName(inspect::notebookScan(*picture.detection->scan));
     if (!name.empty()) return exactText(name);
     return QString("%1 %2").arg(picture.source.stream).arg(picture.source.growth.sweep);
 }
@@ -87,7 +89,7 @@ void Targets::followPicture() {
         key_ = key;
         rockPin_ = 0;
         notebook_ = {};
-        const NotebookScan scan = notebookScan(*engine_.picture()->detection->scan);
+        const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
         panel_.showNote(path.isEmpty() ? tr("Not kept: this picture is of no file, or nothing is remembered.") : QString());
         if (const auto other = others_.find(key); other != others_.end()) {
@@ -96,7 +98,7 @@ void Targets::followPicture() {
             notebook_ = std::move(*kept);
         } else {
             panel_.showNote(tr("▲ Not kept: the targets of this scan were refused."));
-            notice_.tell(kept.error());
+            notice_.showError(kept.error());
         }
         if (!notebook_.empty()) emit pinned();
     }
@@ -111,18 +113,19 @@ void Targets::followPin(std::optional<std::size_t> cell) {
 }
 
 void Targets::pin(std::size_t cell) {
-    if (!engine_.picture() || std::ranges::any_of(notebook_.targets, [&](const PinnedTarget& target) { return target.cell == cell; }))
+    if (!engine_.picture() ||
+        std::ranges::any_of(notebook_.targets, [&](const inspect::PinnedTarget& target) { return target.cell == cell; }))
         return emit pinned();
     const bool onRock = views_.pinnedByClick() && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
     if (onRock && moveRockPin(cell)) return emit pinned();
-    if (notebook_.targets.size() >= kMostTargets) {
+    if (notebook_.targets.size() >= inspect::kMostTargets) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This cell was not pinned: there are %1 targets, let go of some first.").arg(kMostTargets));
+                           tr("This cell was not pinned: there are %1 targets, let go of some first.").arg(inspect::kMostTargets));
         return;
     }
-    Notebook after = notebook_;
-    PinnedTarget target;
-    target.number = nextNumber(after);
+    inspect::Notebook after = notebook_;
+    inspect::PinnedTarget target;
+    target.number = inspect::nextNumber(after);
     target.cell = static_cast<std::uint32_t>(cell);
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
@@ -134,8 +137,8 @@ void Targets::pin(std::size_t cell) {
 /// Clicking through the rocks does not leave a target on each: the last target that a click set on a rock moves with the clicks, until it
 /// is locked or named.
 bool Targets::moveRockPin(std::size_t cell) {
-    Notebook after = notebook_;
-    PinnedTarget* target = numbered(after, rockPin_);
+    inspect::Notebook after = notebook_;
+    inspect::PinnedTarget* target = numbered(after, rockPin_);
     if (target == nullptr || target->locked || !target->name.empty()) return false;
     target->cell = static_cast<std::uint32_t>(cell);
     target->pinnedUtc = utcText(utcNow());
@@ -144,43 +147,43 @@ bool Targets::moveRockPin(std::size_t cell) {
     return true;
 }
 
-void Targets::letGo(int number) {
-    Notebook after = notebook_;
-    std::erase_if(after.targets, [&](const PinnedTarget& target) { return target.number == number && !target.locked; });
+void Targets::remove(int number) {
+    inspect::Notebook after = notebook_;
+    std::erase_if(after.targets, [&](const inspect::PinnedTarget& target) { return target.number == number && !target.locked; });
     if (after != notebook_) change(stepName("Let Go of %1", number), std::move(after));
 }
 
-void Targets::letGoOfAll() {
-    Notebook after = notebook_;
-    std::erase_if(after.targets, [](const PinnedTarget& target) { return !target.locked; });
+void Targets::removeAll() {
+    inspect::Notebook after = notebook_;
+    std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
     if (after != notebook_) change(stepName("Let Go of All"), std::move(after));
 }
 
 void Targets::rename(int number, const QString& name) {
-    Notebook after = notebook_;
-    PinnedTarget* target = numbered(after, number);
+    inspect::Notebook after = notebook_;
+    inspect::PinnedTarget* target = numbered(after, number);
     if (target == nullptr) return;
     const std::string text = name.toStdString();
-    if (text.size() > kLongestTargetName) return;
+    if (text.size() > inspect::kLongestTargetName) return;
     target->name = text;
     if (after != notebook_) change(stepName("Name %1", number), std::move(after));
 }
 
 void Targets::lock(int number, bool on) {
-    Notebook after = notebook_;
-    PinnedTarget* target = numbered(after, number);
+    inspect::Notebook after = notebook_;
+    inspect::PinnedTarget* target = numbered(after, number);
     if (target == nullptr) return;
     target->locked = on;
     if (after != notebook_) change(on ? stepName("Lock %1", number) : stepName("Unlock %1", number), std::move(after));
 }
 
-void Targets::keepMeasure(const KeptMeasure& measure) {
-    if (notebook_.measures.size() >= kMostMeasures) {
+void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
+    if (notebook_.measures.size() >= inspect::kMostMeasures) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This was not kept: there are %1 measurements, remove some first.").arg(kMostMeasures));
+                           tr("This was not kept: there are %1 measurements, remove some first.").arg(inspect::kMostMeasures));
         return;
     }
-    Notebook after = notebook_;
+    inspect::Notebook after = notebook_;
     after.measures.push_back(measure);
     change(stepName("Measure"), std::move(after));
     emit pinned();
@@ -188,17 +191,17 @@ void Targets::keepMeasure(const KeptMeasure& measure) {
 
 void Targets::removeMeasure(std::size_t place) {
     if (place >= notebook_.measures.size()) return;
-    Notebook after = notebook_;
+    inspect::Notebook after = notebook_;
     after.measures.erase(after.measures.begin() + static_cast<std::ptrdiff_t>(place));
     change(stepName("Remove Measurement"), std::move(after));
 }
 
-TargetsPart Targets::part() const {
-    const PinnedTarget* target = active();
+inspect::TargetsPart Targets::part() const {
+    const inspect::PinnedTarget* target = active();
     return {notebook_, target == nullptr ? std::nullopt : std::optional(target->cell)};
 }
 
-void Targets::setPart(const TargetsPart& part) {
+void Targets::setPart(const inspect::TargetsPart& part) {
     if (part.notebook != notebook_) {
         change(stepName("Open Session"), part.notebook);
         emit pinned();
@@ -206,14 +209,14 @@ void Targets::setPart(const TargetsPart& part) {
     if (part.active) views_.pin(*part.active);
 }
 
-void Targets::change(const QString& what, Notebook after) {
-    undo_.push(new UndoStep<Notebook>(what, notebook_, std::move(after), [this, key = key_](const Notebook& value) {
+void Targets::change(const QString& what, inspect::Notebook after) {
+    undo_.push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), [this, key = key_](const inspect::Notebook& value) {
         if (key_ == key) use(value);
         return key_ == key;
     }));
 }
 
-void Targets::use(const Notebook& notebook) {
+void Targets::use(const inspect::Notebook& notebook) {
     notebook_ = notebook;
     keep();
     ask();
@@ -224,10 +227,12 @@ void Targets::use(const Notebook& notebook) {
 }
 
 void Targets::keep() {
-    if (engine_.picture()) store_.save(notebook_, notebookScan(*engine_.picture()->detection->scan));
+    if (engine_.picture()) store_.save(notebook_, inspect::notebookScan(*engine_.picture()->detection->scan));
 }
 
-QString Targets::keptIn() const { return engine_.picture() ? store_.pathOf(notebookScan(*engine_.picture()->detection->scan)) : QString(); }
+QString Targets::notebookFile() const {
+    return engine_.picture() ? store_.pathOf(inspect::notebookScan(*engine_.picture()->detection->scan)) : QString();
+}
 
 void Targets::ask() {
     if (engine_.picture()) worker_.post({engine_.picture(), notebook_});
@@ -235,23 +240,23 @@ void Targets::ask() {
 
 bool Targets::settled() const {
     if (known_.picture != engine_.picture()) return notebook_.empty() && engine_.picture() == nullptr;
-    return std::ranges::all_of(notebook_.targets, [&](const PinnedTarget& target) { return knownOf(target.cell) != nullptr; }) &&
+    return std::ranges::all_of(notebook_.targets, [&](const inspect::PinnedTarget& target) { return knownOf(target.cell) != nullptr; }) &&
            known_.measures.size() == notebook_.measures.size();
 }
 
 KnownTargets Targets::workOut(const Question& question) {
-    const Detection& detection = *question.picture->detection;
+    const edges::Detection& detection = *question.picture->detection;
     KnownTargets known{question.picture, {}, {}};
     if (question.notebook.empty()) return known;
     if (noiseScan_ != detection.scan) {
-        noise_ = noiseOf(detection);
+        noise_ = inspect::noiseOf(detection);
         noiseScan_ = detection.scan;
     }
-    for (const PinnedTarget& target : question.notebook.targets) {
-        if (target.cell < detection.scan->cells()) known.targets.emplace(target.cell, targetAt(detection, noise_, target.cell));
+    for (const inspect::PinnedTarget& target : question.notebook.targets) {
+        if (target.cell < detection.scan->cells()) known.targets.emplace(target.cell, inspect::targetAt(detection, noise_, target.cell));
     }
-    for (const KeptMeasure& measure : question.notebook.measures)
-        known.measures.emplace_back(measure, measureCells(*detection.scan, noise_, measure.kind, measure.cells));
+    for (const inspect::StoredMeasure& measure : question.notebook.measures)
+        known.measures.emplace_back(measure, inspect::measureCells(*detection.scan, noise_, measure.kind, measure.cells));
     return known;
 }
 
@@ -260,10 +265,10 @@ void Targets::take(KnownTargets known) {
     known_ = std::move(known);
     // The first content of the card is stored with the target.
     bool more = false;
-    for (PinnedTarget& target : notebook_.targets) {
-        const CellTarget* now = knownOf(target.cell);
+    for (inspect::PinnedTarget& target : notebook_.targets) {
+        const inspect::CellTarget* now = knownOf(target.cell);
         if (!target.asPinned.empty() || now == nullptr || known_.picture != engine_.picture()) continue;
-        target.asPinned = rowsToKeep(*now, around(target.cell));
+        target.asPinned = rowsToStore(*now, around(target.cell));
         pinnedOn_[{target.number, target.cell}] = known_.picture;
         more = true;
     }
@@ -281,13 +286,13 @@ void Targets::setConfidence(const KnownConfidence& confidence) {
 /// Confidence is known later than the rest of a card: it is added to the stored card if it belongs to the same picture.
 void Targets::keepConfidence() {
     bool more = false;
-    for (PinnedTarget& target : notebook_.targets) {
+    for (inspect::PinnedTarget& target : notebook_.targets) {
         const auto on = pinnedOn_.find({target.number, target.cell});
-        const CellTarget* now = knownOf(target.cell);
+        const inspect::CellTarget* now = knownOf(target.cell);
         if (!confidence_.made || on == pinnedOn_.end() || on->second.lock() != confidence_.of || now == nullptr) continue;
         if (known_.picture != confidence_.of) continue;
         const auto isIt = [](const auto& row) { return row.first == kConfidenceRow; };
-        const auto rows = rowsToKeep(*now, around(target.cell));
+        const auto rows = rowsToStore(*now, around(target.cell));
         const auto row = std::ranges::find_if(rows, isIt);
         if (row == rows.end() || std::ranges::any_of(target.asPinned, isIt)) continue;
         target.asPinned.push_back(*row);

@@ -30,15 +30,15 @@ class TargetsPanel;
 /// The values for everything in a notebook, on one picture.
 struct KnownTargets {
     std::shared_ptr<const Picture> picture;
-    std::map<std::uint32_t, CellTarget> targets; ///< by cell
-    std::vector<std::pair<KeptMeasure, std::optional<MeasuredCells>>> measures;
+    std::map<std::uint32_t, inspect::CellTarget> targets; ///< by cell
+    std::vector<std::pair<inspect::StoredMeasure, std::optional<inspect::MeasuredCells>>> measures;
 };
 
 /// The confidence of a picture's edges.
 struct KnownConfidence {
     std::shared_ptr<const Picture> of;
-    std::shared_ptr<const EdgeConfidence> made; ///< null: unknown
-    ToldConfidence::State otherwise = ToldConfidence::State::NotAsked;
+    std::shared_ptr<const edges::EdgeConfidence> made; ///< null: unknown
+    ShownConfidence::State otherwise = ShownConfidence::State::NotAsked;
 
     bool operator==(const KnownConfidence&) const = default;
 };
@@ -51,11 +51,11 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    [[nodiscard]] const Notebook& notebook() const { return notebook_; }
+    [[nodiscard]] const inspect::Notebook& notebook() const { return notebook_; }
     /// The file of the notebook; empty: none.
-    [[nodiscard]] QString keptIn() const;
+    [[nodiscard]] QString notebookFile() const;
     /// The target whose card is shown; null: none.
-    [[nodiscard]] const PinnedTarget* active() const;
+    [[nodiscard]] const inspect::PinnedTarget* active() const;
     /// True if the cards belong to the picture on the screen and to all entries of the notebook.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] const KnownTargets& known() const { return known_; }
@@ -66,16 +66,16 @@ public:
 
     void pin(std::size_t cell);
     /// Not possible for a locked target.
-    void letGo(int number);
+    void remove(int number);
     /// Locked targets stay.
-    void letGoOfAll();
+    void removeAll();
     void rename(int number, const QString& name);
     void lock(int number, bool on);
-    void keepMeasure(const KeptMeasure& measure);
+    void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
-    [[nodiscard]] TargetsPart part() const;
+    [[nodiscard]] inspect::TargetsPart part() const;
     /// As one step of undo.
-    void setPart(const TargetsPart& part);
+    void setPart(const inspect::TargetsPart& part);
     /// Shows the cells picked so far for a measurement; an empty mark removes them.
     void showDraft(const MeasureMark& draft);
     /// The source of the picture in words, for the cards.
@@ -86,28 +86,28 @@ public:
     void copyCard();
 
     /// Lines between the cells of a measurement.
-    [[nodiscard]] static std::vector<std::pair<std::size_t, std::size_t>> linksOf(MeasureKind kind);
+    [[nodiscard]] static std::vector<std::pair<std::size_t, std::size_t>> linksOf(inspect::MeasureKind kind);
     /// Shows marks of another controller like targets; replaces earlier ones.
-    void showBeside(std::vector<TargetMark> marks);
+    void showExtraMarks(std::vector<TargetMark> marks);
 
 signals:
     /// The panel has new content to look at.
     void pinned();
     /// The card shows another target or other values.
     void cardChanged();
-    void whyWanted(std::size_t cell);
-    void measureWanted(std::size_t cell);
+    void explanationRequested(std::size_t cell);
+    void measureRequested(std::size_t cell);
 
 private:
     struct Question {
         std::shared_ptr<const Picture> picture;
-        Notebook notebook;
+        inspect::Notebook notebook;
     };
     [[nodiscard]] KnownTargets workOut(const Question& question); // worker's thread
     void connectPanel();
     void followPin(std::optional<std::size_t> cell);
-    void change(const QString& what, Notebook after);
-    void use(const Notebook& notebook);
+    void change(const QString& what, inspect::Notebook after);
+    void use(const inspect::Notebook& notebook);
     void keep();
     void ask();
     void take(KnownTargets known);
@@ -116,11 +116,11 @@ private:
     void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] bool moveRockPin(std::size_t cell);
-    [[nodiscard]] PinnedTarget* numbered(Notebook& notebook, int number) const;
-    [[nodiscard]] const CellTarget* knownOf(std::uint32_t cell) const;
-    [[nodiscard]] const MeasuredCells* knownOf(const KeptMeasure& measure) const;
+    [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
+    [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
+    [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] CellMarks marks() const;
-    [[nodiscard]] QString tagOf(const PinnedTarget& target) const;
+    [[nodiscard]] QString tagOf(const inspect::PinnedTarget& target) const;
 
     Engine& engine_;
     LinkedViews& views_;
@@ -130,9 +130,9 @@ private:
     QUndoStack& undo_;
     TargetStore store_;
     QString key_; // of the scan of the notebook
-    Notebook notebook_;
-    int rockPin_ = 0;                    // number of the target that follows clicks on rocks; 0: none
-    std::map<QString, Notebook> others_; // of scans that were on the screen earlier
+    inspect::Notebook notebook_;
+    int rockPin_ = 0;                             // number of the target that follows clicks on rocks; 0: none
+    std::map<QString, inspect::Notebook> others_; // of scans that were on the screen earlier
     std::vector<TargetMark> beside_;
     MeasureMark draft_;
     QString source_;

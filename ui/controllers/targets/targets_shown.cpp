@@ -14,12 +14,12 @@
 
 namespace edgescan::ui {
 
-const CellTarget* Targets::knownOf(std::uint32_t cell) const {
+const inspect::CellTarget* Targets::knownOf(std::uint32_t cell) const {
     const auto found = known_.targets.find(cell);
     return found == known_.targets.end() ? nullptr : &found->second;
 }
 
-const MeasuredCells* Targets::knownOf(const KeptMeasure& measure) const {
+const inspect::MeasuredCells* Targets::knownOf(const inspect::StoredMeasure& measure) const {
     const auto found = std::ranges::find(known_.measures, measure, [](const auto& each) { return each.first; });
     return found == known_.measures.end() || !found->second ? nullptr : &*found->second;
 }
@@ -31,34 +31,34 @@ TargetSurroundings Targets::around(std::size_t cell) const {
     around.source = source_;
     around.confidence.state = confidence_.otherwise;
     if (confidence_.made && cell < confidence_.made->percent.size() && confidence_.made->percent[cell] > 0)
-        around.confidence = {ToldConfidence::State::Known, confidence_.made->percent[cell], confidence_.made->settings};
+        around.confidence = {ShownConfidence::State::Known, confidence_.made->percent[cell], confidence_.made->settings};
     return around;
 }
 
-QString Targets::tagOf(const PinnedTarget& target) const {
-    const CellTarget* now = knownOf(target.cell);
+QString Targets::tagOf(const inspect::PinnedTarget& target) const {
+    const inspect::CellTarget* now = knownOf(target.cell);
     QString tag = QString::number(target.number);
     if (!target.name.empty()) tag += " " + shownName(exactText(target.name), 20);
     if (now != nullptr && now->probe.state == CellState::Valid) tag += QString(" · %1 m").arg(now->distanceM, 0, 'f', 2);
     return tag;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> Targets::linksOf(MeasureKind kind) {
-    if (kind == MeasureKind::Angle) return {{0, 1}, {1, 2}};
-    if (kind == MeasureKind::Spans) return {{0, 1}, {2, 3}};
+std::vector<std::pair<std::size_t, std::size_t>> Targets::linksOf(inspect::MeasureKind kind) {
+    if (kind == inspect::MeasureKind::Angle) return {{0, 1}, {1, 2}};
+    if (kind == inspect::MeasureKind::Spans) return {{0, 1}, {2, 3}};
     return {{0, 1}};
 }
 
 CellMarks Targets::marks() const {
     CellMarks marks;
-    const PinnedTarget* shown = active();
-    for (const PinnedTarget& target : notebook_.targets)
+    const inspect::PinnedTarget* shown = active();
+    for (const inspect::PinnedTarget& target : notebook_.targets)
         marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown});
-    for (const KeptMeasure& measure : notebook_.measures) {
-        const MeasuredCells* now = knownOf(measure);
+    for (const inspect::StoredMeasure& measure : notebook_.measures) {
+        const inspect::MeasuredCells* now = knownOf(measure);
         marks.measures.push_back({{measure.cells.begin(), measure.cells.end()},
                                   linksOf(measure.kind),
-                                  now != nullptr ? shownText(measureText(*now)) : QString("–")});
+                                  now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
@@ -67,10 +67,10 @@ CellMarks Targets::marks() const {
 
 void Targets::show() {
     views_.setMarks(marks());
-    const PinnedTarget* shown = active();
+    const inspect::PinnedTarget* shown = active();
     std::vector<TargetLine> lines;
-    for (const PinnedTarget& target : notebook_.targets) {
-        const CellTarget* now = knownOf(target.cell);
+    for (const inspect::PinnedTarget& target : notebook_.targets) {
+        const inspect::CellTarget* now = knownOf(target.cell);
         QString words = QString::number(target.number) + (target.name.empty() ? QString() : "  " + shownName(exactText(target.name)));
         if (now != nullptr) words += "   " + distanceText(*now);
         if (target.locked) words += "   " + tr("locked");
@@ -78,18 +78,18 @@ void Targets::show() {
     }
     panel_.showTargets(lines);
     lines.clear();
-    for (const KeptMeasure& measure : notebook_.measures) {
-        const MeasuredCells* now = knownOf(measure);
-        const QString value = now != nullptr ? shownText(measureText(*now)) : tr("a cell of it has no range");
-        const QString basis = now != nullptr ? shownText(measureBasis(*now)) : QString();
-        lines.push_back({tr(traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
+    for (const inspect::StoredMeasure& measure : notebook_.measures) {
+        const inspect::MeasuredCells* now = knownOf(measure);
+        const QString value = now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range");
+        const QString basis = now != nullptr ? shownText(inspect::measureBasis(*now)) : QString();
+        lines.push_back({tr(inspect::traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
     }
     panel_.showMeasures(lines);
     showCard();
 }
 
 void Targets::showCard() {
-    if (const PinnedTarget* shown = active())
+    if (const inspect::PinnedTarget* shown = active())
         panel_.card().show(*shown, knownOf(shown->cell), around(shown->cell));
     else
         panel_.card().hide();
@@ -99,7 +99,7 @@ void Targets::showCard() {
 void Targets::goTo(int by) {
     const auto count = static_cast<int>(notebook_.targets.size());
     if (count == 0) return;
-    const PinnedTarget* shown = active();
+    const inspect::PinnedTarget* shown = active();
     const int at = shown != nullptr ? static_cast<int>(shown - notebook_.targets.data()) : 0;
     views_.pin(notebook_.targets[static_cast<std::size_t>(((at + by) % count + count) % count)].cell);
 }
@@ -109,7 +109,7 @@ void Targets::showDraft(const MeasureMark& draft) {
     views_.setMarks(marks());
 }
 
-void Targets::showBeside(std::vector<TargetMark> marks) {
+void Targets::showExtraMarks(std::vector<TargetMark> marks) {
     if (beside_ == marks) return;
     beside_ = std::move(marks);
     views_.setMarks(this->marks());

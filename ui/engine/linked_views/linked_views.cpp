@@ -33,8 +33,8 @@ void LinkedViews::linkImages() {
             if (const auto cell = cellAt(line, beam)) click(*cell);
         });
         connect(view, &ImageView::outlined, this, &LinkedViews::imageOutlined);
-        connect(view, &ImageView::cleared, this, &LinkedViews::letGo);
-        connect(view, &ImageView::menuWanted, this,
+        connect(view, &ImageView::cleared, this, &LinkedViews::clearPin);
+        connect(view, &ImageView::menuRequested, this,
                 [this](int line, int beam, const QPoint& position) { showCellMenu(position, cellAt(line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
         connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
@@ -58,7 +58,7 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     if (cell) {
         emit cellMenuOpens(menu, *cell);
         if (pinned_ == cell)
-            menu.addAction(tr("&Let go of this cell"), this, &LinkedViews::letGo);
+            menu.addAction(tr("&Let go of this cell"), this, &LinkedViews::clearPin);
         else
             menu.addAction(tr("&Pin this cell"), this, [this, cell] { pin(cell); });
         QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
@@ -247,7 +247,7 @@ void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
     const auto mark = marked();
     for (ImageView* view : images_) view->setMarkedCell(mark && (pinned_ || view != from) ? std::optional(placeOf(*mark)) : std::nullopt);
     cloud_.setMarkedCell(mark ? std::optional(static_cast<std::uint32_t>(*mark)) : std::nullopt);
-    emit probed(mark ? std::optional(probeCell(*shown_->detection, *mark)) : std::nullopt);
+    emit probed(mark ? std::optional(edges::probeCell(*shown_->detection, *mark)) : std::nullopt);
 }
 
 void LinkedViews::pin(std::optional<std::size_t> cell) {
@@ -264,12 +264,12 @@ void LinkedViews::pinByClick(std::size_t cell) {
     byClick_ = false;
 }
 
-void LinkedViews::letGo() {
+void LinkedViews::clearPin() {
     const std::optional<std::size_t> was = pinned_;
     pin(std::nullopt);
     for (ImageView* view : images_) view->setBox(std::nullopt);
     emit boxed(QString());
-    if (was) emit letGoOf(*was);
+    if (was) emit pinCleared(*was);
 }
 
 void LinkedViews::flyToHovered() {
@@ -337,7 +337,7 @@ void LinkedViews::zoomBy(double factor) {
 /// method's scale.
 void LinkedViews::changeRangeWindow(int window, int level) {
     if (!shown_) return;
-    const GrayScale& scale = shown_->detection->gray->scale;
+    const edges::GrayScale& scale = shown_->detection->gray->scale;
     const double perPixel = std::max(1e-3, (scale.farMm - scale.nearMm) / 1000.0 / 255.0);
     const RangeSpan now = rangesShown();
     const double centre = std::max(0.0, (now.nearM + now.farM) / 2 + level * perPixel);
@@ -354,7 +354,7 @@ void LinkedViews::setRangeWindow(const std::optional<RangeSpan>& window) {
 
 RangeSpan LinkedViews::rangesShown() const {
     if (window_ || !shown_) return window_.value_or(RangeSpan{});
-    const GrayScale& scale = shown_->detection->gray->scale;
+    const edges::GrayScale& scale = shown_->detection->gray->scale;
     return {scale.nearMm / 1000.0, std::max(scale.farMm, scale.nearMm + 1.0) / 1000.0};
 }
 

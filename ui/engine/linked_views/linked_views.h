@@ -58,7 +58,7 @@ public:
     void pinByClick(std::size_t cell);
     [[nodiscard]] bool pinnedByClick() const { return byClick_; }
     /// Clears the pinned cell and the box.
-    void letGo();
+    void clearPin();
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
@@ -96,13 +96,13 @@ public:
     [[nodiscard]] RangeSpan rangesShown() const;
 
 signals:
-    void probed(const std::optional<edgescan::Probe>& probe);
+    void probed(const std::optional<edgescan::edges::Probe>& probe);
     void toolChanged();
     void edgeColoursChanged();
     /// Another cell is pinned, or the pin was cleared.
     void pinChanged(std::optional<std::size_t> cell);
     /// The operator cleared the pinned cell; pinChanged() was emitted before.
-    void letGoOf(std::size_t cell);
+    void pinCleared(std::size_t cell);
     /// A click on a cell with a tool other than Pin.
     void picked(std::size_t cell, Qt::KeyboardModifiers modifiers);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...

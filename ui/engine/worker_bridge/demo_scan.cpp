@@ -28,20 +28,20 @@ Result<Scan> demoScan(const std::function<bool(const char* stage, double fractio
     if (QFile::exists(cachedPath(afterBlast))) {
         ReadingOptions options;
         options.progress = progress;
-        Result<Scan> cached = openScan(path, options);
-        if (cached && cached->lines() == SimulationSettings{}.lines) {
+        Result<Scan> cached = files::openScan(path, options);
+        if (cached && cached->lines() == sim::SimulationSettings{}.lines) {
             cached->name = name;
             return cached;
         }
     }
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.afterBlast = afterBlast;
-    Result<Simulation> simulation = simulate(settings, [&](double fraction) { return progress("casting beams", fraction); });
+    Result<sim::Simulation> simulation = sim::simulate(settings, [&](double fraction) { return progress("casting beams", fraction); });
     if (!simulation) return simulation.error();
     // Without a cache the demo works too; it only takes longer the next time.
     QDir().mkpath(QFileInfo(cachedPath(afterBlast)).path());
-    if (const auto saved = saveScan(simulation->scan, path); saved) {
-        if (Result<Scan> reread = openScan(path); reread) simulation->scan = std::move(*reread);
+    if (const auto saved = files::saveScan(simulation->scan, path); saved) {
+        if (Result<Scan> reread = files::openScan(path); reread) simulation->scan = std::move(*reread);
     }
     simulation->scan.name = name;
     return std::move(simulation->scan);

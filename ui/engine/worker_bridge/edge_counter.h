@@ -20,23 +20,23 @@ public:
 
     /// A new detection is on the screen. It is counted when no other detection follows shortly. It is not counted again if only the swept
     /// threshold changed.
-    void want(const std::shared_ptr<const Detection>& detection);
+    void want(const std::shared_ptr<const edges::Detection>& detection);
 
 signals:
     /// The last count does not belong to the current detection.
     void outdated();
     /// `parameter`: key of the threshold.
-    void counted(const QString& parameter, const edgescan::EdgeCountCurve& curve);
+    void counted(const QString& parameter, const edgescan::edges::EdgeCountCurve& curve);
 
 private:
     struct Counted {
-        std::shared_ptr<const Detection> detection;
-        EdgeCountCurve curve;
+        std::shared_ptr<const edges::Detection> detection;
+        edges::EdgeCountCurve curve;
     };
 
-    std::shared_ptr<const Detection> asked_; // counted, being counted, or waiting for a pause
+    std::shared_ptr<const edges::Detection> asked_; // counted, being counted, or waiting for a pause
     QTimer quiet_;
-    Newest<std::shared_ptr<const Detection>, Counted> worker_;
+    Newest<std::shared_ptr<const edges::Detection>, Counted> worker_;
 };
 
 } // namespace edgescan::ui

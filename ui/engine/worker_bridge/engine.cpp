@@ -51,9 +51,9 @@ void Engine::open(const QString& path, const ReadingOptions& options) {
     startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const Progress& progress) {
         ReadingOptions withProgress = options;
         withProgress.progress = progress;
-        auto scan = openAsAsked(file, withProgress);
+        auto scan = files::openAsAsked(file, withProgress);
         if (!scan) return scan;
-        if (auto enough = checkMemoryFor(Work::Detect, *scan); !enough) return Result<Scan>(enough.error());
+        if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *scan); !enough) return Result<Scan>(enough.error());
         return scan;
     });
 }
@@ -81,7 +81,7 @@ void Engine::post(const std::shared_ptr<const Scan>& scan, const PictureSource& 
     worker_.post(asked_);
 }
 
-void Engine::setSettings(const Settings& settings) {
+void Engine::setSettings(const edges::Settings& settings) {
     if (settings == asked_.settings) return;
     asked_.settings = settings;
     if (asked_.scan) worker_.post(asked_);
@@ -94,10 +94,10 @@ bool Engine::behind() const {
            !(picture_->source == asked_.source);
 }
 
-void Engine::save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options) {
+void Engine::save(exports::ExportContent what, const QString& path, const std::optional<exports::ExportOptions>& options) {
     if (picture_ == nullptr) return;
     const auto detection = picture_->detection;
-    ExportOptions how = options.value_or(ExportOptions{});
+    exports::ExportOptions how = options.value_or(exports::ExportOptions{});
     if (!options) how.frame = usualFrame(*detection->scan);
     const QString title = tr("Saving %1").arg(QFileInfo(path).fileName());
     ++savings_;
@@ -106,7 +106,7 @@ void Engine::save(ExportContent what, const QString& path, const std::optional<E
     const auto write = [this, what, detection, path, how] {
         Result<std::size_t> written{std::size_t{0}};
         try {
-            written = exportWithProvenance(what, *detection, path.toStdString(), how);
+            written = exports::exportWithProvenance(what, *detection, path.toStdString(), how);
         } catch (const std::bad_alloc&) {
             written = outOfMemory(path);
         }
@@ -204,7 +204,7 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
         const auto detection = pipeline_.run(asked.scan, source.growth.growing ? window_.fix(*asked.scan, asked.settings) : asked.settings);
         return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_);
     } catch (...) { // an interrupted computation starts again from the beginning
-        pipeline_ = Pipeline();
+        pipeline_ = edges::Pipeline();
         throw;
     }
 }

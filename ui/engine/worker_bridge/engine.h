@@ -45,8 +45,8 @@ public:
     /// A stream number for follow(); never the same twice.
     [[nodiscard]] static std::uint64_t newStream();
 
-    void setSettings(const Settings& settings);
-    [[nodiscard]] const Settings& settings() const { return asked_.settings; }
+    void setSettings(const edges::Settings& settings);
+    [[nodiscard]] const edges::Settings& settings() const { return asked_.settings; }
     /// True if the shown picture was not computed with settings(), or not from the scan that was posted last.
     [[nodiscard]] bool behind() const;
 
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
 
     /// Saves the shown picture's data, in the scan's usual frame unless `options` says otherwise.
-    void save(ExportContent what, const QString& path, const std::optional<ExportOptions>& options = std::nullopt);
+    void save(exports::ExportContent what, const QString& path, const std::optional<exports::ExportOptions>& options = std::nullopt);
 
 signals:
     void workStarted(const QString& title);
@@ -63,7 +63,7 @@ signals:
     /// A scan was read; its first picture follows.
     void opened(const QString& path);
     /// `count`: points or cells in the file.
-    void saved(edgescan::ExportContent what, const QString& path, qint64 count);
+    void saved(edgescan::exports::ExportContent what, const QString& path, qint64 count);
     void failed(const QString& sentence);
     void settingsChanged();
     void pictureReady();
@@ -91,7 +91,7 @@ private:
     /// The inputs of a picture.
     struct Asked {
         std::shared_ptr<const Scan> scan;
-        Settings settings;
+        edges::Settings settings;
         PictureSource source;
     };
     [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // worker's thread
@@ -108,8 +108,8 @@ private:
     std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the worker's thread
 
     // Worker's thread only.
-    Pipeline pipeline_;
-    SteadyWindow window_;
+    edges::Pipeline pipeline_;
+    edges::SteadyWindow window_;
     std::shared_ptr<const CloudGeometry> cloud_;
     std::shared_ptr<const Scan> cloudScan_; // the scan of cloud_
     PictureSource lastSource_;              // of the last run

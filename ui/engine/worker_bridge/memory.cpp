@@ -47,7 +47,7 @@ void Memory::keep(const QString& key, bool value) {
     if (file_) file_->setValue(key, value);
 }
 
-QString Memory::ownFolder() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
+QString Memory::dataFolder() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
 
 QStringList Memory::recentFiles() const { return file_ ? file_->value("recent/files").toStringList() : QStringList(); }
 
@@ -85,13 +85,13 @@ void Memory::keepFolder(const QString& kind, const QString& path) {
     keep("folder/" + kind, folders_[kind]);
 }
 
-Settings Memory::settings(const Settings& otherwise) const {
+edges::Settings Memory::settings(const edges::Settings& otherwise) const {
     const auto json = parseJson(text("edges/settings").toStdString(), "viewer.ini", kSettingsJson);
     if (!json || !json->is_object()) return otherwise;
-    const Result<Settings> read = settingsFromJson(*json, otherwise, "viewer.ini");
-    return read && checkSettings(*read) ? *read : otherwise;
+    const Result<edges::Settings> read = edges::settingsFromJson(*json, otherwise, "viewer.ini");
+    return read && edges::checkSettings(*read) ? *read : otherwise;
 }
 
-void Memory::keepSettings(const Settings& settings) { keep("edges/settings", exactText(jsonText(settingsToJson(settings)))); }
+void Memory::keepSettings(const edges::Settings& settings) { keep("edges/settings", exactText(jsonText(edges::settingsToJson(settings)))); }
 
 } // namespace edgescan::ui

@@ -30,7 +30,7 @@ public:
     void keep(const QString& key, bool value);
 
     /// The folder of the settings file; related files are stored there too. Empty if settings are not stored.
-    [[nodiscard]] QString ownFolder() const;
+    [[nodiscard]] QString dataFolder() const;
 
     /// Newest first, ten at most.
     [[nodiscard]] QStringList recentFiles() const;
@@ -43,8 +43,8 @@ public:
     [[nodiscard]] QString folder(const QString& kind) const;
     void keepFolder(const QString& kind, const QString& path);
 
-    [[nodiscard]] Settings settings(const Settings& otherwise) const;
-    void keepSettings(const Settings& settings);
+    [[nodiscard]] edges::Settings settings(const edges::Settings& otherwise) const;
+    void keepSettings(const edges::Settings& settings);
 
 private:
     std::unique_ptr<QSettings> file_;    // null: settings are not stored

@@ -27,7 +27,7 @@ public:
     /// thread.
     Newest(QObject* receiver, Run run, Deliver deliver, Failed failed)
         : deliver_(std::move(deliver)), failed_(std::move(failed)), worker_(std::move(run), [this, receiver] {
-              if (told_.exchange(true)) return; // one event is pending at a time; it takes the newest answer when it arrives
+              if (notified_.exchange(true)) return; // one event is pending at a time; it takes the newest answer when it arrives
               QMetaObject::invokeMethod(
                   receiver, [this] { take(); }, Qt::QueuedConnection);
           }) {}
@@ -36,14 +36,14 @@ public:
 
 private:
     void take() {
-        told_ = false;
+        notified_ = false;
         if (const std::string what = worker_.takeFailure(); !what.empty()) failed_(shownText(what));
         if (auto answer = worker_.take()) deliver_(std::move(*answer));
     }
 
     Deliver deliver_;
     Failed failed_;
-    std::atomic<bool> told_{false};
+    std::atomic<bool> notified_{false};
     Worker<Request, Answer> worker_; // last member: its thread uses the members above
 };
 

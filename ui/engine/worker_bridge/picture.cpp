@@ -30,7 +30,7 @@ QRgb missingColour(CellState state, int line, int beam) {
 }
 
 // Vertical stripes: other cells without a range have other patterns.
-void paintFilled(QImage& image, const Detection& detection) {
+void paintFilled(QImage& image, const edges::Detection& detection) {
     if (!detection.filled) return;
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     for (const FilledCell& filled : detection.filled->cells) {
@@ -59,7 +59,7 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
 
 // Paints the pixels of the edge cells, each in the colour of its cell; other pixels do not change.
 template <class EdgeColour>
-void paintEdges(QImage& image, const Detection& detection, EdgeColour edgeColour) {
+void paintEdges(QImage& image, const edges::Detection& detection, EdgeColour edgeColour) {
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     for (const std::uint32_t k : *detection.edges)
         reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(k / beams)))[k % beams] = edgeColour(k);
@@ -71,13 +71,13 @@ std::array<QRgb, kEdgeClasses + 1> byDepthEdge(const EdgeColours& colours, QRgb 
     return table;
 }
 
-EdgeCells edgeCellsOf(const Detection& detection) {
+EdgeCells edgeCellsOf(const edges::Detection& detection) {
     EdgeCells cells{detection.edges, {}};
     if (!detection.classes) return cells;
     std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
     for (const std::uint32_t k : *detection.edges) {
-        const DepthEdge kind = (*detection.classes)[k];
-        if (kind != DepthEdge::None) lists[static_cast<std::size_t>(kind) - 1].push_back(k);
+        const edges::DepthEdge kind = (*detection.classes)[k];
+        if (kind != edges::DepthEdge::None) lists[static_cast<std::size_t>(kind) - 1].push_back(k);
     }
     for (std::size_t n = 0; n < lists.size(); ++n)
         cells.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
@@ -94,7 +94,7 @@ int shownLines(const Scan& scan, const Growth& growth) {
     return room;
 }
 
-QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& span, int rows) {
+QImage grayPicture(const edges::Detection& detection, const std::optional<RangeSpan>& span, int rows) {
     const Scan& scan = *detection.scan;
     const auto ink = [](int level) { return qRgb(level, level, level); };
     QImage image;
@@ -110,7 +110,7 @@ QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& s
     return image;
 }
 
-QImage edgePicture(const Detection& detection, int rows) {
+QImage edgePicture(const edges::Detection& detection, int rows) {
     QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
     paintFilled(image, detection);
     // Edges last: without masking they can also be on cells without a range.
@@ -120,14 +120,14 @@ QImage edgePicture(const Detection& detection, int rows) {
 
 QImage classPicture(const Picture& picture, const EdgeColours& colours) {
     QImage image = *picture.edges;
-    const Detection& detection = *picture.detection;
+    const edges::Detection& detection = *picture.detection;
     if (!detection.classes) return image;
     const auto table = byDepthEdge(colours, qRgb(255, 255, 255));
     paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
     return image;
 }
 
-QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
+QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
     QImage image(detection.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     const QRgb every = colours.front().rgba();
@@ -140,8 +140,8 @@ QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool 
     return image;
 }
 
-std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,
-                                           const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
+std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection, const PictureSource& source,
+                                           const edges::Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
                                            const std::shared_ptr<const Picture>& last) {
     auto picture = std::make_shared<Picture>();
     picture->source = source;

@@ -40,8 +40,8 @@ struct PictureSource {
 /// Immutable after construction. In the window all members are replaced together.
 struct Picture {
     PictureSource source;
-    Settings asked; ///< the requested settings; the detection's own settings fix values that must not change while a scan grows
-    std::shared_ptr<const Detection> detection;
+    edges::Settings asked; ///< the requested settings; the detection's own settings fix values that must not change while a scan grows
+    std::shared_ptr<const edges::Detection> detection;
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage>
         gray; ///< beams x shownLines() pixels; missing data hatched violet, lost lines hatched blue, filled cells striped green
@@ -54,16 +54,17 @@ struct Picture {
 [[nodiscard]] int shownLines(const Scan& scan, const Growth& growth);
 
 // beams x `rows` pixels; rows that the scan does not have yet are plain dark. Without `span`: the gray levels of the method.
-[[nodiscard]] QImage grayPicture(const Detection& detection, const std::optional<RangeSpan>& span, int rows);
-[[nodiscard]] QImage edgePicture(const Detection& detection, int rows);
+[[nodiscard]] QImage grayPicture(const edges::Detection& detection, const std::optional<RangeSpan>& span, int rows);
+[[nodiscard]] QImage edgePicture(const edges::Detection& detection, int rows);
 /// The picture's edge map in the colours of the classes; for methods without classes the plain map.
 [[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);
 /// Edges on a transparent background; `byClass`: each in the colour of its class, if the method has classes.
-[[nodiscard]] QImage edgeOverlay(const Detection& detection, const EdgeColours& colours, bool byClass, int rows);
+[[nodiscard]] QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows);
 
 /// Images of `detection`; unchanged parts are reused from `last` (may be null).
-[[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const Detection>& detection, const PictureSource& source,
-                                                         const Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
+[[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection,
+                                                         const PictureSource& source, const edges::Settings& asked,
+                                                         const std::shared_ptr<const CloudGeometry>& cloud,
                                                          const std::shared_ptr<const Picture>& last);
 
 } // namespace edgescan::ui

@@ -93,8 +93,8 @@ NumbersSide::NumbersSide(QWidget* parent)
     all->addWidget(pages_, 1);
     all->addLayout(foot_);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
-    connect(previous_, &QToolButton::clicked, this, [this] { emit nextWanted(-1); });
-    connect(next_, &QToolButton::clicked, this, [this] { emit nextWanted(+1); });
+    connect(previous_, &QToolButton::clicked, this, [this] { emit targetStepRequested(-1); });
+    connect(next_, &QToolButton::clicked, this, [this] { emit targetStepRequested(+1); });
     connect(main_, &Stepper::stepped, this, [this](int steps) { emit stepped(mainKey_, steps); });
     connect(main_, &Stepper::stepEnded, this, &NumbersSide::stepEnded);
     showNumbers({});
@@ -134,7 +134,7 @@ QWidget* NumbersSide::makeSettings() {
     return content;
 }
 
-void NumbersSide::showNumbers(const LargeNumbers& numbers) {
+void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     const bool some = !numbers.title.isEmpty();
     hint_->setVisible(!some);
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);

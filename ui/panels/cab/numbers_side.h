@@ -19,7 +19,7 @@ class FittedLabel;
 class Stepper;
 
 /// The text about a target. Empty title: no target.
-struct LargeNumbers {
+struct TargetNumbers {
     QString title, place;                                 ///< "Target 1", "of 3"
     QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
     QString rock, size, sizeRemark;                       ///< "Rock 4, visible", "2.51 × 1.83 m", "± 0.10 m · candidate …"
@@ -39,7 +39,7 @@ class NumbersSide : public QWidget {
 public:
     explicit NumbersSide(QWidget* parent = nullptr);
 
-    void showNumbers(const LargeNumbers& numbers);
+    void showNumbers(const TargetNumbers& numbers);
     /// The first setting is also shown below the numbers.
     void showSettings(const std::vector<SteppedSetting>& settings);
     /// Shows the settings instead of the numbers.
@@ -54,7 +54,7 @@ public:
 
 signals:
     /// The operator wants the next (1) or previous (-1) target.
-    void nextWanted(int by);
+    void targetStepRequested(int by);
     void stepped(const QString& key, int steps);
     void stepEnded();
 

@@ -22,7 +22,7 @@ QString nameOf(ChangeRow row) {
         return ChangeLegend::tr("+ gained");
     case ChangeRow::Lost:
         return ChangeLegend::tr("− lost");
-    case ChangeRow::Kept:
+    case ChangeRow::Unchanged:
         return ChangeLegend::tr("kept");
     case ChangeRow::Unseen:
         return ChangeLegend::tr("? not seen in the other");
@@ -80,7 +80,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     next_->setFocusPolicy(Qt::TabFocus);
     grid->addWidget(next_, kChangeRows + 3, 0, 1, 2);
     grid->addWidget(region_, kChangeRows + 4, 0, 1, 2);
-    connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionWanted);
+    connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
 }
 
@@ -96,12 +96,12 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     }
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nturn a setting, or open another scan");
     if (comparison != nullptr && !working) {
-        how = shownText(lineUpText(comparison->change.earlier.how)).replace("; ", "\n");
+        how = shownText(inspect::registrationText(comparison->change.earlier.how)).replace("; ", "\n");
         if (comparison->change.earlier.how.outOfSpec) how = tr("▲ OUT OF SPEC") + '\n' + how;
         if (comparison->isOfTwoScans())
             how += '\n' + tr("half of the cells differ by less than %1 mm\na change is more than %2 mm at 5 m")
                               .arg(comparison->change.differMm, 0, 'f', 0)
-                              .arg(kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
+                              .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
     how_->setText(how);
     how_->setVisible(rowsShown_ || comparison == nullptr);
@@ -143,7 +143,7 @@ void ChangeLegend::setRows(const ChangeRows& rows) {
 void ChangeLegend::emitRows() {
     ChangeRows rows{};
     for (std::size_t n = 0; n < rows.size(); ++n) rows[n] = rows_[n].box->isChecked();
-    emit rowsWanted(rows);
+    emit rowsRequested(rows);
 }
 
 } // namespace edgescan::ui

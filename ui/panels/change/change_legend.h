@@ -35,8 +35,8 @@ public:
     [[nodiscard]] QToolButton* next() const { return next_; }
 
 signals:
-    void rowsWanted(const edgescan::ui::ChangeRows& rows);
-    void nextRegionWanted();
+    void rowsRequested(const edgescan::ui::ChangeRows& rows);
+    void nextRegionRequested();
 
 private:
     struct Row {

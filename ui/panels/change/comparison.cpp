@@ -19,24 +19,24 @@ namespace {
 constexpr std::uint32_t kDimmed = 0xff545454U; // 84: the contrast of gained and lost edges to it is 3 : 1
 const QColor kUnseenColour(200, 200, 200);
 
-std::optional<ChangeRow> rowOf(EdgeChange change) {
+std::optional<ChangeRow> rowOf(inspect::EdgeChange change) {
     switch (change) {
-    case EdgeChange::Gained:
+    case inspect::EdgeChange::Gained:
         return ChangeRow::Gained;
-    case EdgeChange::Lost:
+    case inspect::EdgeChange::Lost:
         return ChangeRow::Lost;
-    case EdgeChange::Kept:
-        return ChangeRow::Kept;
-    case EdgeChange::Unseen:
+    case inspect::EdgeChange::Unchanged:
+        return ChangeRow::Unchanged;
+    case inspect::EdgeChange::Unknown:
         return ChangeRow::Unseen;
     default:
         return std::nullopt;
     }
 }
 
-std::optional<ChangeRow> rowOf(RangeChange change) {
-    if (change == RangeChange::Nearer) return ChangeRow::Nearer;
-    if (change == RangeChange::Farther) return ChangeRow::Farther;
+std::optional<ChangeRow> rowOf(inspect::RangeChange change) {
+    if (change == inspect::RangeChange::Nearer) return ChangeRow::Nearer;
+    if (change == inspect::RangeChange::Farther) return ChangeRow::Farther;
     return std::nullopt;
 }
 
@@ -105,10 +105,10 @@ std::shared_ptr<const std::vector<std::uint32_t>> pointsOf(const Comparison& mad
 }
 
 /// The earlier picture if its cells match those of the later one; else a picture of its points on that grid.
-std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& before, const EarlierOnGrid& earlier) {
+std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& before, const inspect::EarlierOnGrid& earlier) {
     if (earlier.how.sameCells) return before;
-    const auto found = detectEdges(earlier.scan, before->detection->settings);
-    auto moved = std::make_shared<Detection>(*found);
+    const auto found = edges::detectEdges(earlier.scan, before->detection->settings);
+    auto moved = std::make_shared<edges::Detection>(*found);
     moved->mask = earlier.edges;
     moved->classes = nullptr;
     std::vector<std::uint32_t> edges;
@@ -125,29 +125,29 @@ bool sameScans(const ComparisonAsked& asked, const Comparison& last) {
 
 std::shared_ptr<const Picture> bySettingsOfNow(const ComparisonAsked& asked, const Comparison* last) {
     const Picture& before = *asked.before;
-    const Settings& settings = asked.now->asked;
+    const edges::Settings& settings = asked.now->asked;
     if (before.detection->scan == asked.now->detection->scan || before.asked == settings) return asked.before;
     if (last != nullptr && last->asked.before == asked.before && last->earlier->asked == settings) return last->earlier;
-    return makePicture(detectEdges(before.detection->scan, settings), before.source, settings, before.cloud, nullptr);
+    return makePicture(edges::detectEdges(before.detection->scan, settings), before.source, settings, before.cloud, nullptr);
 }
 
 } // namespace
 
 const EdgeColours& changeColours() {
-    static const EdgeColours colours{changeColour(ChangeRow::Gained), changeColour(ChangeRow::Lost), changeColour(ChangeRow::Kept),
+    static const EdgeColours colours{changeColour(ChangeRow::Gained), changeColour(ChangeRow::Lost), changeColour(ChangeRow::Unchanged),
                                      changeColour(ChangeRow::Unseen)};
     return colours;
 }
 
 QColor changeColour(ChangeRow row) {
-    if (row == ChangeRow::Kept) return colourOf(kKeptColour);
+    if (row == ChangeRow::Unchanged) return colourOf(inspect::kUnchangedColour);
     if (row == ChangeRow::Unseen) return kUnseenColour;
-    return colourOf(row == ChangeRow::Gained || row == ChangeRow::Nearer ? kGainedColour : kLostColour);
+    return colourOf(row == ChangeRow::Gained || row == ChangeRow::Nearer ? inspect::kGainedColour : inspect::kLostColour);
 }
 
 std::size_t Comparison::count(ChangeRow row) const {
-    const std::array<std::size_t, kChangeRows> counts{change.edges.gained, change.edges.lost,    change.edges.kept,
-                                                      change.edges.unseen, change.ranges.nearer, change.ranges.farther};
+    const std::array<std::size_t, kChangeRows> counts{change.edges.gained,  change.edges.lost,    change.edges.unchanged,
+                                                      change.edges.unknown, change.ranges.nearer, change.ranges.farther};
     return counts[static_cast<std::size_t>(row)];
 }
 
@@ -155,12 +155,12 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
     auto made = std::make_shared<Comparison>();
     made->asked = asked;
     made->earlier = bySettingsOfNow(asked, last);
-    const ScanEdges now{asked.now->detection->scan, asked.now->detection->mask};
+    const inspect::ScanEdges now{asked.now->detection->scan, asked.now->detection->mask};
     if (last != nullptr && sameScans(asked, *last) && last->earlier == made->earlier) {
-        made->change = withEdges(last->change, now);
+        made->change = inspect::withEdges(last->change, now);
         made->before = last->before;
     } else {
-        auto change = sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask});
+        auto change = inspect::sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask});
         if (!change) return change.error();
         made->change = std::move(*change);
         made->before = beforeOf(made->earlier, made->change.earlier);
@@ -171,18 +171,18 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
     return std::shared_ptr<const Comparison>(std::move(made));
 }
 
-Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const Settings& settings) {
+Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const edges::Settings& settings) {
     try {
-        if (auto enough = checkMemoryFor(Work::Compare, *scan); !enough) return enough.error();
-        return makePicture(detectEdges(scan, settings), {Engine::newStream(), {}}, settings, makeCloudGeometry(*scan), nullptr);
+        if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *scan); !enough) return enough.error();
+        return makePicture(edges::detectEdges(scan, settings), {Engine::newStream(), {}}, settings, makeCloudGeometry(*scan), nullptr);
     } catch (const std::bad_alloc&) {
         return Error{"there is not enough memory for a second picture", scan->path, "close other programs or choose a smaller scan"};
     }
 }
 
-Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const Settings& settings) {
+Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const edges::Settings& settings) {
     try {
-        Result<Scan> scan = openAsAsked(path.toStdString(), reading);
+        Result<Scan> scan = files::openAsAsked(path.toStdString(), reading);
         if (!scan) return scan.error();
         return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
     } catch (const std::bad_alloc&) {
@@ -190,7 +190,7 @@ Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const
     }
 }
 
-Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const Settings& settings) {
+Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const edges::Settings& settings) {
     Result<Scan> scan = demoScan([](const char*, double) { return true; }, afterBlast);
     if (!scan) return scan.error();
     return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);

@@ -16,7 +16,7 @@
 namespace edgescan::ui {
 
 /// Rows of the legend; each row can be switched off.
-enum class ChangeRow : std::uint8_t { Gained, Lost, Kept, Unseen, Nearer, Farther };
+enum class ChangeRow : std::uint8_t { Gained, Lost, Unchanged, Unseen, Nearer, Farther };
 inline constexpr int kChangeRows = 6;
 using ChangeRows = std::array<bool, kChangeRows>;
 
@@ -28,7 +28,7 @@ struct ComparisonAsked {
 /// Immutable after construction.
 struct Comparison {
     ComparisonAsked asked;
-    SceneChange change;
+    inspect::SceneChange change;
     ///< A; if it is another scan, with the settings of the current picture: a changed slider must not look like a change of the rock
     std::shared_ptr<const Picture> earlier;
     std::shared_ptr<const Picture> before;                    ///< on the grid of the current picture: shown while the two are flipped
@@ -38,7 +38,7 @@ struct Comparison {
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, bytes red, green, blue, 255; unchanged points are dimmed
 
     [[nodiscard]] std::size_t count(ChangeRow row) const;
-    [[nodiscard]] bool isOfTwoScans() const { return change.earlier.how.by != LinedUpBy::OneScan; }
+    [[nodiscard]] bool isOfTwoScans() const { return change.earlier.how.by != inspect::RegistrationBasis::OneScan; }
 };
 
 /// For EdgeCells::byClass above.
@@ -50,8 +50,8 @@ struct Comparison {
 
 /// Opens a scan and finds its edges with these settings, for a comparison. Error: opening failed, or too little memory.
 [[nodiscard]] Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading,
-                                                                    const Settings& settings);
-[[nodiscard]] Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const Settings& settings);
-[[nodiscard]] Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const Settings& settings);
+                                                                    const edges::Settings& settings);
+[[nodiscard]] Result<std::shared_ptr<const Picture>> earlierDemo(bool afterBlast, const edges::Settings& settings);
+[[nodiscard]] Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Scan>& scan, const edges::Settings& settings);
 
 } // namespace edgescan::ui

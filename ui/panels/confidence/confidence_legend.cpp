@@ -16,8 +16,8 @@ namespace {
 
 QString nameOfBand(std::size_t band) {
     if (band == 0) return ConfidenceLegend::tr("at all of them");
-    if (band + 1 == kBands) return ConfidenceLegend::tr("below %1 %").arg(kConfidenceBands[band - 1]);
-    return ConfidenceLegend::tr("%1 % and more").arg(kConfidenceBands[band]);
+    if (band + 1 == kBands) return ConfidenceLegend::tr("below %1 %").arg(edges::kConfidenceBands[band - 1]);
+    return ConfidenceLegend::tr("%1 % and more").arg(edges::kConfidenceBands[band]);
 }
 
 QString withCommas(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
@@ -72,7 +72,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     grid->addWidget(slider_, static_cast<int>(kBands) + 3, 0, 1, 3);
     connect(slider_, &QSlider::valueChanged, this, [this](int percent) {
         least_->setText(percent > 0 ? tr("Shown: %1 % and more").arg(percent) : tr("Shown: all"));
-        emit leastWanted(percent);
+        emit leastRequested(percent);
     });
     least_->setText(tr("Shown: all"));
     setColours(bandColours(false));

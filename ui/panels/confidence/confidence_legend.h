@@ -28,7 +28,7 @@ public:
     [[nodiscard]] QString words() const;
 
 signals:
-    void leastWanted(int percent);
+    void leastRequested(int percent);
 
 private:
     void showRows(bool on);

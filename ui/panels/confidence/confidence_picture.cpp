@@ -27,7 +27,7 @@ const EdgeColours& bandColours(bool colourBlind) {
 }
 
 std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr<const Picture>& picture,
-                                                           const std::shared_ptr<const EdgeConfidence>& confidence, int leastPercent,
+                                                           const std::shared_ptr<const edges::EdgeConfidence>& confidence, int leastPercent,
                                                            const EdgeColours& colours) {
     auto made = std::make_shared<ConfidencePicture>();
     made->of = picture;
@@ -41,7 +41,7 @@ std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr
     const Grid<std::uint8_t>& percent = confidence->percent;
     const auto pixel = [](QImage& image, int line, int beam) -> QRgb& { return reinterpret_cast<QRgb*>(image.scanLine(line))[beam]; };
     for (const std::uint32_t k : *picture->detection->edges) {
-        const std::size_t band = confidenceBand(percent[k]);
+        const std::size_t band = edges::confidenceBand(percent[k]);
         ++made->counts[band];
         const int line = static_cast<int>(k) / percent.beams, beam = static_cast<int>(k) % percent.beams;
         if (percent[k] < leastPercent) {

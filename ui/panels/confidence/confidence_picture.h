@@ -11,13 +11,13 @@
 
 namespace edgescan::ui {
 
-inline constexpr std::size_t kBands = kConfidenceBands.size();
+inline constexpr std::size_t kBands = edges::kConfidenceBands.size();
 static_assert(kBands == kEdgeClasses); // bands are drawn like classes
 
 /// Immutable after construction.
 struct ConfidencePicture {
     std::shared_ptr<const Picture> of;
-    std::shared_ptr<const EdgeConfidence> confidence;
+    std::shared_ptr<const edges::EdgeConfidence> confidence;
     int leastPercent = 0;                                ///< edges below this confidence are hidden
     std::array<std::size_t, kBands> counts{};            ///< edge cells by band, hidden ones included
     EdgeCells cells;                                     ///< by band; less certain edges have smaller points
@@ -30,7 +30,7 @@ struct ConfidencePicture {
 [[nodiscard]] const EdgeColours& bandColours(bool colourBlind);
 
 [[nodiscard]] std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr<const Picture>& picture,
-                                                                         const std::shared_ptr<const EdgeConfidence>& confidence,
+                                                                         const std::shared_ptr<const edges::EdgeConfidence>& confidence,
                                                                          int leastPercent, const EdgeColours& colours);
 
 } // namespace edgescan::ui

@@ -56,13 +56,13 @@ CalibrationCard::CalibrationCard(QWidget* parent)
     column->addWidget(saved_);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(save_, &QPushButton::clicked, this, &CalibrationCard::saveWanted);
-    connect(apply_, &QPushButton::clicked, this, &CalibrationCard::applyWanted);
+    connect(save_, &QPushButton::clicked, this, &CalibrationCard::saveRequested);
+    connect(apply_, &QPushButton::clicked, this, &CalibrationCard::applyRequested);
     connect(start_, &QPushButton::clicked, this, [this] {
         if (working_)
             emit givenUp();
         else
-            emit startWanted();
+            emit startRequested();
     });
     connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CalibrationCard::showPicture);
     setWorking(false);
@@ -107,9 +107,9 @@ QWidget* CalibrationCard::question() {
     column->addWidget(table_, 1);
     column->addWidget(about_);
     column->addStretch(0);
-    connect(add, &QPushButton::clicked, this, &CalibrationCard::addWanted);
-    connect(choose, &QPushButton::clicked, this, &CalibrationCard::baseWanted);
-    connect(remove_, &QPushButton::clicked, this, [this] { emit removeWanted(scans_->currentRow()); });
+    connect(add, &QPushButton::clicked, this, &CalibrationCard::addRequested);
+    connect(choose, &QPushButton::clicked, this, &CalibrationCard::baseRequested);
+    connect(remove_, &QPushButton::clicked, this, [this] { emit removeRequested(scans_->currentRow()); });
     // The scan on the screen stays in the list: its seam is drawn.
     connect(scans_, &QListWidget::currentRowChanged, remove_, [this](int row) { remove_->setEnabled(row > 0 && !working_); });
     auto* scroll = new QScrollArea;
@@ -164,7 +164,7 @@ void CalibrationCard::fit() {
     const QSize wanted = some ? QSize(1180, 690) : QSize(kQuestionWidth + 30, 400);
     const QScreen* at = screen();
     resize(at != nullptr ? wanted.boundedTo(at->availableSize() - QSize(20, 60)) : wanted);
-    keepInsideScreen(*this);
+    fitIntoScreen(*this);
 }
 
 void CalibrationCard::setWorking(bool on) {
@@ -187,7 +187,7 @@ void CalibrationCard::showStage(const QString& stage, int percent) {
     verdict_->setText(stage + " …");
 }
 
-void CalibrationCard::tell(const CalibrationShown& found) {
+void CalibrationCard::showResult(const CalibrationShown& found) {
     setWorking(false);
     found_ = true;
     verdict_->setText("✓ " + found.verdict);

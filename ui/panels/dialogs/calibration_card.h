@@ -48,7 +48,7 @@ public:
     void setQuestion(const QStringList& scans, const QString& base);
     void begin();
     void showStage(const QString& stage, int percent);
-    void tell(const CalibrationShown& found);
+    void showResult(const CalibrationShown& found);
     void refuse(const QString& why);
     /// The path of the saved file (empty: not saved yet); `cannot`: the reason why it cannot be applied, empty if it can.
     void setSaved(const QString& path, const QString& cannot);
@@ -59,13 +59,13 @@ public:
     [[nodiscard]] const LinkedPictures& pictures() const { return *pictures_; }
 
 signals:
-    void addWanted();
-    void removeWanted(int row);
-    void baseWanted();
-    void startWanted();
+    void addRequested();
+    void removeRequested(int row);
+    void baseRequested();
+    void startRequested();
     void givenUp();
-    void saveWanted();
-    void applyWanted();
+    void saveRequested();
+    void applyRequested();
 
 protected:
     void hideEvent(QHideEvent* event) override;

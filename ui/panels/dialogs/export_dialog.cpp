@@ -33,7 +33,8 @@ QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::United
 
 } // namespace
 
-ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, ExportSelection selected, QWidget* parent)
+ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, exports::ExportContent wanted, ExportSelection selected,
+                           QWidget* parent)
     : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
       selected_(std::move(selected)), onlySelected_(new QCheckBox), attached_(new QCheckBox), count_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
@@ -77,19 +78,20 @@ ExportDialog::ExportDialog(std::shared_ptr<const Detection> detection, ExportCon
 QGroupBox* ExportDialog::contentBox() {
     auto* box = new QGroupBox(tr("What"));
     auto* column = new QVBoxLayout(box);
-    const auto add = [&](ExportContent content, const QString& text, const char* name) {
+    const auto add = [&](exports::ExportContent content, const QString& text, const char* name) {
         auto* button = new QRadioButton(text);
         button->setObjectName(name);
         contents_->addButton(button, static_cast<int>(content));
         column->addWidget(button);
     };
     const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
-    add(ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(ExportContent::EdgeCloud, false, false))), "edges");
-    add(ExportContent::FullCloud,
-        tr("All points, with a field for edges (%1)").arg(number(countOf(ExportContent::FullCloud, false, false))), "all");
-    add(ExportContent::EdgeImage, tr("Edge map as a picture, %1").arg(size), "edgeImage");
-    add(ExportContent::GrayImage, tr("Gray image, %1").arg(size), "grayImage");
-    add(ExportContent::RangeImage, tr("Ranges in millimetres as a picture of 16 bits, %1").arg(size), "rangeImage");
+    add(exports::ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(exports::ExportContent::EdgeCloud, false, false))),
+        "edges");
+    add(exports::ExportContent::FullCloud,
+        tr("All points, with a field for edges (%1)").arg(number(countOf(exports::ExportContent::FullCloud, false, false))), "all");
+    add(exports::ExportContent::EdgeImage, tr("Edge map as a picture, %1").arg(size), "edgeImage");
+    add(exports::ExportContent::GrayImage, tr("Gray image, %1").arg(size), "grayImage");
+    add(exports::ExportContent::RangeImage, tr("Ranges in millimetres as a picture of 16 bits, %1").arg(size), "rangeImage");
     return box;
 }
 
@@ -108,7 +110,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
     add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
     coordinates_->button(static_cast<int>(usualFrame(*detection_->scan)))->setChecked(true);
-    if (const auto why = checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
+    if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
         auto* reason = new QLabel(tr("No mine grid: %1. Scan > How the Scan Is Read takes a pose and a calibration.").arg(shownText(what)));
         reason->setObjectName("reason");
@@ -122,7 +124,7 @@ QGroupBox* ExportDialog::writingBox() {
     auto* box = new QGroupBox(tr("For the program that will read it"));
     auto* grid = new QGridLayout(box);
     grid->setColumnStretch(1, 1);
-    for (const WritingChoice& choice : kWritingChoices) {
+    for (const files::WritingChoice& choice : files::kWritingChoices) {
         auto* mark = new QCheckBox;
         mark->setObjectName(choice.key);
         auto* words = new QLabel(QObject::tr(choice.help));
@@ -130,7 +132,7 @@ QGroupBox* ExportDialog::writingBox() {
         words->setMinimumWidth(520);
         words->setBuddy(mark);
         mark->setAccessibleName(words->text());
-        if (choice.member == &WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // disabled if no cell was filled
+        if (choice.member == &files::WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // disabled if no cell was filled
         const int row = grid->rowCount();
         connect(mark, &QCheckBox::toggled, this, &ExportDialog::follow);
         grid->addWidget(mark, row, 0, Qt::AlignTop);
@@ -140,10 +142,10 @@ QGroupBox* ExportDialog::writingBox() {
     return box;
 }
 
-std::size_t ExportDialog::countOf(ExportContent content, bool withAttached, bool onlySelected) const {
+std::size_t ExportDialog::countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const {
     const Scan& scan = *detection_->scan;
-    if (!isCloud(content)) return scan.cells();
-    const bool edges = content == ExportContent::EdgeCloud;
+    if (!exports::isCloud(content)) return scan.cells();
+    const bool edges = content == exports::ExportContent::EdgeCloud;
     const auto wanted = [&](std::size_t k) {
         return scan.state[k] == CellState::Valid && (!edges || (*detection_->mask)[k] != 0) &&
                (!onlySelected || std::ranges::binary_search(*selected_.cells, static_cast<std::uint32_t>(k)));
@@ -163,7 +165,7 @@ std::size_t ExportDialog::countOf(ExportContent content, bool withAttached, bool
 
 bool ExportDialog::fillsToo() const {
     for (std::size_t n = 0; n < choices_.size(); ++n) {
-        if (kWritingChoices[n].member == &WritingChoices::filled) return choices_[n]->isChecked() && detection_->filled;
+        if (files::kWritingChoices[n].member == &files::WritingChoices::filled) return choices_[n]->isChecked() && detection_->filled;
     }
     return false;
 }
@@ -182,15 +184,15 @@ std::size_t ExportDialog::filledToo(bool edges, bool onlySelected) const {
     }));
 }
 
-ExportContent ExportDialog::content() const { return static_cast<ExportContent>(contents_->checkedId()); }
+exports::ExportContent ExportDialog::content() const { return static_cast<exports::ExportContent>(contents_->checkedId()); }
 
-ExportOptions ExportDialog::options() const {
-    ExportOptions options;
+exports::ExportOptions ExportDialog::options() const {
+    exports::ExportOptions options;
     options.frame = static_cast<CoordinateFrame>(coordinates_->checkedId());
-    options.includeAttached = isCloud(content()) && attached_->isChecked();
-    if (isCloud(content()) && onlySelected_->isChecked()) options.selection = selected_.cells;
+    options.includeAttached = exports::isCloud(content()) && attached_->isChecked();
+    if (exports::isCloud(content()) && onlySelected_->isChecked()) options.selection = selected_.cells;
     for (std::size_t n = 0; n < choices_.size(); ++n)
-        options.choices.*kWritingChoices[n].member = isCloud(content()) && choices_[n]->isChecked();
+        options.choices.*files::kWritingChoices[n].member = exports::isCloud(content()) && choices_[n]->isChecked();
     return options;
 }
 
@@ -198,7 +200,7 @@ std::size_t ExportDialog::count() const { return countOf(content(), options().in
 
 void ExportDialog::follow() {
     if (contents_->checkedId() < 0) return;
-    const bool cloud = isCloud(content());
+    const bool cloud = exports::isCloud(content());
     coordinatesGroup_->setEnabled(cloud);
     writingGroup_->setEnabled(cloud);
     attached_->setEnabled(cloud);

@@ -28,11 +28,11 @@ class ExportDialog : public QDialog {
     Q_OBJECT
 public:
     /// `wanted` is selected at first. Mine coordinates are available only if the scan has a pose; otherwise the dialog gives the reason.
-    ExportDialog(std::shared_ptr<const Detection> detection, ExportContent wanted, ExportSelection selected = {},
+    ExportDialog(std::shared_ptr<const edges::Detection> detection, exports::ExportContent wanted, ExportSelection selected = {},
                  QWidget* parent = nullptr);
 
-    [[nodiscard]] ExportContent content() const;
-    [[nodiscard]] ExportOptions options() const;
+    [[nodiscard]] exports::ExportContent content() const;
+    [[nodiscard]] exports::ExportOptions options() const;
     /// Number of points, or of cells of a picture, that would be saved.
     [[nodiscard]] std::size_t count() const;
 
@@ -42,10 +42,10 @@ private:
     [[nodiscard]] QGroupBox* writingBox();
     [[nodiscard]] bool fillsToo() const;
     [[nodiscard]] std::size_t filledToo(bool edges, bool onlySelected) const;
-    [[nodiscard]] std::size_t countOf(ExportContent content, bool withAttached, bool onlySelected) const;
+    [[nodiscard]] std::size_t countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const;
     void follow();
 
-    std::shared_ptr<const Detection> detection_;
+    std::shared_ptr<const edges::Detection> detection_;
     QButtonGroup* contents_;
     QButtonGroup* coordinates_;
     QGroupBox* coordinatesGroup_ = nullptr;

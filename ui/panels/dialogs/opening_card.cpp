@@ -21,10 +21,11 @@ namespace {
 constexpr int kAroundWords = 8; // total px above and below the text of a row
 
 /// An icon and a word, without colour.
-QString signOf(const OpeningPoint& point) {
+QString signOf(const files::OpeningPoint& point) {
     if (!point.against.empty()) return "▲ " + OpeningCard::tr("doubtful");
-    if (point.source == OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("found out");
-    return "✓ " + (point.source == OpeningPoint::Source::Typed ? OpeningCard::tr("as you said") : OpeningCard::tr("as the file says"));
+    if (point.source == files::OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("found out");
+    return "✓ " +
+           (point.source == files::OpeningPoint::Source::Typed ? OpeningCard::tr("as you said") : OpeningCard::tr("as the file says"));
 }
 
 QTreeWidgetItem* rowOf(const QStringList& words) {
@@ -35,8 +36,8 @@ QTreeWidgetItem* rowOf(const QStringList& words) {
 
 } // namespace
 
-QString shownSentence(const Sentence& sentence) {
-    return shownText(filledIn(QObject::tr(sentence.pattern).toStdString(), sentence.values));
+QString shownSentence(const files::Sentence& sentence) {
+    return shownText(files::filledIn(QObject::tr(sentence.pattern).toStdString(), sentence.values));
 }
 
 OpeningCard::OpeningCard(QWidget* parent)
@@ -72,11 +73,11 @@ OpeningCard::OpeningCard(QWidget* parent)
         int point = 0, other = 0;
         const bool some = chosen(point, other);
         adopt_->setEnabled(some);
-        if (some) emit previewWanted(point, other);
+        if (some) emit previewRequested(point, other);
     });
     connect(adopt_, &QPushButton::clicked, this, [this] {
         int point = 0, other = 0;
-        if (chosen(point, other)) emit adoptWanted(point, other);
+        if (chosen(point, other)) emit adoptRequested(point, other);
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -109,10 +110,10 @@ bool OpeningCard::chosen(int& point, int& other) const {
     return true;
 }
 
-void OpeningCard::tell(const QString& scan, const std::vector<OpeningPoint>& points) {
+void OpeningCard::showPoints(const QString& scan, const std::vector<files::OpeningPoint>& points) {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const OpeningPoint& point : points) {
+    for (const files::OpeningPoint& point : points) {
         auto* row = rowOf({signOf(point), QObject::tr(point.what) + ": " + shownSentence(point.taken)});
         list_->addTopLevelItem(row);
         if (!point.against.empty()) row->addChild(rowOf({QString(), "▲ " + shownSentence(point.against)}));
@@ -125,9 +126,9 @@ void OpeningCard::tell(const QString& scan, const std::vector<OpeningPoint>& poi
     }
     QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
     adopt_->setEnabled(false);
-    verdict_->setText(points.empty()       ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
-                      : looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)
-                                           : tr("%1: nothing speaks against how it was read.").arg(scan));
+    verdict_->setText(points.empty()              ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
+                      : files::looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)
+                                                  : tr("%1: nothing speaks against how it was read.").arg(scan));
     showState(QString());
 }
 

@@ -12,7 +12,7 @@ class QTreeWidget;
 namespace edgescan::ui {
 
 /// In the language of the window; numbers and texts from the file are unchanged.
-[[nodiscard]] QString shownSentence(const Sentence& sentence);
+[[nodiscard]] QString shownSentence(const files::Sentence& sentence);
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class OpeningCard : public QDialog {
@@ -20,7 +20,7 @@ class OpeningCard : public QDialog {
 public:
     explicit OpeningCard(QWidget* parent);
 
-    void tell(const QString& scan, const std::vector<OpeningPoint>& points);
+    void showPoints(const QString& scan, const std::vector<files::OpeningPoint>& points);
     /// A sentence below the list about the scan on the screen.
     void showState(const QString& words);
     /// Rows of the first level are questions; the rows below them are other readings, in order.
@@ -29,8 +29,8 @@ public:
     [[nodiscard]] QString verdict() const;
 
 signals:
-    void previewWanted(int point, int other);
-    void adoptWanted(int point, int other);
+    void previewRequested(int point, int other);
+    void adoptRequested(int point, int other);
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -30,10 +30,10 @@ ProposalsCard::ProposalsCard(QWidget* parent)
     column->addWidget(buttons);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         adopt_->setEnabled(row >= 0);
-        if (row >= 0) emit previewWanted(row);
+        if (row >= 0) emit previewRequested(row);
     });
     connect(adopt_, &QPushButton::clicked, this, [this] {
-        if (list_->currentRow() >= 0) emit adoptWanted(list_->currentRow());
+        if (list_->currentRow() >= 0) emit adoptRequested(list_->currentRow());
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -54,7 +54,7 @@ void ProposalsCard::showStage(const QString& words, int done, int of) {
     progress_->setValue(done);
 }
 
-void ProposalsCard::tell(const QString& verdict, const QStringList& rows) {
+void ProposalsCard::showProposals(const QString& verdict, const QStringList& rows) {
     working_ = false;
     progress_->hide();
     verdict_->setText(verdict);

@@ -22,14 +22,14 @@ public:
     void showStage(const QString& words, int done, int of);
     [[nodiscard]] bool working() const { return working_; }
     /// `verdict`: one line. The rows stay in this order; no row is selected.
-    void tell(const QString& verdict, const QStringList& rows);
+    void showProposals(const QString& verdict, const QStringList& rows);
     [[nodiscard]] QListWidget* list() const { return list_; }
     [[nodiscard]] QPushButton* adopt() const { return adopt_; }
     [[nodiscard]] QString verdict() const;
 
 signals:
-    void previewWanted(int row);
-    void adoptWanted(int row);
+    void previewRequested(int row);
+    void adoptRequested(int row);
 
 private:
     QLabel* verdict_;

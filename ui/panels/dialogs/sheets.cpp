@@ -54,7 +54,7 @@ void showShortcuts(QWidget* parent, const QList<QAction*>& actions) {
 
 void showScanProperties(QWidget* parent, const Scan& scan) {
     auto* browser = new QTextBrowser;
-    browser->setPlainText(exactText(reportText(infoReport(scan), true)));
+    browser->setPlainText(exactText(exports::reportText(exports::infoReport(scan), true)));
     showSheet(parent, words("Scan"), browser, {640, 600});
 }
 

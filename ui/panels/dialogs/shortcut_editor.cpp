@@ -96,7 +96,7 @@ void ShortcutEditor::say(const QString& refusal, const QString& done) {
     showAll();
 }
 
-QString ShortcutEditor::said() const { return message_->text(); }
+QString ShortcutEditor::message() const { return message_->text(); }
 
 void ShortcutEditor::showAll() {
     for (int n = 0; n < table_->rowCount(); ++n) show(n);

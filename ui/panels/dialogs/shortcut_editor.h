@@ -36,7 +36,7 @@ public:
     [[nodiscard]] QTableWidget* table() const { return table_; }
     [[nodiscard]] QKeySequenceEdit* keyField() const { return key_; }
     /// The result of the last change, or the reason of its refusal.
-    [[nodiscard]] QString said() const;
+    [[nodiscard]] QString message() const;
 
 private:
     void find();

@@ -30,7 +30,7 @@ QLabel* words() {
 
 } // namespace
 
-void ProfileView::show(const EdgeProfile& profile) {
+void ProfileView::show(const edges::EdgeProfile& profile) {
     profile_ = profile;
     setVisible(profile.points.size() > 2);
     update();
@@ -42,10 +42,10 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = themeInUse();
     painter.fillRect(rect(), theme.base);
     if (profile_.points.empty()) return;
-    const auto [left, right] = std::ranges::minmax(profile_.points, {}, &ProfilePoint::acrossM);
-    const auto [near, far] = std::ranges::minmax(profile_.points, {}, &ProfilePoint::awayM);
+    const auto [left, right] = std::ranges::minmax(profile_.points, {}, &edges::ProfilePoint::acrossM);
+    const auto [near, far] = std::ranges::minmax(profile_.points, {}, &edges::ProfilePoint::awayM);
     const double wide = std::max(1e-3, right.acrossM - left.acrossM), deep = std::max(1e-3, far.awayM - near.awayM);
-    const QString way = profile_.along == Along::Beams ? tr("along the line") : tr("across the lines");
+    const QString way = profile_.along == edges::Along::Beams ? tr("along the line") : tr("across the lines");
     const QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
     const QRect wrapped =
         fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // two lines in some languages
@@ -61,7 +61,7 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(theme.accent, 2.0));
         painter.drawLine(at(line->fromAcrossM, line->fromAwayM), at(line->toAcrossM, line->toAwayM));
     }
-    for (const ProfilePoint& point : profile_.points) {
+    for (const edges::ProfilePoint& point : profile_.points) {
         painter.setPen(QPen(theme.text, 1.2));
         painter.setBrush(point.side == 0 ? QBrush(theme.text) : Qt::NoBrush);
         const double radius = point.side == 0 ? 4.5 : 2.5;
@@ -88,7 +88,7 @@ WhyCard::WhyCard(QWidget* parent)
     beside_->setAutoDefault(false);
     beside_->hide();
     buttons->addButton(beside_, QDialogButtonBox::ActionRole);
-    connect(beside_, &QPushButton::clicked, this, &WhyCard::besideWanted);
+    connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(verdict_);
     layout->addWidget(picture_);
@@ -97,7 +97,7 @@ WhyCard::WhyCard(QWidget* parent)
     layout->addWidget(buttons);
 }
 
-void WhyCard::tell(const QString& verdict, const EdgeProfile& profile, const QString& numbers) {
+void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers) {
     verdict_->setText(verdict);
     picture_->show(profile);
     below_->setVisible(!picture_->isHidden());
@@ -112,7 +112,7 @@ void WhyCard::tell(const QString& verdict, const EdgeProfile& profile, const QSt
     raise();
 }
 
-void WhyCard::offerBeside(int cells) {
+void WhyCard::offerNearestEdge(int cells) {
     beside_->setText(cells == 1 ? tr("Why the edge next to it?") : tr("Why the edge %1 cells away?").arg(cells));
     beside_->setVisible(cells > 0);
 }

@@ -15,15 +15,15 @@ class ProfileView : public QWidget {
     Q_OBJECT
 public:
     using QWidget::QWidget;
-    void show(const EdgeProfile& profile);
-    [[nodiscard]] const EdgeProfile& profile() const { return profile_; }
+    void show(const edges::EdgeProfile& profile);
+    [[nodiscard]] const edges::EdgeProfile& profile() const { return profile_; }
     [[nodiscard]] QSize sizeHint() const override { return {420, 130}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    EdgeProfile profile_;
+    edges::EdgeProfile profile_;
 };
 
 /// GUI thread only. Not modal; another cell replaces its content.
@@ -32,18 +32,18 @@ class WhyCard : public QDialog {
 public:
     explicit WhyCard(QWidget* parent);
 
-    void tell(const QString& text) { tell(text, {}, {}); }
+    void showExplanation(const QString& text) { showExplanation(text, {}, {}); }
     /// Shows the verdict, the picture and the numbers; each may be empty.
-    void tell(const QString& verdict, const EdgeProfile& profile, const QString& numbers);
+    void showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers);
     /// A button that explains the nearest edge instead, so many cells away; 0: no edge is near, or this cell is one.
-    void offerBeside(int cells);
+    void offerNearestEdge(int cells);
     /// The verdict and the numbers.
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] const ProfileView& picture() const { return *picture_; }
 
 signals:
-    void besideWanted();
+    void nearestEdgeRequested();
 
 private:
     QLabel *verdict_, *numbers_, *below_;

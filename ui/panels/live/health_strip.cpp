@@ -30,10 +30,10 @@ HealthStrip::HealthStrip(QWidget* parent)
     sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_, sentence_}) label->setTextFormat(Qt::PlainText);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_}) label->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-    showHealth(LiveHealth{});
+    showHealth(files::LiveHealth{});
 }
 
-void HealthStrip::showHealth(const LiveHealth& health, Picture picture) {
+void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     shown_ = health;
     const auto showText = [](QLabel* label, const std::string& text) {
         const QString words = shownText(text);
@@ -45,7 +45,7 @@ void HealthStrip::showHealth(const LiveHealth& health, Picture picture) {
         each->setVisible(!text.empty());
     };
     // Green is only for data that arrives now. A fault of the scanner has priority.
-    const bool notFollowing = health.liveness == Liveness::Live && picture != Picture::Follows;
+    const bool notFollowing = health.liveness == files::Liveness::Live && picture != Picture::Follows;
     badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
           !notFollowing              ? health.badge
           : picture == Picture::Held ? tr("HELD").toStdString()
@@ -60,11 +60,11 @@ void HealthStrip::showHealth(const LiveHealth& health, Picture picture) {
     remark_->setToolTip(remarks.join('\n'));
     badge(window_, signOf(health.window), health.contamination);
     // A device without faults has no badge.
-    badge(device_, signOf(health.device), health.device == Condition::Good ? std::string() : health.deviceState);
+    badge(device_, signOf(health.device), health.device == files::Condition::Good ? std::string() : health.deviceState);
     showText(pose_, health.lines.empty() ? std::string() : health.pose);
     showText(end_, health.end);
     badge(recording_, signOf(health.recorded), health.recording);
-    showText(sentence_, health.liveness == Liveness::Live ? std::string() : health.sentence);
+    showText(sentence_, health.liveness == files::Liveness::Live ? std::string() : health.sentence);
     sentence_->setToolTip(shownText(health.sentence));
 }
 

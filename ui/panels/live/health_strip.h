@@ -19,12 +19,12 @@ public:
 
     /// The relation of the picture on the screen to the scanner.
     enum class Picture { Follows, Held, Other };
-    void showHealth(const LiveHealth& health, Picture picture = Picture::Follows);
-    [[nodiscard]] const LiveHealth& shown() const { return shown_; }
+    void showHealth(const files::LiveHealth& health, Picture picture = Picture::Follows);
+    [[nodiscard]] const files::LiveHealth& shown() const { return shown_; }
     [[nodiscard]] StateBadge& badge() { return *badge_; }
 
 private:
-    LiveHealth shown_;
+    files::LiveHealth shown_;
     StateBadge* badge_;
     QLabel* lines_;
     QLabel* lost_;

@@ -59,13 +59,13 @@ LivePanel::LivePanel(QWidget* parent)
     column->addLayout(row);
     column->addWidget(strip_);
 
-    connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectWanted() : emit connectWanted(); });
+    connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::returnPressed, this, [this] {
-        if (!connected_) emit connectWanted();
+        if (!connected_) emit connectRequested();
     });
-    connect(record_, &QPushButton::clicked, this, &LivePanel::recordWanted);
-    connect(keep_, &QPushButton::clicked, this, &LivePanel::keepWanted);
-    connect(follow_, &QPushButton::clicked, this, &LivePanel::followWanted);
+    connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
+    connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
+    connect(follow_, &QPushButton::clicked, this, &LivePanel::followRequested);
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
@@ -84,7 +84,7 @@ void LivePanel::addSweepMenu() {
     sweepButton_->setMenu(menu);
     // One change for all typed values.
     connect(menu, &QMenu::aboutToHide, this, [this] {
-        if (connected_) emit sweepWanted();
+        if (connected_) emit sweepRequested();
     });
 }
 
@@ -95,8 +95,8 @@ void LivePanel::setAddress(const QString& host, int port) {
 
 QString LivePanel::host() const { return host_->text().trimmed(); }
 int LivePanel::port() const { return port_->value(); }
-void LivePanel::setSweep(const SweepSettings& settings) { sweep_->showSettings(settings); }
-SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
+void LivePanel::setSweep(const scanner::SweepSettings& settings) { sweep_->showSettings(settings); }
+scanner::SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
 QString LivePanel::scannerShown() const { return scanner_->text(); }
 
 void LivePanel::askAddress() {
@@ -125,7 +125,7 @@ void LivePanel::setFollowing(bool following) {
     follow_->setText(following ? tr("Following") : tr("Held: follow"));
 }
 
-void LivePanel::showHealth(const LiveHealth& health, HealthStrip::Picture picture) {
+void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture) {
     strip_->showHealth(health, picture);
     strip_->show();
     const QString scanner = shownText(health.scanner);

@@ -25,27 +25,27 @@ public:
     void setAddress(const QString& host, int port);
     [[nodiscard]] QString host() const;
     [[nodiscard]] int port() const;
-    void setSweep(const SweepSettings& settings);
-    [[nodiscard]] SweepSettings sweep() const;
+    void setSweep(const scanner::SweepSettings& settings);
+    [[nodiscard]] scanner::SweepSettings sweep() const;
     /// Puts the text cursor into the host field.
     void askAddress();
 
     void setConnected(bool connected);
     void setRecording(bool recording);
     void setFollowing(bool following);
-    void showHealth(const LiveHealth& health, HealthStrip::Picture picture);
+    void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture);
 
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
 
 signals:
-    void connectWanted();
-    void disconnectWanted();
-    void recordWanted(bool on);
-    void keepWanted();
-    void followWanted(bool on);
+    void connectRequested();
+    void disconnectRequested();
+    void recordRequested(bool on);
+    void keepRequested();
+    void followRequested(bool on);
     /// The operator typed mounting or steps while the scanner is connected.
-    void sweepWanted();
+    void sweepRequested();
 
 private:
     void addSweepMenu();

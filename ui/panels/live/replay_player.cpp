@@ -53,13 +53,13 @@ void ReplayPlayer::seek(int line) {
 }
 
 void ReplayPlayer::work(const std::filesystem::path& path) {
-    const auto recording = Recording::open(path);
+    const auto recording = files::Recording::open(path);
     if (!recording) {
         QMetaObject::invokeMethod(
             this, [this, text = shownText(recording.error().sentence())] { emit refused(text); }, Qt::QueuedConnection);
         return;
     }
-    Replay replay(*recording, options_);
+    files::Replay replay(*recording, options_);
     const RecordingContents contents = survey(replay);
     QMetaObject::invokeMethod(
         this, [this, contents] { emit loaded(contents); }, Qt::QueuedConnection);
@@ -78,12 +78,12 @@ void ReplayPlayer::work(const std::filesystem::path& path) {
 }
 
 /// Plays the whole recording once: finds the start of each sweep and copies the state there.
-RecordingContents ReplayPlayer::survey(Replay& replay) {
+RecordingContents ReplayPlayer::survey(files::Replay& replay) {
     RecordingContents contents;
     for (int line = 0; line < replay.lines(); ++line) contents.lineNs.push_back(replay.timeNs(line));
     int number = -1;
     while (!stopping() && replay.step()) {
-        const SweepProgress now = replay.progress();
+        const scanner::SweepProgress now = replay.progress();
         if (now.lines == 0 && now.number == number) continue;
         if (now.number != number) {
             number = now.number;
@@ -99,9 +99,9 @@ RecordingContents ReplayPlayer::survey(Replay& replay) {
     return contents;
 }
 
-ReplayedSweep ReplayPlayer::at(Replay& replay, int line) {
+ReplayedSweep ReplayPlayer::at(files::Replay& replay, int line) {
     if (line < replay.position()) {
-        const auto behind = std::find_if(starts_.rbegin(), starts_.rend(), [line](const Replay& r) { return r.position() <= line; });
+        const auto behind = std::find_if(starts_.rbegin(), starts_.rend(), [line](const files::Replay& r) { return r.position() <= line; });
         if (behind != starts_.rend())
             replay = *behind;
         else
@@ -111,9 +111,9 @@ ReplayedSweep ReplayPlayer::at(Replay& replay, int line) {
     static_cast<void>(replay.feed().assembler().takeFinished());
     ReplayedSweep there{replay.position(), {replay.snapshot(), replay.progress()}};
     if (there.sweep.scan) {
-        auto scan = describedSweep(*there.sweep.scan, replay.recording(), std::string(), options_);
+        auto scan = files::describedSweep(*there.sweep.scan, replay.recording(), std::string(), options_);
         if (scan) {
-            useGivenAngles(*scan, options_);
+            applyGivenAngles(*scan, options_);
             there.sweep.scan = std::make_shared<const Scan>(std::move(*scan));
         }
     }

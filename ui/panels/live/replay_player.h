@@ -29,7 +29,7 @@ struct RecordingContents {
 /// The state of the recording at one position.
 struct ReplayedSweep {
     int position = 0; ///< lines played
-    SweepSoFar sweep;
+    scanner::SweepState sweep;
 };
 
 /// GUI thread only; signals are emitted there.
@@ -51,12 +51,12 @@ signals:
 
 private:
     void work(const std::filesystem::path& path);
-    RecordingContents survey(Replay& replay);
-    ReplayedSweep at(Replay& replay, int line);
+    RecordingContents survey(files::Replay& replay);
+    ReplayedSweep at(files::Replay& replay, int line);
     [[nodiscard]] bool stopping() const;
 
     const ReadingOptions options_;
-    std::vector<Replay> starts_; // a copy of the state at the start of each sweep; used only by the thread
+    std::vector<files::Replay> starts_; // a copy of the state at the start of each sweep; used only by the thread
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<int> wanted_;

@@ -36,8 +36,8 @@ void ScannerLink::runInThread(std::function<std::function<void()>()> work) {
     inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });
 }
 
-void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings& sweep) {
-    hangUp();
+void ScannerLink::connectTo(const scanner::SessionSettings& scanner, const scanner::SweepSettings& sweep) {
+    disconnectScanner();
     stream_ = Engine::newStream();
     recordingPath_.clear();
     recordingClosed_ = false;
@@ -48,14 +48,14 @@ void ScannerLink::connectTo(const SessionSettings& scanner, const SweepSettings&
     restMs_ = 0;
     sincePost_.start();
     const auto news = news_;
-    feed_ = std::make_shared<LiveFeed>(scanner, sweep, [news] { *news = true; });
+    feed_ = std::make_shared<files::LiveFeed>(scanner, sweep, [news] { *news = true; });
     timer_.start();
     emit connectedChanged(true);
     follow(true);
     tick();
 }
 
-std::optional<int> ScannerLink::useSweep(const SweepSettings& sweep) {
+std::optional<int> ScannerLink::useSweep(const scanner::SweepSettings& sweep) {
     const std::optional<int> gone = feed_ ? feed_->useSweep(sweep) : std::nullopt;
     if (!gone) return gone;
     heldNumber_ = -1; // the number of sweeps starts again
@@ -66,22 +66,22 @@ std::optional<int> ScannerLink::useSweep(const SweepSettings& sweep) {
     return gone;
 }
 
-void ScannerLink::hangUp() {
+void ScannerLink::disconnectScanner() {
     if (!feed_) return;
     timer_.stop();
     const bool shows = following_;
     const std::uint64_t stream = stream_;
     const QString recorded = recording_ ? recordingPath_ : QString();
-    const std::shared_ptr<LiveFeed> feed = std::exchange(feed_, nullptr);
-    health_ = healthOf(feed->status());
-    health_.liveness = Liveness::Stopped;
+    const std::shared_ptr<files::LiveFeed> feed = std::exchange(feed_, nullptr);
+    health_ = files::healthOf(feed->status());
+    health_.liveness = files::Liveness::Stopped;
     health_.badge = "STOPPED";
     health_.end.clear();
     health_.recording.clear();
     runInThread([this, feed, shows, stream, recorded]() -> std::function<void()> {
         feed->stop();
-        const Result<RecordingState> closed = feed->stopRecording();
-        const SweepSoFar sweep = feed->sweep();
+        const Result<files::RecordingState> closed = feed->stopRecording();
+        const scanner::SweepState sweep = feed->sweep();
         return [this, closed, sweep, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             if (shows && stream == stream_ && sweep.scan) post(sweep, false);
@@ -110,22 +110,22 @@ bool ScannerLink::showsStale() const {
 
 void ScannerLink::tick() {
     if (!feed_) return;
-    const LiveStatus status = feed_->status();
+    const files::LiveStatus status = feed_->status();
     noticeTroubles(status);
     const auto& picture = engine_.picture();
     const bool shown = picture && picture->source.stream == stream_;
     const bool grows = shown && following_ && picture->source.growth.growing && shown_.growing;
-    LiveHealth now = healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
+    files::LiveHealth now = files::healthOf(status, shown ? picture->detection->scan->placement.get() : nullptr, grows ? &shown_ : nullptr);
     const bool changed = !(now == health_);
     health_ = std::move(now);
-    for (const FinishedSweep& sweep : feed_->takeFinished()) {
+    for (const scanner::FinishedSweep& sweep : feed_->takeFinished()) {
         if (sweep.progress.number > heldNumber_) finished_ = sweep;
     }
     showSweep();
     if (changed) emit healthChanged();
 }
 
-void ScannerLink::noticeTroubles(const LiveStatus& status) {
+void ScannerLink::noticeTroubles(const files::LiveStatus& status) {
     if (!status.recording || !status.recording->problem || std::exchange(recordingErrorReported_, true)) return;
     emit failed(shownText(status.recording->problem->sentence()));
 }
@@ -135,7 +135,7 @@ void ScannerLink::showSweep() {
     if (!following_ || engine_.opening() || (awaiting_ && engine_.behind()) || sincePost_.elapsed() < restMs_) return;
     if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
     if (!news_->exchange(false) && posted_.scan) return;
-    const SweepSoFar sweep = feed_->sweep();
+    const scanner::SweepState sweep = feed_->sweep();
     if (!sweep.scan || sweep.scan == posted_.scan) return;
     if (sweep.progress.growing)
         post(sweep, true);
@@ -145,13 +145,13 @@ void ScannerLink::showSweep() {
         post(sweep, false); // once more, because the operator chose to follow
 }
 
-void ScannerLink::showFinal(const SweepSoFar& sweep) {
+void ScannerLink::showFinal(const scanner::SweepState& sweep) {
     heldNumber_ = sweep.progress.number;
     post(sweep, false);
     if (holdAtEnd_) follow(false);
 }
 
-void ScannerLink::post(const SweepSoFar& sweep, bool growing) {
+void ScannerLink::post(const scanner::SweepState& sweep, bool growing) {
     posted_ = sweep;
     awaiting_ = true;
     sincePost_.restart();
@@ -181,13 +181,13 @@ void ScannerLink::stopRecording() {
     if (!feed_ || !recording_) return;
     recording_ = false;
     runInThread([this, feed = feed_, path = recordingPath_]() -> std::function<void()> {
-        const Result<RecordingState> closed = feed->stopRecording();
+        const Result<files::RecordingState> closed = feed->stopRecording();
         return [this, closed, path] { reportRecorded(closed, path); };
     });
     emit recordingChanged(false);
 }
 
-void ScannerLink::reportRecorded(const Result<RecordingState>& closed, const QString& path) {
+void ScannerLink::reportRecorded(const Result<files::RecordingState>& closed, const QString& path) {
     if (!closed) return emit failed(shownText(closed.error().sentence()));
     recordingClosed_ = recordingClosed_ || path == recordingPath_;
     if (closed->unsynced() == 0) return emit written(path);

@@ -27,12 +27,12 @@ public:
     void followPicture();
 
     /// Closes an open connection first. EdgeScan sends only read requests and a subscription.
-    void connectTo(const SessionSettings& scanner, const SweepSettings& sweep);
+    void connectTo(const scanner::SessionSettings& scanner, const scanner::SweepSettings& sweep);
     /// Ends recording and connection; the sweep stays on the screen.
-    void hangUp();
+    void disconnectScanner();
     /// Applies another mounting or other steps from now on, including the current sweep. Returns the number of its lines to which they
     /// cannot be applied. Empty: not connected, or the values are already in use.
-    std::optional<int> useSweep(const SweepSettings& sweep);
+    std::optional<int> useSweep(const scanner::SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
     [[nodiscard]] bool recording() const { return recording_; }
     /// Path of the newest recording of this connection; empty: no recording.
@@ -52,7 +52,7 @@ public:
     /// On: following ends with the sweep, so that the next sweep does not replace the picture.
     void setHoldAtEnd(bool on) { holdAtEnd_ = on; }
 
-    [[nodiscard]] const LiveHealth& health() const { return health_; }
+    [[nodiscard]] const files::LiveHealth& health() const { return health_; }
     /// True if the picture comes from this scanner and is outdated.
     [[nodiscard]] bool showsStale() const;
     /// PictureSource::stream of its pictures; 0: never connected.
@@ -69,16 +69,16 @@ signals:
 private:
     void tick();
     void showSweep();
-    void showFinal(const SweepSoFar& sweep);
-    void post(const SweepSoFar& sweep, bool growing);
-    void reportRecorded(const Result<RecordingState>& closed, const QString& path);
-    void noticeTroubles(const LiveStatus& status);
+    void showFinal(const scanner::SweepState& sweep);
+    void post(const scanner::SweepState& sweep, bool growing);
+    void reportRecorded(const Result<files::RecordingState>& closed, const QString& path);
+    void noticeTroubles(const files::LiveStatus& status);
     void runInThread(std::function<std::function<void()>()> work); // on its own thread; the returned function is called on the GUI thread
 
     Engine& engine_;
-    std::shared_ptr<LiveFeed> feed_;
+    std::shared_ptr<files::LiveFeed> feed_;
     std::shared_ptr<std::atomic<bool>> news_ = std::make_shared<std::atomic<bool>>(false);
-    LiveHealth health_;
+    files::LiveHealth health_;
     std::uint64_t stream_ = 0;
     QTimer timer_;
 
@@ -89,9 +89,9 @@ private:
     QString recordingPath_;
     bool recordingErrorReported_ = false;
     int heldNumber_ = -1; // number of the newest sweep that was shown complete
-    std::optional<SweepSoFar> finished_;
-    SweepSoFar posted_;   // the newest state that was passed to the session
-    SweepProgress shown_; // the progress that the picture on the screen shows
+    std::optional<scanner::SweepState> finished_;
+    scanner::SweepState posted_;   // the newest state that was passed to the session
+    scanner::SweepProgress shown_; // the progress that the picture on the screen shows
     QElapsedTimer sincePost_;
     qint64 restMs_ = 0; // pause between two posts
     bool awaiting_ = false;

@@ -93,29 +93,29 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(rect().adjusted(kMargin + kShape + kMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text_);
 }
 
-StateBadge::Sign signOf(Liveness liveness) {
+StateBadge::Sign signOf(files::Liveness liveness) {
     switch (liveness) {
-    case Liveness::Connecting:
+    case files::Liveness::Connecting:
         return StateBadge::Sign::Waiting;
-    case Liveness::Live:
+    case files::Liveness::Live:
         return StateBadge::Sign::Good;
-    case Liveness::Stale:
+    case files::Liveness::Stale:
         return StateBadge::Sign::Doubtful;
-    case Liveness::Lost:
+    case files::Liveness::Lost:
         return StateBadge::Sign::Failed;
-    case Liveness::Stopped:
+    case files::Liveness::Stopped:
         break;
     }
     return StateBadge::Sign::Off;
 }
 
-StateBadge::Sign signOf(Condition condition) {
+StateBadge::Sign signOf(files::Condition condition) {
     switch (condition) {
-    case Condition::Good:
+    case files::Condition::Good:
         return StateBadge::Sign::Good;
-    case Condition::OutOfSpec:
+    case files::Condition::OutOfSpec:
         return StateBadge::Sign::Doubtful;
-    case Condition::Failure:
+    case files::Condition::Failure:
         break;
     }
     return StateBadge::Sign::Failed;

@@ -28,7 +28,7 @@ private:
     QString text_;
 };
 
-[[nodiscard]] StateBadge::Sign signOf(Liveness liveness);
-[[nodiscard]] StateBadge::Sign signOf(Condition condition);
+[[nodiscard]] StateBadge::Sign signOf(files::Liveness liveness);
+[[nodiscard]] StateBadge::Sign signOf(files::Condition condition);
 
 } // namespace edgescan::ui

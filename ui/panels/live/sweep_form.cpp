@@ -43,10 +43,10 @@ SweepForm::SweepForm(QWidget* parent)
     form->addRow(tr("Encoder counts per degree"), ticks_);
     form->addRow(tr("Mounting of the stepper"), axis_);
     form->addRow(QString(), standing_);
-    showSettings(assumedSweep());
+    showSettings(scanner::assumedSweep());
 }
 
-void SweepForm::showSettings(const SweepSettings& settings) {
+void SweepForm::showSettings(const scanner::SweepSettings& settings) {
     shown_ = settings;
     lines_->setValue(settings.expectedLines);
     step_->setValue(settings.stepAssumed ? kStepNotGiven : settings.degPerLine.value_or(0.18));
@@ -56,10 +56,10 @@ void SweepForm::showSettings(const SweepSettings& settings) {
     standing_->setChecked(!settings.continuous);
 }
 
-SweepSettings SweepForm::settings() const {
-    SweepSettings settings = shown_;
+scanner::SweepSettings SweepForm::settings() const {
+    scanner::SweepSettings settings = shown_;
     settings.expectedLines = lines_->value();
-    const SweepSettings assumed = assumedSweep();
+    const scanner::SweepSettings assumed = scanner::assumedSweep();
     settings.stepAssumed = step_->value() <= step_->minimum();
     settings.degPerLine = settings.stepAssumed ? assumed.degPerLine : step_->value();
     settings.firstLineDeg = first_->value();

@@ -17,12 +17,12 @@ class SweepForm : public QWidget {
 public:
     explicit SweepForm(QWidget* parent = nullptr);
 
-    void showSettings(const SweepSettings& settings);
+    void showSettings(const scanner::SweepSettings& settings);
     /// The last shown settings with the operator's changes.
-    [[nodiscard]] SweepSettings settings() const;
+    [[nodiscard]] scanner::SweepSettings settings() const;
 
 private:
-    SweepSettings shown_;
+    scanner::SweepSettings shown_;
     QSpinBox* lines_;
     QDoubleSpinBox* step_;
     QDoubleSpinBox* first_;

@@ -19,7 +19,7 @@ constexpr int kSwatchSide = 16; // px
 QString metres(double value, int decimals = 2) { return RockCard::tr("%1 m").arg(value, 0, 'f', decimals); }
 QString atLeastText(const QString& value) { return RockCard::tr("at least %1").arg(value); }
 
-QString contactsText(const Rock& rock) {
+QString contactsText(const rocks::Rock& rock) {
     QStringList labels;
     for (const std::uint32_t other : rock.contacts) labels << QString::number(other);
     if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is no rock") : RockCard::tr("none seen");
@@ -32,23 +32,23 @@ QString listed(const std::vector<std::uint32_t>& rocks) {
     return labels.isEmpty() ? QStringLiteral("–") : labels.join(", ");
 }
 
-QString archText(const Rock& rock) {
+QString archText(const rocks::Rock& rock) {
     if (!rock.archDeg) return QStringLiteral("–");
     return RockCard::tr("%1° ± %2°%3")
         .arg(*rock.archDeg, 0, 'f', 0)
-        .arg(kArchToleranceDeg, 0, 'f', 0)
-        .arg(rock.hangsBelow ? RockCard::tr(", hangs below") : QString());
+        .arg(rocks::kArchToleranceDeg, 0, 'f', 0)
+        .arg(rock.isBelowContacts ? RockCard::tr(", hangs below") : QString());
 }
 
-QString whyNoRock(const RockRegion* region) {
+QString whyNoRock(const rocks::Region* region) {
     if (region == nullptr) return RockCard::tr("nothing was measured here, or no piece fits");
     switch (region->kind) {
-    case RegionKind::Fines:
+    case rocks::RegionKind::Fines:
         return RockCard::tr("fines: too few cells to be shown as a rock");
-    case RegionKind::Outside:
+    case rocks::RegionKind::Outside:
         return RockCard::tr("outside the region of interest");
-    case RegionKind::Rock:
-    case RegionKind::NotRock:
+    case rocks::RegionKind::Rock:
+    case rocks::RegionKind::NotRock:
         break;
     }
     return region->byHand ? RockCard::tr("called none by hand") : RockCard::tr("wall, floor, or too far away");
@@ -108,10 +108,10 @@ RockCard::RockCard(QWidget* parent)
     column->addWidget(caveat_);
     column->addLayout(buttons);
 
-    connect(close_, &QToolButton::clicked, this, &RockCard::closeWanted);
-    connect(split_, &QPushButton::clicked, this, &RockCard::splitWanted);
-    connect(merge_, &QPushButton::clicked, this, &RockCard::mergeWanted);
-    connect(rockOrNot_, &QPushButton::clicked, this, [this] { emit callWanted(!isRock_); });
+    connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
+    connect(split_, &QPushButton::clicked, this, &RockCard::splitRequested);
+    connect(merge_, &QPushButton::clicked, this, &RockCard::mergeRequested);
+    connect(rockOrNot_, &QPushButton::clicked, this, [this] { emit markRequested(!isRock_); });
     hide();
 }
 
@@ -122,7 +122,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
         name->hide();
         value->hide();
     }
-    const Rock* rock = picture.rockAt(cells.back());
+    const rocks::Rock* rock = picture.rockAt(cells.back());
     isRock_ = rock != nullptr;
     if (isRock_)
         showRock(picture, *rock);
@@ -136,24 +136,24 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     state_->setVisible(!state.isEmpty());
     split_->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1);
-    const RockRegion* region = picture.regionAt(cells.back());
+    const rocks::Region* region = picture.regionAt(cells.back());
     rockOrNot_->setEnabled(region != nullptr);
     rockOrNot_->setText(isRock_ ? tr("No Rock") : tr("A Rock"));
     rockOrNot_->setToolTip(isRock_ ? tr("This is a wall, a floor or something else (N)") : tr("This is a rock after all (N)"));
 }
 
-void RockCard::showRock(const RockPicture& picture, const Rock& rock) {
+void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
     swatch_->setPixmap(QPixmap::fromImage(rockSwatch(picture, rock, kSwatchSide)));
     title_->setText(tr("Rock %1").arg(rock.label));
-    spans_->setText(tr("%1 × %2 m").arg(rock.longM, 0, 'f', 2).arg(rock.wideM, 0, 'f', 2));
+    spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
     setRow(0, tr("visible spans"), tr("± %1").arg(metres(rock.toleranceM)));
     setRow(1, tr("distance"), metres(rock.distanceM));
     setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
     setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));
-    setRow(4, tr("behind rocks"), listed(rock.behind));
+    setRow(4, tr("behind rocks"), listed(rock.rocksInFront));
     setRow(5, tr("visible contacts"), contactsText(rock));
-    setRow(6, tr("free height below"), rock.freeBelowM > 0.0 ? atLeastText(metres(rock.freeBelowM)) : tr("none seen"));
+    setRow(6, tr("free height below"), rock.freeHeightM > 0.0 ? atLeastText(metres(rock.freeHeightM)) : tr("none seen"));
     setRow(7, tr("arch angle"), archText(rock));
     setRow(8, tr("confidence p"), QString::number(rock.confidence, 'f', 2));
 }
@@ -162,7 +162,7 @@ void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
     swatch_->clear();
     title_->setText(tr("No rock"));
     spans_->hide();
-    const RockRegion* region = picture.regionAt(cell);
+    const rocks::Region* region = picture.regionAt(cell);
     setRow(0, tr("because"), whyNoRock(region));
     if (region == nullptr) return;
     setRow(1, tr("cells"), QString::number(region->sums.cells));

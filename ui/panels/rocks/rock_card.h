@@ -34,16 +34,16 @@ public:
     [[nodiscard]] QToolButton* close() const { return close_; }
 
 signals:
-    void closeWanted();
+    void closeRequested();
     /// On: the next click on the rock splits it; off: cancelled.
-    void splitWanted(bool on);
-    void mergeWanted();
+    void splitRequested(bool on);
+    void mergeRequested();
     /// The operator marks it as a rock, or as not a rock.
-    void callWanted(bool rock);
+    void markRequested(bool rock);
 
 private:
     static constexpr std::size_t kRows = 9;
-    void showRock(const RockPicture& picture, const Rock& rock);
+    void showRock(const RockPicture& picture, const rocks::Rock& rock);
     void showNoRock(const RockPicture& picture, std::size_t cell);
     void setRow(std::size_t row, const QString& name, const QString& value);
 

@@ -9,7 +9,7 @@ namespace edgescan::ui {
 
 /// `place`: index into kRockFaceColours.
 [[nodiscard]] inline QColor rockColour(std::size_t place) {
-    const Rgb& colour = kRockFaceColours[place];
+    const Rgb& colour = rocks::kRockFaceColours[place];
     return {colour.red, colour.green, colour.blue};
 }
 

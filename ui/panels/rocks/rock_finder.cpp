@@ -25,10 +25,11 @@ RockFinder::Answer RockFinder::run(const Asked& asked) {
     try {
         if (detection_ != question.detection) {
             detection_ = nullptr;
-            inputs_ = rockInputs(*question.detection);
+            inputs_ = rocks::rockInputs(*question.detection);
             detection_ = question.detection;
         }
-        last_ = rockPicture(question.detection, studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr));
+        last_ =
+            rockPicture(question.detection, rocks::studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr));
     } catch (...) { // an interrupted computation starts again from the beginning
         detection_ = nullptr;
         last_ = nullptr;

@@ -12,9 +12,9 @@ namespace edgescan::ui {
 
 /// The inputs of the computation.
 struct RockQuestion {
-    std::shared_ptr<const Detection> detection;
-    RockSettings settings;
-    std::vector<RockEdit> edits;
+    std::shared_ptr<const edges::Detection> detection;
+    rocks::RockSettings settings;
+    std::vector<rocks::Edit> edits;
 };
 
 /// GUI thread only. Only the newest question is answered.
@@ -46,8 +46,8 @@ private:
     bool behind_ = false;
 
     // Used only by the worker's thread.
-    std::shared_ptr<const Detection> detection_; // the detection of inputs_
-    RockInputs inputs_;
+    std::shared_ptr<const edges::Detection> detection_; // the detection of inputs_
+    rocks::Inputs inputs_;
     std::shared_ptr<const RockPicture> last_;
 
     Newest<Asked, Answer> worker_; // last member: its thread uses the members above

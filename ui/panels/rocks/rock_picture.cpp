@@ -38,10 +38,10 @@ struct Paints {
 
 Paints paintsOf(const RockPicture& picture) {
     Paints paints;
-    constexpr int gray = kBesideRocks & 0xffU;
+    constexpr int gray = kOutsideRocks & 0xffU;
     paints.plain.push_back({qRgba(0, 0, 0, 0), qRgb(gray, gray, gray)});
     paints.stripe = paints.plain;
-    for (const Rock& rock : picture.study.rocks) {
+    for (const rocks::Rock& rock : picture.study.rocks) {
         const QColor colour = rockColour(picture.colours[rock.label]);
         const auto painted = [](const QColor& c) { return Paint{qPremultiply(qRgba(c.red(), c.green(), c.blue(), kFaceAlpha)), c.rgb()}; };
         paints.plain.push_back(painted(colour));
@@ -52,38 +52,38 @@ Paints paintsOf(const RockPicture& picture) {
 
 } // namespace
 
-const Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
+const rocks::Rock* RockPicture::rockAt(std::size_t cell) const { return rock(labelAt(cell)); }
 
-const RockRegion* RockPicture::regionAt(std::size_t cell) const {
-    const Grid<std::uint32_t>& leaf = study.leaves->leaf;
-    if (cell >= leaf.size() || leaf[cell] == kOpen) return nullptr;
-    const std::uint32_t region = study.map.regionOfLeaf[leaf[cell]];
+const rocks::Region* RockPicture::regionAt(std::size_t cell) const {
+    const Grid<std::uint32_t>& leaf = study.segmentation->segment;
+    if (cell >= leaf.size() || leaf[cell] == rocks::kNoSegment) return nullptr;
+    const std::uint32_t region = study.map.regionOfSegment[leaf[cell]];
     return region == 0 ? nullptr : &study.map.regions[region];
 }
 
-std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const Detection>& detection, RockStudy study) {
+std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const edges::Detection>& detection, rocks::Study study) {
     auto picture = std::make_shared<RockPicture>();
     picture->detection = detection;
     picture->study = std::move(study);
-    picture->labels = rockLabels(*picture->study.leaves, picture->study.map);
-    picture->colours = rockColours(picture->study.map);
+    picture->labels = rocks::rockLabels(*picture->study.segmentation, picture->study.map);
+    picture->colours = rocks::rockColours(picture->study.map);
     const Grid<std::uint32_t>& labels = picture->labels;
     const Paints paints = paintsOf(*picture);
     const int hatch = std::max(kNarrowestHatch, labels.beams / kHatchesAcross);
     const int dark = std::max(1, static_cast<int>(kStripe * hatch));
     auto faces = std::make_shared<QImage>(labels.beams, labels.lines, QImage::Format_ARGB32_Premultiplied);
     auto points = std::make_shared<std::vector<std::uint32_t>>(labels.size());
-    const Grid<std::uint8_t> inside = insideMask(picture->study.settings.region, labels.lines, labels.beams);
+    const Grid<std::uint8_t> inside = rocks::insideMask(picture->study.settings.region, labels.lines, labels.beams);
     std::size_t k = 0;
     for (int line = 0; line < labels.lines; ++line) {
         auto* pixels = reinterpret_cast<QRgb*>(faces->scanLine(line));
         for (int beam = 0; beam < labels.beams; ++beam, ++k) {
             const std::uint32_t label = labels[k];
             const bool isOutside = inside[k] == 0 && label == 0 && (line - beam + labels.beams) % hatch < dark + dark / 2;
-            const Paint& paint = isOutside                          ? paints.outside
-                                 : isRockBorder(labels, line, beam) ? paints.border
-                                 : (line + beam) % hatch < dark     ? paints.stripe[label]
-                                                                    : paints.plain[label];
+            const Paint& paint = isOutside                                 ? paints.outside
+                                 : rocks::isRockBorder(labels, line, beam) ? paints.border
+                                 : (line + beam) % hatch < dark            ? paints.stripe[label]
+                                                                           : paints.plain[label];
             pixels[beam] = paint.face;
             (*points)[k] = bytesOf(paint.point);
         }
@@ -111,19 +111,19 @@ RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label) {
     return outline;
 }
 
-bool isDoubtful(const Rock& rock) { return rock.confidence < kSureConfidence; }
+bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
-QString rockTip(const Rock& rock) {
+QString rockTip(const rocks::Rock& rock) {
     QString tip = QObject::tr("%1 · visible %2 × %3 m ± %4 · at %5 m")
                       .arg(rock.label)
-                      .arg(rock.longM, 0, 'f', 2)
-                      .arg(rock.wideM, 0, 'f', 2)
+                      .arg(rock.longestCaliperM, 0, 'f', 2)
+                      .arg(rock.shortestCaliperM, 0, 'f', 2)
                       .arg(rock.toleranceM, 0, 'f', 2)
                       .arg(rock.distanceM, 0, 'f', 2);
     if (isDoubtful(rock)) tip += QObject::tr(" · ▲ doubtful outline");
     return tip;
 }
 
-QString rockCaveat() { return QObject::tr(kRockCaveat); }
+QString rockCaveat() { return QObject::tr(rocks::kRockCaveat); }
 
 } // namespace edgescan::ui

@@ -16,12 +16,12 @@
 namespace edgescan::ui {
 
 /// Colour of points that belong to no rock: bytes red, green, blue, 255.
-inline constexpr std::uint32_t kBesideRocks = 0xff5c5c5cU;
+inline constexpr std::uint32_t kOutsideRocks = 0xff5c5c5cU;
 
 /// Immutable after construction. In the window all members are replaced together.
 struct RockPicture {
-    std::shared_ptr<const Detection> detection;
-    RockStudy study;
+    std::shared_ptr<const edges::Detection> detection;
+    rocks::Study study;
     Grid<std::uint32_t> labels;        ///< lines x beams: 0 = not a rock, else index into study.rocks + 1
     std::vector<std::uint8_t> colours; ///< per label: index into kRockFaceColours
     std::shared_ptr<const QImage>
@@ -30,13 +30,13 @@ struct RockPicture {
 
     [[nodiscard]] std::uint32_t labelAt(std::size_t cell) const { return cell < labels.size() ? labels[cell] : 0; }
     /// The rock at the cell; null outside rocks.
-    [[nodiscard]] const Rock* rockAt(std::size_t cell) const;
-    [[nodiscard]] const Rock* rock(std::uint32_t label) const { return label == 0 ? nullptr : &study.rocks[label - 1]; }
+    [[nodiscard]] const rocks::Rock* rockAt(std::size_t cell) const;
+    [[nodiscard]] const rocks::Rock* rock(std::uint32_t label) const { return label == 0 ? nullptr : &study.rocks[label - 1]; }
     /// The region at the cell, rock or not; null for cells that were not measured or belong to no segment.
-    [[nodiscard]] const RockRegion* regionAt(std::size_t cell) const;
+    [[nodiscard]] const rocks::Region* regionAt(std::size_t cell) const;
 };
 
-[[nodiscard]] std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const Detection>& detection, RockStudy study);
+[[nodiscard]] std::shared_ptr<const RockPicture> rockPicture(const std::shared_ptr<const edges::Detection>& detection, rocks::Study study);
 
 /// The outline of a rock: sides of cells, with ends at corners of cells (x = beam, y = line); and the cells along it, ascending.
 struct RockOutline {
@@ -46,8 +46,8 @@ struct RockOutline {
 [[nodiscard]] RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label);
 
 /// "4 · visible 2.51 × 1.83 m ± 0.10 · at 4.98 m", with a warning if the outline is uncertain.
-[[nodiscard]] QString rockTip(const Rock& rock);
-[[nodiscard]] bool isDoubtful(const Rock& rock);
+[[nodiscard]] QString rockTip(const rocks::Rock& rock);
+[[nodiscard]] bool isDoubtful(const rocks::Rock& rock);
 
 /// The caveat that is displayed with every result about rocks.
 [[nodiscard]] QString rockCaveat();

@@ -79,10 +79,10 @@ RockTable::RockTable(QWidget* parent)
         shown_->setSureOnly(on);
         showCount();
     });
-    connect(export_, &QPushButton::clicked, this, &RockTable::exportWanted);
+    connect(export_, &QPushButton::clicked, this, &RockTable::exportRequested);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::emitChosen);
     connect(table_, &QTableView::doubleClicked, this,
-            [this](const QModelIndex& index) { emit jumpWanted(static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1); });
+            [this](const QModelIndex& index) { emit jumpRequested(static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1); });
     showCount();
 }
 
@@ -91,7 +91,7 @@ void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QS
     remark_ = remark;
     if (picture != model_->picture()) {
         model_->show(picture);
-        curve_->show(picture ? edgescan::sizeCurve(picture->study.rocks, picture->study.settings.oversizeM) : SizeCurve{});
+        curve_->show(picture ? edgescan::rocks::sizeCurve(picture->study.rocks, picture->study.settings.oversizeM) : rocks::SizeCurve{});
         markOnCurve({});
     }
     showing_ = false;
@@ -103,7 +103,7 @@ void RockTable::showCount() {
     const int shown = shown_->rowCount();
     QString text = shown == all ? tr("%1 rocks").arg(all) : tr("%1 of %2 rocks").arg(shown).arg(all);
     if (model_->picture()) {
-        const std::vector<Rock>& rocks = model_->picture()->study.rocks;
+        const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
         text += tr(", %1 hatched (p < 0.85)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful));
     }
     count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text + " · " + rockCaveat());
@@ -133,7 +133,7 @@ void RockTable::select(const std::vector<std::uint32_t>& labels) {
 
 void RockTable::markOnCurve(const std::vector<std::uint32_t>& labels) {
     std::vector<double> widthsM;
-    for (const std::uint32_t label : labels) widthsM.push_back(model_->picture()->rock(label)->wideM);
+    for (const std::uint32_t label : labels) widthsM.push_back(model_->picture()->rock(label)->shortestCaliperM);
     curve_->mark(std::move(widthsM));
 }
 

@@ -43,8 +43,8 @@ signals:
     /// The operator selected these rows; labels.
     void chosen(const std::vector<std::uint32_t>& labels);
     /// The operator double-clicked a row.
-    void jumpWanted(std::uint32_t label);
-    void exportWanted();
+    void jumpRequested(std::uint32_t label);
+    void exportRequested();
 
 private:
     void showCount();

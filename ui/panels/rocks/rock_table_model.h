@@ -49,6 +49,6 @@ private:
 };
 
 /// The face of a rock as a small square, hatched if its outline is uncertain.
-[[nodiscard]] QImage rockSwatch(const RockPicture& picture, const Rock& rock, int side);
+[[nodiscard]] QImage rockSwatch(const RockPicture& picture, const rocks::Rock& rock, int side);
 
 } // namespace edgescan::ui

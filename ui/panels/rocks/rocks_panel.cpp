@@ -34,7 +34,7 @@ RocksPanel::RocksPanel(QWidget* parent)
     auto* grid = new QGridLayout;
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(0, 1);
-    for (const RockParameter& parameter : rockParameters()) {
+    for (const rocks::RockParameter& parameter : rocks::rockParameters()) {
         auto* name = new QLabel(QObject::tr(parameter.label));
         name->setWordWrap(true); // for a narrow dock
         auto* number = new QDoubleSpinBox;
@@ -58,7 +58,7 @@ RocksPanel::RocksPanel(QWidget* parent)
         numbers_.push_back(number);
         connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &RocksPanel::emitSettings);
     }
-    const RockParameter& level = rockParameters().front();
+    const rocks::RockParameter& level = rocks::rockParameters().front();
     slider_->setObjectName("rocks-slider");
     slider_->setRange(static_cast<int>(std::lround(level.minimum * kSlidersPerLevel)),
                       static_cast<int>(std::lround(level.maximum * kSlidersPerLevel)));
@@ -84,17 +84,17 @@ RocksPanel::RocksPanel(QWidget* parent)
 }
 
 QDoubleSpinBox* RocksPanel::number(const char* key) const {
-    const auto rows = rockParameters();
+    const auto rows = rocks::rockParameters();
     for (std::size_t n = 0; n < rows.size(); ++n) {
         if (std::strcmp(rows[n].key, key) == 0) return numbers_[n];
     }
     return nullptr;
 }
 
-void RocksPanel::showSettings(const RockSettings& settings) {
+void RocksPanel::showSettings(const rocks::RockSettings& settings) {
     showing_ = true;
     settings_ = settings;
-    const auto rows = rockParameters();
+    const auto rows = rocks::rockParameters();
     for (std::size_t n = 0; n < rows.size(); ++n) numbers_[n]->setValue(rows[n].get(settings));
     slider_->setValue(static_cast<int>(std::lround(settings.level * kSlidersPerLevel)));
     showing_ = false;
@@ -102,8 +102,8 @@ void RocksPanel::showSettings(const RockSettings& settings) {
 
 void RocksPanel::emitSettings() {
     if (showing_) return;
-    RockSettings settings = settings_;
-    const auto rows = rockParameters();
+    rocks::RockSettings settings = settings_;
+    const auto rows = rocks::rockParameters();
     for (std::size_t n = 0; n < rows.size(); ++n) rows[n].set(settings, numbers_[n]->value());
     showSettings(settings);
     emit edited(settings);
@@ -115,8 +115,8 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
         curve_->clear();
         return;
     }
-    const std::vector<Rock>& rocks = picture->study.rocks;
-    const RegionCounts fines = regionCounts(picture->study.map, RegionKind::Fines);
+    const std::vector<rocks::Rock>& rocks = picture->study.rocks;
+    const rocks::RegionCounts fines = rocks::regionCounts(picture->study.map, rocks::RegionKind::Fines);
     QString text = remark.isEmpty() ? QString() : remark + "\n";
     text += tr("%1 rocks, %2 hatched (p < 0.85); %3 regions of fines")
                 .arg(rocks.size())
@@ -125,9 +125,9 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
     if (!picture->study.edits.empty()) text += tr("; %1 changed by hand").arg(picture->study.edits.size());
     if (!picture->study.settings.region.empty())
         text += tr("; %1 pieces outside the region of interest are left out")
-                    .arg(regionCounts(picture->study.map, RegionKind::Outside).regions);
+                    .arg(rocks::regionCounts(picture->study.map, rocks::RegionKind::Outside).regions);
     result_->setText(text + "\n" + rockCaveat());
-    curve_->setText(sizeCurveText(sizeCurve(rocks, picture->study.settings.oversizeM)));
+    curve_->setText(sizeCurveText(rocks::sizeCurve(rocks, picture->study.settings.oversizeM)));
 }
 
 QString RocksPanel::text() const { return result_->text() + "\n" + curve_->text(); }

@@ -21,7 +21,7 @@ class RocksPanel : public QWidget {
 public:
     explicit RocksPanel(QWidget* parent = nullptr);
 
-    void showSettings(const RockSettings& settings);
+    void showSettings(const rocks::RockSettings& settings);
     /// `remark`: see RockTable. Null: no rocks yet.
     void showResult(const RockPicture* picture, const QString& remark);
     [[nodiscard]] QSlider* slider() const { return slider_; }
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] QString text() const;
 
 signals:
-    void edited(const edgescan::RockSettings& settings);
+    void edited(const edgescan::rocks::RockSettings& settings);
 
 private:
     void emitSettings();
@@ -42,7 +42,7 @@ private:
     QLabel* result_;
     QLabel* curve_;
     RockCard* card_;
-    RockSettings settings_;
+    rocks::RockSettings settings_;
     bool showing_ = false;
 };
 

@@ -19,7 +19,7 @@ constexpr double kDot = 4.0;
 
 QString metresText(double metres) { return QString::number(metres, 'f', 2); }
 
-QString oversizeText(const SizeCurve& curve) {
+QString oversizeText(const rocks::SizeCurve& curve) {
     if (curve.oversizeM <= 0) return {};
     return SizeCurveView::tr("▲ %1 % over %2 m").arg(100.0 * curve.oversizeShare, 0, 'f', 0).arg(metresText(curve.oversizeM));
 }
@@ -33,7 +33,7 @@ double tickM(double rightM) {
 
 } // namespace
 
-QString sizeCurveText(const SizeCurve& curve) {
+QString sizeCurveText(const rocks::SizeCurve& curve) {
     if (curve.rocks() == 0) return {};
     const QString over = oversizeText(curve);
     return SizeCurveView::tr("Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, "
@@ -45,10 +45,10 @@ QString sizeCurveText(const SizeCurve& curve) {
 SizeCurveView::SizeCurveView(QWidget* parent) : QWidget(parent) {
     setObjectName("size-curve");
     setFocusPolicy(Qt::NoFocus);
-    show(SizeCurve{});
+    show(rocks::SizeCurve{});
 }
 
-void SizeCurveView::show(const SizeCurve& curve) {
+void SizeCurveView::show(const rocks::SizeCurve& curve) {
     curve_ = curve;
     const double largest = std::max({curve.topM, curve.oversizeM, 0.1});
     rightM_ = std::ceil(1.02 * largest / tickM(largest)) * tickM(largest);

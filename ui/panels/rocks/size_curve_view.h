@@ -10,7 +10,7 @@
 namespace edgescan::ui {
 
 /// "Visible b by count: P20 0.31, P50 0.52, P80 0.98, largest 2.01 m; ▲ 12 % over 1.50 m. Hidden parts ..."; empty without rocks.
-[[nodiscard]] QString sizeCurveText(const SizeCurve& curve);
+[[nodiscard]] QString sizeCurveText(const rocks::SizeCurve& curve);
 
 /// GUI thread only.
 class SizeCurveView : public QWidget {
@@ -18,10 +18,10 @@ class SizeCurveView : public QWidget {
 public:
     explicit SizeCurveView(QWidget* parent = nullptr);
 
-    void show(const SizeCurve& curve);
+    void show(const rocks::SizeCurve& curve);
     /// Visible b of the selected rocks, metres: dots on the curve.
     void mark(std::vector<double> widthsM);
-    [[nodiscard]] const SizeCurve& curve() const { return curve_; }
+    [[nodiscard]] const rocks::SizeCurve& curve() const { return curve_; }
     [[nodiscard]] const std::vector<double>& marked() const { return marked_; }
     /// The position of a width and a share in the drawing.
     [[nodiscard]] QPointF placeOf(double wideM, double share) const;
@@ -41,7 +41,7 @@ private:
     void drawOversize(QPainter& painter) const;
     void drawCurve(QPainter& painter) const;
 
-    SizeCurve curve_;
+    rocks::SizeCurve curve_;
     std::vector<double> marked_;
     double rightM_ = 1.0; // end of the axis
 };

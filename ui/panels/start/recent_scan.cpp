@@ -49,7 +49,7 @@ QString wordsOf(const Scan& scan) {
 }
 
 QImage pictureOf(const Scan& scan) {
-    const auto levels = grayImage(scan, Settings{}).levels;
+    const auto levels = edges::grayImage(scan, edges::Settings{}).levels;
     QImage image(levels.beams, levels.lines, QImage::Format_Grayscale8);
     for (int line = 0; line < levels.lines; ++line) {
         uchar* row = image.scanLine(line);
@@ -76,8 +76,8 @@ void keep(QImage picture, const QString& words, const QString& path) {
 RecentScan recentScan(const QString& path, const QString& cache, const std::function<bool()>& goOn) {
     RecentScan found{path, false, {}, {}};
     const QFileInfo file(path);
-    found.there = file.isFile();
-    if (!found.there) return found;
+    found.exists = file.isFile();
+    if (!found.exists) return found;
     const QString kept = cache.isEmpty() ? QString() : cache + "/" + cacheName(file);
     if (!kept.isEmpty() && found.picture.load(kept, "PNG")) {
         found.words = QString::fromUtf8(QByteArray::fromBase64(found.picture.text(kWordsKey).toLatin1()));
@@ -86,7 +86,7 @@ RecentScan recentScan(const QString& path, const QString& cache, const std::func
     ReadingOptions options;
     options.progress = [&goOn](const char*, double) { return goOn(); };
     try {
-        const Result<Scan> scan = openScan(path.toStdString(), options);
+        const Result<Scan> scan = files::openScan(path.toStdString(), options);
         if (!scan) {
             found.words = shownText(scan.error().what);
             return found;

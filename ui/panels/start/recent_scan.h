@@ -10,9 +10,9 @@ namespace edgescan::ui {
 
 struct RecentScan {
     QString path;
-    bool there = false; ///< the file exists
-    QString words;      ///< "2026-11-19 08:12 UTC · 1,000 lines · RECORDED"; for an unreadable file the reason
-    QImage picture;     ///< null: no picture
+    bool exists = false; ///< the file exists
+    QString words;       ///< "2026-11-19 08:12 UTC · 1,000 lines · RECORDED"; for an unreadable file the reason
+    QImage picture;      ///< null: no picture
 
     bool operator==(const RecentScan&) const = default;
 };

@@ -51,14 +51,14 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     left->addWidget(makeTitle());
     left->addSpacing(12);
     open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), tr("Ctrl+O, or drop files anywhere in this window"));
-    connect(open_, &QPushButton::clicked, this, &StartPage::openWanted);
+    connect(open_, &QPushButton::clicked, this, &StartPage::openRequested);
     connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"),
                       tr("Ctrl+L; nothing but reads and a subscription is sent")),
-            &QPushButton::clicked, this, &StartPage::connectWanted);
+            &QPushButton::clicked, this, &StartPage::connectRequested);
     session_ = addButton(*left, "start-session", "session", tr("Carry on with the last session"), QString());
-    connect(session_, &QPushButton::clicked, this, &StartPage::goOnWanted);
+    connect(session_, &QPushButton::clicked, this, &StartPage::continueRequested);
     connect(addButton(*left, "start-demo", "demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
-            &StartPage::demoWanted);
+            &StartPage::demoRequested);
 
     auto* right = new QVBoxLayout;
     auto* head = new QHBoxLayout;
@@ -67,7 +67,7 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     bold.setBold(true);
     recent->setFont(bold);
     clear_->setObjectName("start-clear");
-    connect(clear_, &QPushButton::clicked, this, &StartPage::clearWanted);
+    connect(clear_, &QPushButton::clicked, this, &StartPage::clearRequested);
     head->addWidget(recent, 1);
     head->addWidget(clear_);
     right->addLayout(head);
@@ -79,7 +79,7 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     list_->setAccessibleName(recent->text());
     connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         const QString path = item->data(Qt::UserRole).toString();
-        item->data(kThere).toBool() ? emit scanWanted(path) : emit locateWanted(path);
+        item->data(kThere).toBool() ? emit scanRequested(path) : emit locateRequested(path);
     });
     connect(list_, &QListWidget::itemClicked, list_, &QListWidget::itemActivated);
     right->addWidget(list_, 1);
@@ -133,10 +133,10 @@ QWidget* StartPage::makeFoot() {
     words->setWordWrap(true);
     auto* cab = new QPushButton(toolIcon("cab-mode"), tr("Cab mode"));
     cab->setObjectName("start-cab");
-    connect(cab, &QPushButton::clicked, this, &StartPage::cabWanted);
+    connect(cab, &QPushButton::clicked, this, &StartPage::cabRequested);
     auto* keys = new QPushButton(tr("Keys and mouse"));
     keys->setObjectName("start-keys");
-    connect(keys, &QPushButton::clicked, this, &StartPage::keysWanted);
+    connect(keys, &QPushButton::clicked, this, &StartPage::keysRequested);
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
@@ -185,9 +185,9 @@ void StartPage::showPreview(const RecentScan& scan) {
         QListWidgetItem* item = list_->item(row);
         if (item->data(Qt::UserRole).toString() != scan.path) continue;
         const QFileInfo file(scan.path);
-        item->setData(kThere, scan.there);
+        item->setData(kThere, scan.exists);
         item->setText(shownName(file.fileName()) + "\n" +
-                      (scan.there ? scan.words : tr("✕ not found: it was moved, or its disk is not here. Locate…")));
+                      (scan.exists ? scan.words : tr("✕ not found: it was moved, or its disk is not here. Locate…")));
         if (!scan.picture.isNull()) item->setIcon(QIcon(QPixmap::fromImage(scan.picture)));
     }
 }
@@ -199,7 +199,7 @@ void StartPage::showSession(const QString& path) {
     inBackground(
         this,
         [this, path]() -> std::function<void()> {
-            const auto read = readSession(path.toStdString());
+            const auto read = inspect::readSession(path.toStdString());
             QString words;
             if (read)
                 words = tr("%1, %2 targets, %3 UTC")

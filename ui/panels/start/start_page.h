@@ -31,16 +31,16 @@ public:
     [[nodiscard]] bool settled() const { return waiting_.isEmpty() && !looking_; }
 
 signals:
-    void openWanted();
-    void connectWanted();
-    void goOnWanted();
-    void demoWanted();
-    void scanWanted(const QString& path);
+    void openRequested();
+    void connectRequested();
+    void continueRequested();
+    void demoRequested();
+    void scanRequested(const QString& path);
     /// The operator wants to search for a scan that is no longer at its path.
-    void locateWanted(const QString& path);
-    void clearWanted();
-    void cabWanted();
-    void keysWanted();
+    void locateRequested(const QString& path);
+    void clearRequested();
+    void cabRequested();
+    void keysRequested();
 
 private:
     QWidget* makeTitle();

@@ -21,17 +21,18 @@ namespace {
 constexpr double kLarge = 2.0; // relative to the normal font size, for the main number of the card
 constexpr const char* kDistanceRow = "Distance";
 
-QString distanceWords(const CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
+QString distanceWords(const inspect::CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
 
 // The value of the row when the target was set, if it differs now; both as stored.
-QString wasOf(const PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
+QString wasOf(const inspect::PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
     const auto row = std::ranges::find(pinned.asPinned, now.first, &std::pair<std::string, std::string>::first);
     if (row == pinned.asPinned.end() || row->second == now.second) return {};
     return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
 }
 
 /// The rows that a slider may change, as stored; `all`: with rows whose value is not computed yet.
-std::vector<std::pair<std::string, std::string>> measuredRows(const CellTarget& target, const TargetSurroundings& around, bool all) {
+std::vector<std::pair<std::string, std::string>> measuredRows(const inspect::CellTarget& target, const TargetSurroundings& around,
+                                                              bool all) {
     const SourceTexts words; // people with other languages may read the file
     std::vector<std::pair<std::string, std::string>> rows{{kDistanceRow, distanceWords(target).toStdString()}};
     for (const TargetRow& row : targetRows(target, around)) {
@@ -55,7 +56,7 @@ TargetCard::TargetCard(QWidget* parent)
     });
     name_->setObjectName("target-name");
     name_->setPlaceholderText(tr("Target"));
-    name_->setMaxLength(static_cast<int>(kLongestTargetName) / 4); // a character may take four bytes
+    name_->setMaxLength(static_cast<int>(inspect::kLongestTargetName) / 4); // a character may take four bytes
     name_->setToolTip(tr("Its name: keystone, left shoulder …"));
     lock_->setObjectName("target-lock");
     lock_->setText(tr("Lock"));
@@ -73,7 +74,7 @@ TargetCard::TargetCard(QWidget* parent)
     tolerance_->setToolTip(
         tr("Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it"));
     distance_->setToolTip(tolerance_->toolTip());
-    caveat_->setText(QObject::tr(kRockCaveat));
+    caveat_->setText(QObject::tr(rocks::kRockCaveat));
     caveat_->setWordWrap(true);
 
     auto* head = new QHBoxLayout;
@@ -99,13 +100,13 @@ TargetCard::TargetCard(QWidget* parent)
     column->addWidget(caveat_);
     column->addLayout(buttons);
 
-    connect(close_, &QToolButton::clicked, this, &TargetCard::closeWanted);
-    connect(lock_, &QToolButton::clicked, this, &TargetCard::lockWanted);
+    connect(close_, &QToolButton::clicked, this, &TargetCard::closeRequested);
+    connect(lock_, &QToolButton::clicked, this, &TargetCard::lockRequested);
     connect(name_, &QLineEdit::editingFinished, this, [this] { emit renamed(name_->text().simplified()); });
     hide();
 }
 
-void TargetCard::show(const PinnedTarget& target, const CellTarget* known, const TargetSurroundings& around) {
+void TargetCard::show(const inspect::PinnedTarget& target, const inspect::CellTarget* known, const TargetSurroundings& around) {
     setVisible(true);
     number_->setText(QString::number(target.number));
     if (!name_->hasFocus()) name_->setText(shownName(exactText(target.name)));
@@ -159,7 +160,7 @@ QString TargetCard::text() const {
     return lines.join('\n');
 }
 
-std::vector<std::pair<std::string, std::string>> rowsToKeep(const CellTarget& target, const TargetSurroundings& around) {
+std::vector<std::pair<std::string, std::string>> rowsToStore(const inspect::CellTarget& target, const TargetSurroundings& around) {
     return measuredRows(target, around, false);
 }
 

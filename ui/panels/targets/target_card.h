@@ -21,7 +21,7 @@ public:
     explicit TargetCard(QWidget* parent = nullptr);
 
     /// `known`: null during the computation; the rows stay.
-    void show(const PinnedTarget& target, const CellTarget* known, const TargetSurroundings& around);
+    void show(const inspect::PinnedTarget& target, const inspect::CellTarget* known, const TargetSurroundings& around);
     /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 
@@ -33,8 +33,8 @@ public:
     [[nodiscard]] QPushButton* copy() const { return copy_; }
 
 signals:
-    void closeWanted();
-    void lockWanted(bool on);
+    void closeRequested();
+    void lockRequested(bool on);
     void renamed(const QString& name);
 
 private:
@@ -55,6 +55,7 @@ private:
 };
 
 /// The rows of a card that are stored when a target is set: those that a slider may change, the distance first.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> rowsToKeep(const CellTarget& target, const TargetSurroundings& around);
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> rowsToStore(const inspect::CellTarget& target,
+                                                                           const TargetSurroundings& around);
 
 } // namespace edgescan::ui

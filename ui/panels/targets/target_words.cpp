@@ -17,11 +17,11 @@ QString triple(const Eigen::Vector3d& v) { return QStringLiteral("%1, %2, %3").a
 QString noPose() { return QObject::tr("▲ no pose"); }
 QString inMillimetres(double metres) { return QObject::tr("%1 mm").arg(fixed(std::ceil(1000.0 * metres - 1e-9), 0)); }
 
-TargetRow placeRow(const CellTarget& target) {
+TargetRow placeRow(const inspect::CellTarget& target) {
     return {QObject::tr("X, Y, Z"), triple(target.probe.pointM), QObject::tr("Metres in the frame of the scan")};
 }
 
-TargetRow mineRow(const CellTarget& target) {
+TargetRow mineRow(const inspect::CellTarget& target) {
     return {QObject::tr("E, N, RL"), target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
             QObject::tr("Easting, Northing and level in the mine grid, metres")};
 }
@@ -29,14 +29,15 @@ TargetRow mineRow(const CellTarget& target) {
 TargetRow rockRow(const TargetSurroundings& around) {
     const QString name = QObject::tr("Rock, visible");
     if (around.rock == nullptr) return {name, QObject::tr("none here"), QString()};
-    const Rock& rock = *around.rock;
-    return {
-        name,
-        QObject::tr("no. %1: %2 × %3 ± %4 m").arg(rock.label).arg(fixed(rock.longM, 2), fixed(rock.wideM, 2), fixed(rock.toleranceM, 2)),
-        QObject::tr("Spans of what is seen of it; hidden parts are not counted")};
+    const rocks::Rock& rock = *around.rock;
+    return {name,
+            QObject::tr("no. %1: %2 × %3 ± %4 m")
+                .arg(rock.label)
+                .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(rock.toleranceM, 2)),
+            QObject::tr("Spans of what is seen of it; hidden parts are not counted")};
 }
 
-TargetRow resolvesRow(const CellTarget& target) {
+TargetRow resolvesRow(const inspect::CellTarget& target) {
     if (!target.resolution) return {QObject::tr("Resolves"), QObject::tr("not known"), QString()};
     return {
         QObject::tr("Resolves"), inMillimetres(target.resolution->smallestM()),
@@ -44,27 +45,27 @@ TargetRow resolvesRow(const CellTarget& target) {
             .arg(inMillimetres(target.resolution->spacingM), inMillimetres(target.resolution->beamM))};
 }
 
-TargetRow surfaceRow(const CellTarget& target) {
+TargetRow surfaceRow(const inspect::CellTarget& target) {
     if (!target.surface) return {QObject::tr("Surface"), QObject::tr("no plane fits"), QString()};
-    return {
-        QObject::tr("Surface"),
-        QObject::tr("%1° ± %2 off the beam").arg(fixed(target.surface->offBeamDeg, 0), fixed(kToldSigmas * target.surface->sigmaDeg, 0)),
-        QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
-            .arg(target.surface->cells)
-            .arg(inMillimetres(target.surface->reliefM))};
+    return {QObject::tr("Surface"),
+            QObject::tr("%1° ± %2 off the beam")
+                .arg(fixed(target.surface->offBeamDeg, 0), fixed(inspect::kReportedSigmas * target.surface->sigmaDeg, 0)),
+            QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
+                .arg(target.surface->cells)
+                .arg(inMillimetres(target.surface->reliefM))};
 }
 
-TargetRow dipRow(const CellTarget& target) {
+TargetRow dipRow(const inspect::CellTarget& target) {
     const QString name = QObject::tr("Dip / direction");
     const QString tip = QObject::tr("Of the plane to the horizon, and clockwise from grid north the way it falls");
     if (!target.surface) return {name, QObject::tr("no plane fits"), tip};
     if (!target.dip) return {name, noPose(), tip};
     // A level surface has no dip direction: within its uncertainty it may dip in any direction.
-    const bool falls = target.dip->dipDeg > kToldSigmas * target.surface->sigmaDeg;
+    const bool falls = target.dip->dipDeg > inspect::kReportedSigmas * target.surface->sigmaDeg;
     return {name, QObject::tr("%1° / %2").arg(fixed(target.dip->dipDeg, 0), falls ? fixed(target.dip->directionDeg, 0) + "°" : "–"), tip};
 }
 
-TargetRow boomRow(const BoomAtCell& boom) {
+TargetRow boomRow(const inspect::BoomAtCell& boom) {
     const QString distance = QObject::tr("%1 m").arg(fixed(boom.distanceM, 2));
     return {
         QObject::tr("From the boom"),
@@ -73,24 +74,24 @@ TargetRow boomRow(const BoomAtCell& boom) {
                     "boom points straight at the surface")};
 }
 
-TargetRow cellRow(const CellTarget& target) {
+TargetRow cellRow(const inspect::CellTarget& target) {
     TargetRow row{QObject::tr("Cell"), QObject::tr("line %1 · beam %2").arg(target.probe.line).arg(target.probe.beam), QString(), false};
     if (!std::isnan(target.probe.beamDeg))
         row.tip = QObject::tr("Line angle %1°, beam angle %2°").arg(fixed(target.probe.lineDeg, 3), fixed(target.probe.beamDeg, 3));
     return row;
 }
 
-TargetRow edgeRow(const CellTarget& target) {
-    QString value = !target.probe.edge                     ? QObject::tr("none")
-                    : target.probe.kind == DepthEdge::None ? QObject::tr("yes")
-                                                           : QObject::tr(edgeClassLabel(target.probe.kind));
+TargetRow edgeRow(const inspect::CellTarget& target) {
+    QString value = !target.probe.edge                            ? QObject::tr("none")
+                    : target.probe.kind == edges::DepthEdge::None ? QObject::tr("yes")
+                                                                  : QObject::tr(edges::edgeClassLabel(target.probe.kind));
     if (target.strength) value += QObject::tr(", strength %1").arg(fixed(*target.strength, 2));
     return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
 
 /// For edge cells only: the value of the confidence picture.
-TargetRow confidenceRow(const ToldConfidence& confidence) {
-    using State = ToldConfidence::State;
+TargetRow confidenceRow(const ShownConfidence& confidence) {
+    using State = ShownConfidence::State;
     TargetRow row{
         QObject::tr(kConfidenceRow), QStringLiteral("…"),
         QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
@@ -104,17 +105,17 @@ TargetRow confidenceRow(const ToldConfidence& confidence) {
 
 } // namespace
 
-QString distanceText(const CellTarget& target) {
+QString distanceText(const inspect::CellTarget& target) {
     if (target.probe.state == CellState::Valid) return QObject::tr("%1 m").arg(fixed(target.distanceM, 3));
     return QString::fromUtf8(cellStateName(target.probe.state)).replace('_', ' ');
 }
 
-QString toleranceText(const CellTarget& target) {
+QString toleranceText(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {};
     return target.toleranceM > 0.0 ? QStringLiteral("± %1").arg(fixed(target.toleranceM, 3)) : QObject::tr("± not known");
 }
 
-std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurroundings& around) {
+std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around) {
     std::vector<TargetRow> rows;
     if (target.probe.state == CellState::Valid) {
         rows.push_back({QObject::tr("from"), QObject::tr("scanner, line of sight"), QString(), false});
@@ -128,7 +129,7 @@ std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurround
     }
     rows.push_back(cellRow(target));
     rows.push_back(edgeRow(target));
-    if (target.probe.edge && around.confidence.state != ToldConfidence::State::NotAsked) rows.push_back(confidenceRow(around.confidence));
+    if (target.probe.edge && around.confidence.state != ShownConfidence::State::NotAsked) rows.push_back(confidenceRow(around.confidence));
     rows.push_back({QObject::tr("Picture"), around.source, QString(), false});
     return rows;
 }

@@ -11,7 +11,7 @@
 namespace edgescan::ui {
 
 /// The confidence of an edge, if it is known.
-struct ToldConfidence {
+struct ShownConfidence {
     enum class State { NotAsked, Coming, Growing, Large, Known };
     State state = State::NotAsked;
     int percent = 0;  ///< share of the tried settings that find this edge too
@@ -21,9 +21,9 @@ struct ToldConfidence {
 /// Data of a card that was not measured at the cell itself.
 struct TargetSurroundings {
     bool rocksShown = false;
-    const Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden
-    QString source;             ///< source of the picture, with its time
-    ToldConfidence confidence{};
+    const rocks::Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden
+    QString source;                    ///< source of the picture, with its time
+    ShownConfidence confidence{};
 };
 
 inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row in files
@@ -36,10 +36,10 @@ struct TargetRow {
 };
 
 /// "4.911 m", "no return".
-[[nodiscard]] QString distanceText(const CellTarget& target);
+[[nodiscard]] QString distanceText(const inspect::CellTarget& target);
 /// "± 0.009"; empty if the cell is not valid.
-[[nodiscard]] QString toleranceText(const CellTarget& target);
+[[nodiscard]] QString toleranceText(const inspect::CellTarget& target);
 /// All rows except the distance.
-[[nodiscard]] std::vector<TargetRow> targetRows(const CellTarget& target, const TargetSurroundings& around);
+[[nodiscard]] std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around);
 
 } // namespace edgescan::ui

@@ -58,7 +58,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
     for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
-    connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::letGoOfAllWanted);
+    connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::removeAllRequested);
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
     });

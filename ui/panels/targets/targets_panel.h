@@ -38,14 +38,14 @@ public:
     [[nodiscard]] TargetCard& card() const { return *card_; }
     [[nodiscard]] QListWidget* targets() const { return targets_; }
     [[nodiscard]] QListWidget* measures() const { return measures_; }
-    [[nodiscard]] QPushButton* letGoOfAll() const { return letGoOfAll_; }
+    [[nodiscard]] QPushButton* removeAllButton() const { return letGoOfAll_; }
     [[nodiscard]] QPushButton* removeMeasure() const { return removeMeasure_; }
     [[nodiscard]] QString note() const;
 
 signals:
     /// Indices into the lists.
     void targetChosen(int place);
-    void letGoOfAllWanted();
+    void removeAllRequested();
     void measureRemoved(int place);
 
 private:

@@ -20,14 +20,14 @@ const QColor kPlateau(86, 180, 233, 70);
 
 } // namespace
 
-CountCurve::CountCurve(const Parameter& parameter, QWidget* parent) : QWidget(parent), parameter_(parameter) {
+CountCurve::CountCurve(const edges::Parameter& parameter, QWidget* parent) : QWidget(parent), parameter_(parameter) {
     setObjectName(QString("curve-") + parameter.key);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setToolTip(tr("Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of "
                   "them goes. The upright line is the threshold in use."));
 }
 
-void CountCurve::showCurve(std::optional<EdgeCountCurve> curve) {
+void CountCurve::showCurve(std::optional<edges::EdgeCountCurve> curve) {
     curve_ = std::move(curve);
     setAccessibleDescription(words());
     update();
@@ -47,7 +47,7 @@ void CountCurve::showFound(double threshold, std::size_t edges) {
 
 double CountCurve::xOf(double threshold) const {
     const int margin = style()->pixelMetric(QStyle::PM_SliderLength) / 2; // limits of the centre of the slider's handle
-    const double share = static_cast<double>(sliderPosition(parameter_, threshold)) / kSliderSteps;
+    const double share = static_cast<double>(edges::sliderPosition(parameter_, threshold)) / edges::kSliderSteps;
     return margin + share * (width() - 2 * margin - 1);
 }
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::edges {
 struct Parameter;
-}
+} // namespace edgescan::edges
 
 namespace edgescan::ui {
 
@@ -18,15 +18,15 @@ namespace edgescan::ui {
 class CountCurve : public QWidget {
     Q_OBJECT
 public:
-    explicit CountCurve(const Parameter& parameter, QWidget* parent = nullptr);
+    explicit CountCurve(const edges::Parameter& parameter, QWidget* parent = nullptr);
 
     /// Null: not known yet.
-    void showCurve(std::optional<EdgeCountCurve> curve);
+    void showCurve(std::optional<edges::EdgeCountCurve> curve);
     /// The threshold in use.
     void showValue(double value);
     /// The edge count at a threshold: the curve itself knows only the positions of the slider.
     void showFound(double threshold, std::size_t edges);
-    [[nodiscard]] const std::optional<EdgeCountCurve>& curve() const { return curve_; }
+    [[nodiscard]] const std::optional<edges::EdgeCountCurve>& curve() const { return curve_; }
 
     [[nodiscard]] QSize sizeHint() const override { return {260, 58}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 48}; }
@@ -39,8 +39,8 @@ private:
     [[nodiscard]] double yOf(std::size_t edges) const;
     [[nodiscard]] QString words(bool brief = false) const; ///< brief: for a narrow panel
 
-    const Parameter& parameter_;
-    std::optional<EdgeCountCurve> curve_;
+    const edges::Parameter& parameter_;
+    std::optional<edges::EdgeCountCurve> curve_;
     double value_ = 0.0;
     std::optional<std::pair<double, std::size_t>> found_; ///< threshold and edges
 };

@@ -37,10 +37,10 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     edges_->setChecked(true);
     edges_->setToolTip(tr("Edge points on and off: E"));
     connect(edges_, &QCheckBox::toggled, this, [this](bool on) {
-        if (!showing_) emit edgesWanted(on);
+        if (!showing_) emit edgesRequested(on);
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const QString name = QObject::tr(findParameter("classes")->choices[n].label);
+        const QString name = QObject::tr(edges::findParameter("classes")->choices[n].label);
         rows_[n] = addRow(*grid, name, nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
@@ -51,7 +51,7 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     byClass_->setToolTip(tr("Each class in its own colour, or all edges in one: C"));
     connect(byClass_, &QCheckBox::toggled, this, [this](bool on) {
         paintSwatches();
-        if (!showing_) emit byClassWanted(on);
+        if (!showing_) emit byClassRequested(on);
     });
     covered_ = new QLabel(tr("Rocks cover them in the cloud"));
     covered_->setObjectName("legend-covered");
@@ -77,12 +77,12 @@ EdgeLegend::Row EdgeLegend::addRow(QGridLayout& grid, const QString& name, const
     return row;
 }
 
-void EdgeLegend::showResult(const Detection& detection) {
+void EdgeLegend::showResult(const edges::Detection& detection) {
     showing_ = true;
     const bool known = detection.classes != nullptr;
-    const bool chosen = reads(detection.settings.method, kReadsClasses);
-    const auto counts = countClasses(detection);
-    const int classes = chosen ? detection.settings.classes : traitsOf(detection.settings.method).classes;
+    const bool chosen = edges::reads(detection.settings.method, edges::kReadsClasses);
+    const auto counts = edges::countClasses(detection);
+    const int classes = chosen ? detection.settings.classes : edges::traitsOf(detection.settings.method).classes;
     total_->setText(grouped(detection.edges->size()));
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const bool counted = (classes & bitOf(n)) != 0;
@@ -151,7 +151,7 @@ void EdgeLegend::emitClasses() {
     if (showing_) return;
     int classes = 0;
     for (std::size_t n = 0; n < rows_.size(); ++n) classes |= rows_[n].box->isChecked() ? bitOf(n) : 0;
-    emit classesWanted(classes);
+    emit classesRequested(classes);
 }
 
 } // namespace edgescan::ui

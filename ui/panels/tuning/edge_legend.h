@@ -19,7 +19,7 @@ class EdgeLegend : public ViewPlate {
 public:
     explicit EdgeLegend(QWidget* parent = nullptr);
 
-    void showResult(const Detection& detection);
+    void showResult(const edges::Detection& detection);
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
     void showEdges(bool on);
@@ -33,10 +33,10 @@ public:
     [[nodiscard]] QCheckBox* classSwitch(int n) const { return rows_[static_cast<std::size_t>(n)].box; }
 
 signals:
-    void edgesWanted(bool on);
-    void byClassWanted(bool on);
+    void edgesRequested(bool on);
+    void byClassRequested(bool on);
     /// Bits of EdgeClassBits.
-    void classesWanted(int classes);
+    void classesRequested(int classes);
 
 private:
     struct Row {

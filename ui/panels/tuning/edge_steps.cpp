@@ -9,26 +9,26 @@
 namespace edgescan::ui {
 
 QString EdgesPanel::valueText(const char* key) const {
-    const Parameter& p = *findParameter(key);
+    const edges::Parameter& p = *edges::findParameter(key);
     const double value = p.get(shown_);
     const QString unit = p.choices.empty() && *p.unit != '\0' ? " " + QObject::tr(p.unit) : QString();
-    if (!p.choices.empty()) return QObject::tr(choiceLabel(p, shown_).c_str());
+    if (!p.choices.empty()) return QObject::tr(edges::choiceLabel(p, shown_).c_str());
     if (!std::isnan(value)) return QString::number(value, 'f', p.decimals) + unit;
-    const double inUse = p.automatic != nullptr ? p.automatic(shown_, measured_) : kAutomatic;
+    const double inUse = p.automatic != nullptr ? p.automatic(shown_, measured_) : edges::kAutomatic;
     return std::isnan(inUse) ? tr("auto") : tr("%1%2 auto").arg(QString::number(inUse, 'f', p.decimals), unit);
 }
 
 void EdgesPanel::step(const char* key, int steps) {
-    const Parameter& p = *findParameter(key);
+    const edges::Parameter& p = *edges::findParameter(key);
     double value = p.get(shown_);
     if (!p.choices.empty()) {
-        const auto at = std::ranges::find(p.choices, value, &Choice::value) - p.choices.begin();
+        const auto at = std::ranges::find(p.choices, value, &edges::Choice::value) - p.choices.begin();
         const auto last = static_cast<std::ptrdiff_t>(p.choices.size()) - 1;
         value = p.choices[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + std::clamp(steps, -1, 1), 0, last))].value;
     } else {
         if (std::isnan(value) && p.automatic != nullptr) value = p.automatic(shown_, measured_);
         if (std::isnan(value)) value = p.minimum;
-        value = snapped(p, std::clamp(value + steps * p.step, p.minimum, p.sliderMaximum));
+        value = edges::snapped(p, std::clamp(value + steps * p.step, p.minimum, p.sliderMaximum));
     }
     edit(p, value, true);
 }

@@ -35,7 +35,7 @@ constexpr double kLargestGradient = 2040.0;
 
 } // namespace
 
-EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPresets().front()) {
+EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(edges::builtInPresets().front()) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(6, 6, 6, 6);
@@ -43,9 +43,9 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     grid->setColumnStretch(1, 1);
     grid->setColumnMinimumWidth(0, kNarrowestLabel);
     addPresets(*grid);
-    for (const Parameter& p : parameters()) {
+    for (const edges::Parameter& p : edges::parameters()) {
         if (!p.advanced) addRow(p, *grid);
-        if (p.feeds == Stage::Threshold) addCurve(p, *grid);
+        if (p.feeds == edges::Stage::Threshold) addCurve(p, *grid);
         if (std::strcmp(p.key, "lower") == 0) addMeaning(*grid);
         if (std::strcmp(p.key, "ratio") == 0) addUpper(*grid);
     }
@@ -62,7 +62,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     advancedGrid->setContentsMargins(0, 0, 0, 0);
     advancedGrid->setColumnStretch(1, 1);
     advancedGrid->setColumnMinimumWidth(0, kNarrowestLabel);
-    for (const Parameter& p : parameters()) {
+    for (const edges::Parameter& p : edges::parameters()) {
         if (!p.advanced) continue;
         addRow(p, *advancedGrid);
         if (std::string_view(p.key) == "noise-kind") addNoise(*advancedGrid);
@@ -88,7 +88,7 @@ EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(builtInPreset
     layout->addWidget(scroll);
     setMinimumWidth(kNarrowestPanel);
     setRatioLocked(true);
-    show(Settings{});
+    show(edges::Settings{});
     showClasses();
 }
 
@@ -97,12 +97,12 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_->setObjectName("presets");
     presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     presets_->setMinimumContentsLength(8);
-    for (const Preset& preset : builtInPresets()) {
+    for (const edges::Preset& preset : edges::builtInPresets()) {
         presets_->addItem(shownText(preset.name));
         presets_->setItemData(presets_->count() - 1, QObject::tr(preset.help.c_str()), Qt::ToolTipRole);
     }
     connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-        const auto builtIn = builtInPresets();
+        const auto builtIn = edges::builtInPresets();
         if (static_cast<std::size_t>(index) < builtIn.size())
             emit presetChosen(builtIn[static_cast<std::size_t>(index)]);
         else
@@ -115,8 +115,8 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     auto* save = new QToolButton;
     save->setText(tr("Save…"));
     save->setToolTip(tr("Save these settings as a preset file"));
-    connect(open, &QToolButton::clicked, this, &EdgesPanel::openPresetWanted);
-    connect(save, &QToolButton::clicked, this, &EdgesPanel::savePresetWanted);
+    connect(open, &QToolButton::clicked, this, &EdgesPanel::openPresetRequested);
+    connect(save, &QToolButton::clicked, this, &EdgesPanel::savePresetRequested);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(modified_);
     buttons->addStretch(1);
@@ -130,13 +130,13 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     grid.addLayout(buttons, row + 1, 0, 1, 4);
 }
 
-void EdgesPanel::addRow(const Parameter& parameter, QGridLayout& grid) {
+void EdgesPanel::addRow(const edges::Parameter& parameter, QGridLayout& grid) {
     auto* row = new ParameterRow(parameter, grid, this);
     rows_.push_back(row);
     connect(row, &ParameterRow::changed, this, [this, row](double value, bool dragging) { edit(row->parameter(), value, dragging); });
     connect(row, &ParameterRow::dragEnded, this, &EdgesPanel::editEnded);
     connect(row, &ParameterRow::refused, this, &EdgesPanel::refused);
-    connect(row, &ParameterRow::resetWanted, this, [this, row] {
+    connect(row, &ParameterRow::resetRequested, this, [this, row] {
         edit(row->parameter(), row->parameter().get(preset_.settings), false);
         emit editEnded();
     });
@@ -151,7 +151,7 @@ void EdgesPanel::addNoise(QGridLayout& grid) {
     grid.addWidget(noise_, grid.rowCount(), 0, 1, 4);
 }
 
-void EdgesPanel::addCurve(const Parameter& parameter, QGridLayout& grid) {
+void EdgesPanel::addCurve(const edges::Parameter& parameter, QGridLayout& grid) {
     auto* curve = new CountCurve(parameter, this);
     curves_.push_back(curve);
     grid.addWidget(curve, grid.rowCount(), 0, 1, 4);
@@ -170,8 +170,8 @@ void EdgesPanel::addMeaning(QGridLayout& grid) {
 }
 
 Result<double> EdgesPanel::lowerOfDepth(const QString& text) const {
-    const auto step = typedStep(text.toStdString());
-    return step ? lowerOfStep(*step, shown_, scale_) : parseValue(*findParameter("lower"), text.toStdString());
+    const auto step = edges::typedStep(text.toStdString());
+    return step ? edges::lowerOfStep(*step, shown_, scale_) : edges::parseValue(*edges::findParameter("lower"), text.toStdString());
 }
 
 CountCurve* EdgesPanel::curve(const char* key) const {
@@ -179,7 +179,7 @@ CountCurve* EdgesPanel::curve(const char* key) const {
     return found == curves_.end() ? nullptr : *found;
 }
 
-void EdgesPanel::showCounts(const QString& parameter, const EdgeCountCurve& counts) {
+void EdgesPanel::showCounts(const QString& parameter, const edges::EdgeCountCurve& counts) {
     if (CountCurve* shown = curve(parameter.toUtf8().constData())) shown->showCurve(counts);
 }
 
@@ -188,7 +188,7 @@ void EdgesPanel::forgetCounts() {
 }
 
 void EdgesPanel::showMeaning() {
-    const std::string text = scale_.farMm > scale_.nearMm ? thresholdText(shown_, scale_) : std::string();
+    const std::string text = scale_.farMm > scale_.nearMm ? edges::thresholdText(shown_, scale_) : std::string();
     meaning_->setText(shownText(text));
     meaning_->setVisible(!text.empty());
 }
@@ -215,7 +215,7 @@ void EdgesPanel::setRatioLocked(bool locked) {
     row("ratio")->setEnabled(!locked);
     emit ratioLockChanged(locked);
     if (locked && shown_.ratio != kThesisRatio) {
-        edit(*findParameter("ratio"), kThesisRatio, false);
+        edit(*edges::findParameter("ratio"), kThesisRatio, false);
         emit editEnded();
     }
 }
@@ -227,16 +227,16 @@ ParameterRow* EdgesPanel::row(const char* key) const {
     return nullptr;
 }
 
-void EdgesPanel::edit(const Parameter& parameter, double value, bool dragging) {
-    const Settings settings = turned(shown_, parameter, value, lastGray_);
+void EdgesPanel::edit(const edges::Parameter& parameter, double value, bool dragging) {
+    const edges::Settings settings = edges::withParameterChanged(shown_, parameter, value, lastGray_);
     if (settings.method != shown_.method) carried_[settings.method] = {settings.lower, lastGray_.method, lastGray_.lower};
     emit edited(settings, dragging);
 }
 
 // Stores the gray-level settings whose threshold the operator chose. A threshold that was only carried over to another method does not
 // count as chosen: when the operator returns to the method where it was chosen, it has its original value again.
-void EdgesPanel::noteThreshold(const Settings& settings) {
-    if (!reads(settings.method, kReadsGray)) return;
+void EdgesPanel::noteThreshold(const edges::Settings& settings) {
+    if (!edges::reads(settings.method, edges::kReadsGray)) return;
     lastGray_ = settings;
     const auto carried = carried_.find(settings.method);
     if (carried == carried_.end() || settings.lower != carried->second.lower) return;
@@ -244,7 +244,7 @@ void EdgesPanel::noteThreshold(const Settings& settings) {
     lastGray_.lower = carried->second.chosen;
 }
 
-void EdgesPanel::show(const Settings& settings) {
+void EdgesPanel::show(const edges::Settings& settings) {
     shown_ = settings;
     noteThreshold(settings);
     if (settings.ratio != kThesisRatio && ratioLocked()) {
@@ -256,12 +256,12 @@ void EdgesPanel::show(const Settings& settings) {
     showPresetName();
 }
 
-void EdgesPanel::showResult(const Detection& detection) {
+void EdgesPanel::showResult(const edges::Detection& detection) {
     scale_ = detection.gray->scale;
-    measured_ = measuredOf(detection);
+    measured_ = edges::measuredOf(detection);
     classesKnown_ = detection.classes != nullptr;
-    classCounts_ = countClasses(detection);
-    const Parameter& swept = sweptParameter(detection.settings.method);
+    classCounts_ = edges::countClasses(detection);
+    const edges::Parameter& swept = edges::sweptParameter(detection.settings.method);
     curve(swept.key)->showFound(swept.get(detection.settings), detection.edges->size());
     const QString noise = noiseWords(detection);
     noise_->setText(noise);
@@ -284,11 +284,11 @@ void EdgesPanel::showClasses() {
 }
 
 void EdgesPanel::showInUse() {
-    const auto folded = [this](const Parameter& p) { return p.advanced && p.usedBy(shown_); };
-    fold_->setVisible(std::ranges::any_of(parameters(), folded));
+    const auto folded = [this](const edges::Parameter& p) { return p.advanced && p.usedBy(shown_); };
+    fold_->setVisible(std::ranges::any_of(edges::parameters(), folded));
     for (ParameterRow* row : rows_) {
-        const Parameter& p = row->parameter();
-        row->show(p.get(shown_), p.automatic != nullptr ? p.automatic(shown_, measured_) : kAutomatic);
+        const edges::Parameter& p = row->parameter();
+        row->show(p.get(shown_), p.automatic != nullptr ? p.automatic(shown_, measured_) : edges::kAutomatic);
         row->setVisible(p.usedBy(shown_));
         if (CountCurve* below = curve(p.key)) {
             below->showValue(p.get(shown_));
@@ -298,10 +298,10 @@ void EdgesPanel::showInUse() {
 }
 
 void EdgesPanel::showUpper() {
-    const bool used = reads(shown_.method, kReadsTwoThresholds);
+    const bool used = edges::reads(shown_.method, edges::kReadsTwoThresholds);
     upper_->setVisible(used);
     lock_->setVisible(used);
-    const bool share = reads(shown_.method, kReadsRangeStep); // a share of the range, not gray levels
+    const bool share = edges::reads(shown_.method, edges::kReadsRangeStep); // a share of the range, not gray levels
     QString text =
         share ? tr("Strong from  %1 % of range").arg(100 * std::expm1(shown_.ratio * std::log1p(shown_.stepPercent / 100)), 0, 'f', 1)
               : tr("Upper threshold  %1").arg(shown_.upper(), 0, 'f', 1);
@@ -311,7 +311,7 @@ void EdgesPanel::showUpper() {
 
 void EdgesPanel::showPresetName() { modified_->setText(modified() ? tr("• modified") : QString()); }
 
-void EdgesPanel::setPreset(const Preset& preset) {
+void EdgesPanel::setPreset(const edges::Preset& preset) {
     preset_ = preset;
     const QString name = shownName(exactText(preset.name), 60);
     int index = presets_->findText(name);

@@ -29,11 +29,11 @@ class EdgesPanel : public QWidget {
 public:
     explicit EdgesPanel(QWidget* parent = nullptr);
 
-    void show(const Settings& settings);
+    void show(const edges::Settings& settings);
     /// Shows the values of automatic parameters and the edge count of each class.
-    void showResult(const Detection& detection);
+    void showResult(const edges::Detection& detection);
     /// Shows the edge count for each value of this parameter.
-    void showCounts(const QString& parameter, const edgescan::EdgeCountCurve& curve);
+    void showCounts(const QString& parameter, const edgescan::edges::EdgeCountCurve& curve);
     void forgetCounts();
     /// The colours of the classes.
     void setEdgeColours(const EdgeColours& colours);
@@ -41,8 +41,8 @@ public:
     void setBehind(bool behind);
 
     /// The preset that reset buttons restore, and that "modified" refers to.
-    void setPreset(const Preset& preset);
-    [[nodiscard]] const Preset& preset() const { return preset_; }
+    void setPreset(const edges::Preset& preset);
+    [[nodiscard]] const edges::Preset& preset() const { return preset_; }
     [[nodiscard]] bool modified() const { return !(shown_ == preset_.settings); }
     [[nodiscard]] bool ratioLocked() const;
     /// The curve under the slider of "lower", "step" or "sensitivity".
@@ -57,45 +57,46 @@ public slots:
     void setRatioLocked(bool locked);
 
 signals:
-    void edited(const edgescan::Settings& settings, bool dragging);
+    void edited(const edgescan::edges::Settings& settings, bool dragging);
     void editEnded();
     /// The typed text is not a value; the sentence gives the reason.
     void refused(const QString& sentence);
-    void presetChosen(const edgescan::Preset& preset);
-    void savePresetWanted();
-    void openPresetWanted();
+    void presetChosen(const edgescan::edges::Preset& preset);
+    void savePresetRequested();
+    void openPresetRequested();
     void ratioLockChanged(bool locked);
 
 private:
     void addPresets(QGridLayout& grid);
-    void addRow(const Parameter& parameter, QGridLayout& grid);
+    void addRow(const edges::Parameter& parameter, QGridLayout& grid);
     void addNoise(QGridLayout& grid);
-    void addCurve(const Parameter& parameter, QGridLayout& grid);
+    void addCurve(const edges::Parameter& parameter, QGridLayout& grid);
     void addMeaning(QGridLayout& grid);
     [[nodiscard]] Result<double> lowerOfDepth(const QString& text) const;
     void addUpper(QGridLayout& grid);
-    void edit(const Parameter& parameter, double value, bool dragging);
-    void noteThreshold(const Settings& settings);
+    void edit(const edges::Parameter& parameter, double value, bool dragging);
+    void noteThreshold(const edges::Settings& settings);
     void showPresetName();
     void showUpper();
     void showInUse();
     void showClasses();
     void showMeaning();
 
-    Settings shown_;
-    Settings lastGray_ = cannySettings(); // the last settings with gray levels: their threshold is carried over to another method
+    edges::Settings shown_;
+    edges::Settings lastGray_ =
+        edges::cannySettings(); // the last settings with gray levels: their threshold is carried over to another method
     struct Carried {
         double lower = 0.0; // as set by the change of method
-        Method chosenFor = Method::Canny;
+        edges::Method chosenFor = edges::Method::Canny;
         double chosen = 0.0;
     };
-    std::map<Method, Carried> carried_; // per method: the last change to it; undo returns to it
-    GrayScale scale_;
-    Measured measured_;
-    std::array<std::size_t, kDepthEdges> classCounts_{}; // per DepthEdge
+    std::map<edges::Method, Carried> carried_; // per method: the last change to it; undo returns to it
+    edges::GrayScale scale_;
+    edges::Measured measured_;
+    std::array<std::size_t, edges::kDepthEdges> classCounts_{}; // per DepthEdge
     bool classesKnown_ = false;
     EdgeColours colours_ = kUsualColours;
-    Preset preset_;
+    edges::Preset preset_;
     std::vector<ParameterRow*> rows_;
     QComboBox* presets_ = nullptr;
     QLabel* modified_ = nullptr;

@@ -5,9 +5,9 @@
 
 namespace edgescan::ui {
 
-QString noiseWords(const Detection& detection) {
+QString noiseWords(const edges::Detection& detection) {
     if (!detection.responses || !(detection.responses->scales.rangeM > 0)) return {};
-    const DepthResponses& found = *detection.responses;
+    const edges::DepthResponses& found = *detection.responses;
     const auto at = [](const RangeNoise& noise, double rangeM) {
         return QObject::tr("%1 mm at %2 m").arg(noise.at(rangeM), 0, 'f', 1).arg(rangeM, 0, 'f', 1);
     };

@@ -8,6 +8,6 @@
 namespace edgescan::ui {
 
 /// "each cell errs for itself; sigma 6.1 mm at 2.6 m, 6.7 mm at 5.2 m, ..."; empty if the method uses no noise.
-[[nodiscard]] QString noiseWords(const Detection& detection);
+[[nodiscard]] QString noiseWords(const edges::Detection& detection);
 
 } // namespace edgescan::ui

@@ -57,7 +57,7 @@ private:
     Refusal refusal_;
 };
 
-QString limitsText(const Parameter& p) {
+QString limitsText(const edges::Parameter& p) {
     QString text = QObject::tr(p.help);
     if (p.choices.empty())
         text += QObject::tr("\n%1 to %2 %3").arg(p.minimum).arg(p.maximum).arg(*p.unit == '\0' ? QString() : QObject::tr(p.unit));
@@ -66,7 +66,7 @@ QString limitsText(const Parameter& p) {
 
 } // namespace
 
-ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent) : QObject(parent), parameter_(parameter) {
+ParameterRow::ParameterRow(const edges::Parameter& parameter, QGridLayout& grid, QWidget* parent) : QObject(parent), parameter_(parameter) {
     const int row = grid.rowCount();
     label_ = new QLabel(QObject::tr(parameter.label), parent);
     label_->setToolTip(limitsText(parameter));
@@ -85,7 +85,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
         slider_->setAccessibleName(label_->text());
         slider_->installEventFilter(this);
         grid.addWidget(slider_, row + 1, 0, 1, 4); // on its own line: a short slider cannot be set finely
-        connect(slider_, &QSlider::valueChanged, this, [this](int position) { changeTo(sliderValue(parameter_, position)); });
+        connect(slider_, &QSlider::valueChanged, this, [this](int position) { changeTo(edges::sliderValue(parameter_, position)); });
         connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::dragEnded);
     }
 }
@@ -93,15 +93,15 @@ ParameterRow::ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidge
 bool ParameterRow::numericChoices() const { return parameter_.choices.size() > 2 && parameter_.choices.front().name[0] <= '9'; }
 
 void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
-    const Parameter& p = parameter_;
+    const edges::Parameter& p = parameter_;
     slider_ = new QSlider(Qt::Horizontal, parent);
-    slider_->setRange(0, kSliderSteps);
-    slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
+    slider_->setRange(0, edges::kSliderSteps);
+    slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(edges::kSliderSteps * p.step / (p.sliderMaximum - p.minimum)))));
     auto* box = new ReadingBox(parent);
     number_ = box;
     // Automatic values are shown even beyond the limits for typed values.
     box->read([this, box](const QString& text) -> Result<double> {
-        const Result<double> value = parseValue(parameter_, text.toStdString());
+        const Result<double> value = edges::parseValue(parameter_, text.toStdString());
         if (value && std::isnan(*value)) return Error{"auto is no number", "", "tick auto beside the box"};
         if (!value && text == box->textFromValue(box->value())) return box->value();
         return value;
@@ -127,14 +127,15 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     label_->setBuddy(number_);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
     connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-            [this](double value) { changeTo(snapped(parameter_, value)); });
+            [this](double value) { changeTo(edges::snapped(parameter_, value)); });
     grid.addWidget(number_, row, 1, 1, p.automatic == nullptr ? 3 : 2);
     if (p.automatic == nullptr) return;
     auto* automatic = new QCheckBox(tr("auto"), parent);
     automatic->setObjectName(QString("auto-") + p.key);
     automatic_ = automatic;
     grid.addWidget(automatic, row, 3);
-    connect(automatic, &QCheckBox::toggled, this, [this](bool on) { changeTo(on ? kAutomatic : snapped(parameter_, number_->value())); });
+    connect(automatic, &QCheckBox::toggled, this,
+            [this](bool on) { changeTo(on ? edges::kAutomatic : edges::snapped(parameter_, number_->value())); });
 }
 
 void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
@@ -144,7 +145,7 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     choice_->setAccessibleName(label_->text());
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     label_->setBuddy(choice_);
-    for (const Choice& choice : parameter_.choices) choice_->addItem(QObject::tr(choice.label));
+    for (const edges::Choice& choice : parameter_.choices) choice_->addItem(QObject::tr(choice.label));
     connect(choice_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
         if (index >= 0) changeTo(parameter_.choices[static_cast<std::size_t>(index)].value);
     });
@@ -165,7 +166,7 @@ void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
     auto* column = new QVBoxLayout(strip);
     column->setContentsMargins(0, 0, 0, 0);
     strip_ = strip;
-    for (const Choice& choice : parameter_.choices) {
+    for (const edges::Choice& choice : parameter_.choices) {
         auto* box = new QCheckBox(QObject::tr(choice.label), strip);
         box->setObjectName(QString("switch-%1-%2").arg(parameter_.key, choice.name));
         box->setToolTip(limitsText(parameter_));
@@ -193,9 +194,9 @@ void ParameterRow::show(double value, double inUse) {
     }
     for (std::size_t n = 0; n < switches_.size(); ++n)
         switches_[n]->setChecked((static_cast<int>(value) & static_cast<int>(parameter_.choices[n].value)) != 0);
-    if (choice_ != nullptr) choice_->setCurrentIndex(sliderPosition(parameter_, value));
+    if (choice_ != nullptr) choice_->setCurrentIndex(edges::sliderPosition(parameter_, value));
     // While the operator drags the slider it must not be moved: its own rounding would push it back.
-    if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(sliderPosition(parameter_, shown));
+    if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(edges::sliderPosition(parameter_, shown));
     showing_ = false;
 }
 
@@ -245,14 +246,14 @@ bool ParameterRow::stepByKey(const QKeyEvent& event) {
     double step = parameter_.step * (up ? 1.0 : -1.0);
     if ((event.modifiers() & Qt::ShiftModifier) != 0) step *= 10.0;
     if ((event.modifiers() & Qt::ControlModifier) != 0) step /= 10.0;
-    number_->setValue(snapped(parameter_, number_->value() + step));
+    number_->setValue(edges::snapped(parameter_, number_->value() + step));
     return true;
 }
 
 bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
     if (watched == slider_ && event->type() == QEvent::KeyPress) return stepByKey(*static_cast<QKeyEvent*>(event));
     if (event->type() == QEvent::MouseButtonDblClick) {
-        emit resetWanted();
+        emit resetRequested();
         return true;
     }
     return QObject::eventFilter(watched, event);

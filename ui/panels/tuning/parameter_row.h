@@ -26,7 +26,7 @@ class ParameterRow : public QObject {
     Q_OBJECT
 public:
     /// Adds its widgets as the next row of `grid`.
-    ParameterRow(const Parameter& parameter, QGridLayout& grid, QWidget* parent);
+    ParameterRow(const edges::Parameter& parameter, QGridLayout& grid, QWidget* parent);
 
     /// Shows the value without a signal. `inUse`: the value of an automatic parameter, NaN if unknown.
     void show(double value, double inUse);
@@ -37,7 +37,7 @@ public:
     void read(Reading reading);
     /// Marks the switch of one of several choices with its colour and a remark with numbers.
     void mark(std::size_t choice, const QColor& colour, const QString& remark);
-    [[nodiscard]] const Parameter& parameter() const { return parameter_; }
+    [[nodiscard]] const edges::Parameter& parameter() const { return parameter_; }
     [[nodiscard]] QSlider* slider() const { return slider_; }
     [[nodiscard]] QDoubleSpinBox* number() const { return number_; }
     [[nodiscard]] QComboBox* choice() const { return choice_; }
@@ -51,7 +51,7 @@ signals:
     /// The typed text is not a value and the former value is restored; the sentence gives the reason.
     void refused(const QString& sentence);
     /// A double-click: restore the value of the preset.
-    void resetWanted();
+    void resetRequested();
 
 private:
     void addNumber(QGridLayout& grid, int row, QWidget* parent);
@@ -62,7 +62,7 @@ private:
     bool stepByKey(const QKeyEvent& event);
     [[nodiscard]] bool numericChoices() const;
 
-    const Parameter& parameter_;
+    const edges::Parameter& parameter_;
     QLabel* label_ = nullptr;
     QSlider* slider_ = nullptr;            // null for a choice without order
     QDoubleSpinBox* number_ = nullptr;     // null for choices

@@ -115,7 +115,7 @@ void RangeHandles::mouseReleaseEvent(QMouseEvent* /*event*/) { held_.reset(); }
 
 void RangeHandles::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
     held_.reset();
-    emit automaticWanted();
+    emit automaticRequested();
 }
 
 void RangeHandles::keyPressEvent(QKeyEvent* event) {
@@ -197,10 +197,10 @@ RangeWindow::RangeWindow(QWidget* parent)
     column->setSpacing(0);
     column->addLayout(line);
     column->addWidget(handles_);
-    connect(handles_, &RangeHandles::dragged, this, &RangeWindow::windowWanted);
-    connect(handles_, &RangeHandles::automaticWanted, this, &RangeWindow::automaticWanted);
-    connect(automatic_, &QToolButton::clicked, this, &RangeWindow::automaticWanted);
-    connect(lock_, &QToolButton::toggled, this, &RangeWindow::lockWanted);
+    connect(handles_, &RangeHandles::dragged, this, &RangeWindow::windowRequested);
+    connect(handles_, &RangeHandles::automaticRequested, this, &RangeWindow::automaticRequested);
+    connect(automatic_, &QToolButton::clicked, this, &RangeWindow::automaticRequested);
+    connect(lock_, &QToolButton::toggled, this, &RangeWindow::lockRequested);
 }
 
 void RangeWindow::showHistogram(const RangeHistogram& histogram) { handles_->showHistogram(histogram); }

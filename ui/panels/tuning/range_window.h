@@ -39,7 +39,7 @@ public:
 
 signals:
     void dragged(double nearM, double farM);
-    void automaticWanted();
+    void automaticRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -76,9 +76,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 signals:
-    void windowWanted(double nearM, double farM);
-    void automaticWanted();
-    void lockWanted(bool on);
+    void windowRequested(double nearM, double farM);
+    void automaticRequested();
+    void lockRequested(bool on);
 
 private:
     void fit();

@@ -32,7 +32,7 @@ QString number(double value, int decimals) { return QString::number(value, 'f', 
 // With thousands separators, the same in every locale.
 QString count(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
-QString rangeText(const Probe& probe) {
+QString rangeText(const edges::Probe& probe) {
     if (probe.filled)
         return QObject::tr("filled, not measured: %1 m ± %2")
             .arg(number(static_cast<double>(probe.filled->rangeMm) / 1000.0, 3),
@@ -45,8 +45,8 @@ QString rangeText(const Probe& probe) {
 
 } // namespace
 
-ProbeWords probeWords(const Probe& probe) {
-    ProbeWords words;
+ProbeTexts probeWords(const edges::Probe& probe) {
+    ProbeTexts words;
     if (probe.mineM)
         words.place =
             QObject::tr("N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
@@ -55,7 +55,8 @@ ProbeWords probeWords(const Probe& probe) {
     if (probe.state == CellState::Valid)
         words.place +=
             QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
-    const QString kind = probe.kind == DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edgeClassLabel(probe.kind)));
+    const QString kind =
+        probe.kind == edges::DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edges::edgeClassLabel(probe.kind)));
     words.verdict = rangeText(probe) + "  " + (probe.edge ? QObject::tr("EDGE") + kind : QObject::tr("not an edge"));
     words.cell = QObject::tr("line %1  beam %2").arg(probe.line).arg(probe.beam);
     if (!std::isnan(probe.beamDeg)) words.cell += QObject::tr("  at %1° / %2°").arg(number(probe.lineDeg, 3), number(probe.beamDeg, 3));
@@ -79,7 +80,7 @@ StatusLine::StatusLine(QWidget* parent)
     bar_->setFixedWidth(140);
     line->addWidget(bar_);
     auto* cancel = new QPushButton(tr("Cancel (Esc)"));
-    connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelWanted);
+    connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
     line->addWidget(cancel);
     work_->hide();
     untilWorkIsShown_.setSingleShot(true);
@@ -120,7 +121,7 @@ StatusLine::StatusLine(QWidget* parent)
     });
 }
 
-void StatusLine::addKept(QWidget* widget) {
+void StatusLine::addPinned(QWidget* widget) {
     pinnedWidgets_.push_back(widget);
     facts_->insertWidget(0, widget);
     widget->installEventFilter(this);
@@ -203,8 +204,8 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     return QStatusBar::eventFilter(watched, event);
 }
 
-void StatusLine::showProbe(const std::optional<Probe>& probe) {
-    const ProbeWords words = probe ? probeWords(*probe) : ProbeWords{};
+void StatusLine::showProbe(const std::optional<edges::Probe>& probe) {
+    const ProbeTexts words = probe ? probeWords(*probe) : ProbeTexts{};
     probeMain_ = probe ? words.place + "  " + words.verdict : QString();
     probeMore_ = words.cell;
     // Widgets at the right must not appear and disappear with mouse movements.
@@ -247,7 +248,7 @@ void StatusLine::showTimeOf(const Scan& scan, bool live) {
                                          : tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
 }
 
-void StatusLine::showCounts(const Detection& detection) {
+void StatusLine::showCounts(const edges::Detection& detection) {
     const auto cells = countCells(*detection.scan);
     const auto of = [&](CellState state) { return cells[static_cast<std::size_t>(state)]; };
     const QString edges = tr("%1 edges").arg(count(detection.edges->size()));
@@ -264,17 +265,18 @@ void StatusLine::showCounts(const Detection& detection) {
 
 void StatusLine::showBox(const QString& words) { showFact(Fact::Box, words, {}, false); }
 
-void StatusLine::showSettings(const Settings& settings) {
-    const std::vector<std::string> keys = changedFromDefault(settings);
-    const QString set = QString("%1 %2").arg(QString(kDefaultSet.name)).arg(kDefaultSet.version);
+void StatusLine::showSettings(const edges::Settings& settings) {
+    const std::vector<std::string> keys = edges::changedFromDefault(settings);
+    const QString set = QString("%1 %2").arg(QString(edges::kDefaultSet.name)).arg(edges::kDefaultSet.version);
     QLabel& label = *factLabel(Fact::Settings).label;
     showFact(Fact::Settings, keys.empty() ? tr("settings: %1").arg(set) : tr("settings: %1, %2 changed").arg(set).arg(keys.size()),
              keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
     QStringList about;
     for (const std::string& key : keys) {
-        const Parameter& p = *findParameter(key);
+        const edges::Parameter& p = *edges::findParameter(key);
         about << tr("%1: %2 instead of %3")
-                     .arg(QObject::tr(p.label), shownText(formatValue(p, p.get(settings))), shownText(formatValue(p, p.get(Settings{}))));
+                     .arg(QObject::tr(p.label), shownText(edges::formatValue(p, p.get(settings))),
+                          shownText(edges::formatValue(p, p.get(edges::Settings{}))));
     }
     label.setToolTip(keys.empty() ? tr("All settings are those of the default set.")
                                   : about.join("\n") + tr("\nCtrl+D restores the default settings."));

@@ -19,12 +19,12 @@ class QPushButton;
 namespace edgescan::ui {
 
 /// The texts about a cell, in the order of importance; dashes for unknown mine coordinates.
-struct ProbeWords {
+struct ProbeTexts {
     QString place;   ///< "N 5150118.058  E ...  El ...  x 1.234  y ...  z ... m"
     QString verdict; ///< "range 5.123 m  EDGE (jump)"
     QString cell;    ///< "line 12  beam 400  at 2.160° / 61.667°  gray 87"
 };
-[[nodiscard]] ProbeWords probeWords(const Probe& probe);
+[[nodiscard]] ProbeTexts probeWords(const edges::Probe& probe);
 
 class StatusLine : public QStatusBar {
     Q_OBJECT
@@ -32,17 +32,17 @@ public:
     explicit StatusLine(QWidget* parent = nullptr);
 
     /// Adds a widget that is shown at every width.
-    void addKept(QWidget* widget);
-    void showProbe(const std::optional<Probe>& probe);
+    void addPinned(QWidget* widget);
+    void showProbe(const std::optional<edges::Probe>& probe);
     /// The content of the selected box; empty: no box.
     void showBox(const QString& words);
-    void showCounts(const Detection& detection);
+    void showCounts(const edges::Detection& detection);
     /// The frame of the scan, with the origin of local coordinates.
     void showPlace(const Scan& scan);
     /// Marks a picture from a file, with its time of measurement. A followed scanner is shown in the live panel instead.
     void showTimeOf(const Scan& scan, bool live);
     /// The number and names of the settings that differ from the defaults.
-    void showSettings(const Settings& settings);
+    void showSettings(const edges::Settings& settings);
     /// Milliseconds from a change of settings to its result.
     void showTime(double milliseconds);
     void showRenderer(const QString& name);
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] QString settingsShown() const;
 
 signals:
-    void cancelWanted();
+    void cancelRequested();
 
 protected:
     bool event(QEvent* event) override;

@@ -49,7 +49,7 @@ void fillPoints(const CartesianTables& tables, CloudGeometry& out) {
     const std::size_t cells = static_cast<std::size_t>(out.lines) * beams;
     out.xyz.resize(3 * cells);
     out.valid.assign(cells, 0);
-    inBands(out.lines, bandsFor(cells, 0), [&](int first, int last) {
+    runInBands(out.lines, bandsFor(cells, 0), [&](int first, int last) {
         std::vector<double> x(beams), y(beams), z(beams);
         for (int line = first; line < last; ++line) {
             tables.pointsOfLine(line, x.data(), y.data(), z.data());

@@ -58,7 +58,7 @@ struct Neighbourhood {
 std::vector<float> surfaceNormals(const CloudGeometry& cloud) {
     const Neighbourhood around(cloud);
     std::vector<float> normals(3 * cloud.cells());
-    inBands(cloud.lines, bandsFor(cloud.cells(), 0), [&](int first, int last) {
+    runInBands(cloud.lines, bandsFor(cloud.cells(), 0), [&](int first, int last) {
         std::size_t k = static_cast<std::size_t>(first) * static_cast<std::size_t>(cloud.beams);
         for (int line = first; line < last; ++line) {
             for (int beam = 0; beam < cloud.beams; ++beam, ++k) {

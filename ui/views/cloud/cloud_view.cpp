@@ -140,7 +140,7 @@ void CloudView::setCaption(const QString& text) {
     updateOverlay();
 }
 
-void CloudView::setCaptionRoom(int pixels) {
+void CloudView::setCaptionMargin(int pixels) {
     if (pixels == captionRoom_) return;
     captionRoom_ = pixels;
     updateOverlay();

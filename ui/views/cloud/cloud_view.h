@@ -104,7 +104,7 @@ public:
     void setCaption(const QString& text);
     [[nodiscard]] const QString& caption() const { return caption_; }
     /// Width of a widget in that corner, pixels from the right edge; 0: the corner is free.
-    void setCaptionRoom(int pixels);
+    void setCaptionMargin(int pixels);
     [[nodiscard]] const QString& stale() const { return stale_; }
     /// Replaces targets and measurements.
     void setMarks(CellMarks marks);

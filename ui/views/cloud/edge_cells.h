@@ -27,8 +27,8 @@ using EdgeColours = std::array<QColor, kEdgeClasses>;
 
 inline QColor colourOf(const Rgb& colour) { return {colour.red, colour.green, colour.blue}; }
 /// The same colours as in files.
-inline const EdgeColours kUsualColours{colourOf(kEdgeColours[1]), colourOf(kEdgeColours[2]), colourOf(kEdgeColours[3]),
-                                       colourOf(kEdgeColours[4]), colourOf(kEdgeColours[5])};
+inline const EdgeColours kUsualColours{colourOf(files::kEdgeColours[1]), colourOf(files::kEdgeColours[2]), colourOf(files::kEdgeColours[3]),
+                                       colourOf(files::kEdgeColours[4]), colourOf(files::kEdgeColours[5])};
 /// Distinct with red-green colour blindness: along yellow, white and blue. Contrast to the cloud's gray at least 3 : 1.
 inline const EdgeColours kColourBlindColours{QColor(240, 228, 66), QColor(178, 223, 255), QColor(255, 255, 255), QColor(255, 210, 190),
                                              QColor(190, 255, 190)};

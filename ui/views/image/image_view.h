@@ -103,7 +103,7 @@ signals:
     /// Esc removed the crosshair and the box.
     void cleared();
     /// Right click without a drag, with its position on the screen.
-    void menuWanted(int line, int beam, const QPoint& position);
+    void menuRequested(int line, int beam, const QPoint& position);
     void boxSelected(const QRect& cells);
     /// End of a drag with a selecting tool: its corners, in cells (x = beam, y = line).
     void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 // A range image whose pixels are the cells of a scan: without resampling, so that every border is a cell.
 class GridRangeImage : public pcl::RangeImage {
 public:
-    explicit GridRangeImage(const PeerScan& scan) : directions_(scan.directions) {
+    explicit GridRangeImage(const PclScan& scan) : directions_(scan.directions) {
         const PclCloud::Ptr cloud = organisedCloud(scan.pointsM);
         width = cloud->width;
         height = cloud->height;
@@ -41,7 +41,7 @@ private:
 
 } // namespace
 
-PeerEdges rangeImageBorders(const PeerScan& scan) {
+PclEdges rangeImageBorders(const PclScan& scan) {
     StepClock clock;
     const GridRangeImage image(scan);
     clock.ended("range image");
@@ -50,11 +50,11 @@ PeerEdges rangeImageBorders(const PeerScan& scan) {
     extractor.compute(borders);
     clock.ended("edges");
 
-    PeerEdges result;
+    PclEdges result;
     result.mask = Grid<std::uint8_t>(scan.pointsM.lines, scan.pointsM.beams);
-    PeerClass object{"object border", result.mask, true};
-    PeerClass shadow{"shadow border", result.mask, false};
-    PeerClass veil{"veil point", result.mask, false};
+    PclClass object{"object border", result.mask, true};
+    PclClass shadow{"shadow border", result.mask, false};
+    PclClass veil{"veil point", result.mask, false};
     for (std::size_t k = 0; k < borders.size(); ++k) {
         const pcl::BorderTraits& traits = borders[k].traits;
         if (!scan.pointsM[k].allFinite()) continue;
@@ -69,4 +69,4 @@ PeerEdges rangeImageBorders(const PeerScan& scan) {
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

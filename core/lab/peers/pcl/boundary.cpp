@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 constexpr std::size_t kChunk = 2000; // points between two checks of the time
 
 } // namespace
 
-PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius) {
+PclEdges boundaryEstimation(const PclScan& scan, const PclLimits& limits, bool radius) {
     StepClock clock;
     const MeasuredPoints points = measuredPoints(scan);
     const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
@@ -24,7 +24,7 @@ PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, boo
 
     const auto normals = std::make_shared<pcl::PointCloud<pcl::Normal>>();
     normals->resize(points.cloud->size());
-    PeerEdges result;
+    PclEdges result;
     result.mask = Grid<std::uint8_t>(scan.pointsM.lines, scan.pointsM.beams);
     // Chunks distributed over the whole scan, so that the part processed within the time limit represents the rest.
     const std::size_t chunks = (points.cells.size() + kChunk - 1) / kChunk;
@@ -74,4 +74,4 @@ PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, boo
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -14,7 +14,7 @@
 #include <exception>
 #include <new>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 void limit(int what, const char* most) {
@@ -25,7 +25,7 @@ void limit(int what, const char* most) {
 }
 
 // OrganizedEdgeFromNormals averages normals over windows of 10 cells and computes "height - 10" in an unsigned type.
-int fewestCells(Peer peer) { return peer == Peer::OrganizedEdge || peer == Peer::OrganizedEdgeUnrolled ? kNormalWindow : 8; }
+int fewestCells(PclMethod peer) { return peer == PclMethod::OrganizedEdge || peer == PclMethod::OrganizedEdgeUnrolled ? kNormalWindow : 8; }
 
 // If there is no answer, runPeer() reports that the memory was not enough. PCL's threads and Eigen end the process in different places.
 [[noreturn]] void outOfMemory() { _exit(EXIT_FAILURE); }
@@ -41,45 +41,45 @@ void ended() {
     std::abort();
 }
 
-Result<PeerEdges> answer(const PeerRequest& request) {
-    const PeerScan& scan = request.scan;
+Result<PclEdges> answer(const PclRequest& request) {
+    const PclScan& scan = request.scan;
     const auto points = std::ranges::count_if(scan.pointsM.cells, [](const Eigen::Vector3f& p) { return p.allFinite(); });
     const int fewest = fewestCells(request.peer);
     if (points < 100 || scan.pointsM.lines < fewest || scan.pointsM.beams < fewest) {
         const std::string side = std::to_string(fewest);
-        return Error{"PCL needs a grid of " + side + " x " + side + " cells and 100 points at least", peerName(request.peer),
+        return Error{"PCL needs a grid of " + side + " x " + side + " cells and 100 points at least", pclMethodName(request.peer),
                      "choose a larger scan"};
     }
     try {
         switch (request.peer) {
-        case Peer::BoundaryNeighbours:
+        case PclMethod::BoundaryNeighbours:
             return boundaryEstimation(scan, request.limits, false);
-        case Peer::BoundaryRadius:
+        case PclMethod::BoundaryRadius:
             return boundaryEstimation(scan, request.limits, true);
-        case Peer::RangeImageBorder:
+        case PclMethod::RangeImageBorder:
             return rangeImageBorders(scan);
-        case Peer::OrganizedEdge:
+        case PclMethod::OrganizedEdge:
             return organizedEdges(scan, false);
-        case Peer::OrganizedEdgeUnrolled:
+        case PclMethod::OrganizedEdgeUnrolled:
             return organizedEdges(scan, true);
-        case Peer::RegionGrowing:
+        case PclMethod::RegionGrowing:
             return grownRegions(scan);
-        case Peer::ConvexPatches:
+        case PclMethod::ConvexPatches:
             return convexPatches(scan);
         }
     } catch (const std::bad_alloc&) {
         outOfMemory();
     } catch (const std::exception& error) {
-        return Error{std::string("PCL gave up (") + error.what() + ")", peerName(request.peer), "leave this peer out"};
+        return Error{std::string("PCL gave up (") + error.what() + ")", pclMethodName(request.peer), "leave this peer out"};
     }
     return Error{"there is no such peer", std::to_string(static_cast<int>(request.peer)), "build the project again"};
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab
 
 int main(int count, char** arguments) {
-    using namespace edgescan;
+    using namespace edgescan::lab;
     if (count != 3) return EXIT_FAILURE;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_AS, arguments[1]);
@@ -89,7 +89,7 @@ int main(int count, char** arguments) {
     std::set_new_handler(outOfMemory);
     std::set_terminate(ended);
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // PCL would warn that a sweep is not a camera image
-    const std::optional<PeerRequest> request = readRequest(readAll(STDIN_FILENO));
+    const std::optional<PclRequest> request = readRequest(readAll(STDIN_FILENO));
     if (!request) return EXIT_FAILURE;
     return writeAll(STDOUT_FILENO, answerBytes(answer(*request))) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

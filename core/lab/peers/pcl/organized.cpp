@@ -4,7 +4,7 @@
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/organized_edge_detection.h>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using Detector = pcl::OrganizedEdgeFromNormals<pcl::PointXYZ, pcl::Normal, pcl::Label>;
@@ -13,7 +13,7 @@ constexpr float kDepthStep = 0.02F; // share of the depth: PCL's default
 
 } // namespace
 
-PeerEdges organizedEdges(const PeerScan& scan, bool unrolled) {
+PclEdges organizedEdges(const PclScan& scan, bool unrolled) {
     StepClock clock;
     const PclCloud::Ptr cloud = organisedCloud(unrolled ? scan.unrolledM : scan.pointsM);
     clock.ended("conversion");
@@ -39,10 +39,10 @@ PeerEdges organizedEdges(const PeerScan& scan, bool unrolled) {
     detector.compute(labels, unused);
     clock.ended("edges");
 
-    PeerEdges result;
+    PclEdges result;
     result.mask = Grid<std::uint8_t>(scan.pointsM.lines, scan.pointsM.beams);
     const auto classOf = [&](const char* name, std::uint32_t bit, bool counts) {
-        PeerClass one{name, Grid<std::uint8_t>(scan.pointsM.lines, scan.pointsM.beams), counts};
+        PclClass one{name, Grid<std::uint8_t>(scan.pointsM.lines, scan.pointsM.beams), counts};
         for (std::size_t k = 0; k < labels.size(); ++k) {
             if ((labels[k].label & bit) == 0 || !scan.pointsM[k].allFinite()) continue;
             one.mask[k] = 255;
@@ -59,4 +59,4 @@ PeerEdges organizedEdges(const PeerScan& scan, bool unrolled) {
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <memory>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 double threadSeconds() {
@@ -22,7 +22,7 @@ PclCloud::Ptr organisedCloud(const Grid<Eigen::Vector3f>& pointsM) {
     return cloud;
 }
 
-MeasuredPoints measuredPoints(const PeerScan& scan) {
+MeasuredPoints measuredPoints(const PclScan& scan) {
     MeasuredPoints all{{}, std::make_shared<PclCloud>()};
     for (std::size_t k = 0; k < scan.pointsM.size(); ++k) {
         if (!scan.pointsM[k].allFinite()) continue;
@@ -44,4 +44,4 @@ void StepClock::ended(const char* step) {
 
 double StepClock::secondsSinceStart() const { return threadSeconds() - start_; }
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::lab {
 
 inline constexpr int kNormalWindow = 10; ///< window, in cells, over which OrganizedEdgeFromNormals averages normals: PCL's default
 
@@ -22,7 +22,7 @@ struct MeasuredPoints {
     std::vector<std::size_t> cells;
     PclCloud::Ptr cloud;
 };
-[[nodiscard]] MeasuredPoints measuredPoints(const PeerScan& scan);
+[[nodiscard]] MeasuredPoints measuredPoints(const PclScan& scan);
 
 /// Thread CPU time between two readings, with a name for each.
 class StepClock {
@@ -31,18 +31,18 @@ public:
     /// Ends the step that began with the last call (or with the construction).
     void ended(const char* step);
     [[nodiscard]] double secondsSinceStart() const;
-    [[nodiscard]] std::vector<StageTime> take() { return std::move(steps_); }
+    [[nodiscard]] std::vector<edges::StageTime> take() { return std::move(steps_); }
 
 private:
     double start_, last_;
-    std::vector<StageTime> steps_;
+    std::vector<edges::StageTime> steps_;
 };
 
 // The PCL methods, one file each. They may throw, and PCL may crash in any of them.
-[[nodiscard]] PeerEdges boundaryEstimation(const PeerScan& scan, const PeerLimits& limits, bool radius);
-[[nodiscard]] PeerEdges rangeImageBorders(const PeerScan& scan);
-[[nodiscard]] PeerEdges organizedEdges(const PeerScan& scan, bool unrolled);
-[[nodiscard]] PeerEdges grownRegions(const PeerScan& scan);
-[[nodiscard]] PeerEdges convexPatches(const PeerScan& scan);
+[[nodiscard]] PclEdges boundaryEstimation(const PclScan& scan, const PclLimits& limits, bool radius);
+[[nodiscard]] PclEdges rangeImageBorders(const PclScan& scan);
+[[nodiscard]] PclEdges organizedEdges(const PclScan& scan, bool unrolled);
+[[nodiscard]] PclEdges grownRegions(const PclScan& scan);
+[[nodiscard]] PclEdges convexPatches(const PclScan& scan);
 
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -9,7 +9,7 @@
 
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 // Chosen on a tuning scene of docs/make-rocks with ten trials each, because PCL has no defaults for most of them.
@@ -25,8 +25,8 @@ constexpr float kSmoothness = 0.2F;
 
 float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180.0F; }
 
-PeerEdges segmentsOf(const PeerScan& scan, StepClock& clock) {
-    PeerEdges result;
+PclEdges segmentsOf(const PclScan& scan, StepClock& clock) {
+    PclEdges result;
     result.segments = Grid<std::uint32_t>(scan.pointsM.lines, scan.pointsM.beams);
     result.steps = clock.take();
     return result;
@@ -34,7 +34,7 @@ PeerEdges segmentsOf(const PeerScan& scan, StepClock& clock) {
 
 } // namespace
 
-PeerEdges grownRegions(const PeerScan& scan) {
+PclEdges grownRegions(const PclScan& scan) {
     StepClock clock;
     const MeasuredPoints points = measuredPoints(scan);
     const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
@@ -61,7 +61,7 @@ PeerEdges grownRegions(const PeerScan& scan) {
     growing.extract(clusters);
     clock.ended("segments");
 
-    PeerEdges result = segmentsOf(scan, clock);
+    PclEdges result = segmentsOf(scan, clock);
     for (std::size_t n = 0; n < clusters.size(); ++n) {
         for (const auto point : clusters[n].indices)
             result.segments[points.cells[static_cast<std::size_t>(point)]] = static_cast<std::uint32_t>(n + 1);
@@ -69,7 +69,7 @@ PeerEdges grownRegions(const PeerScan& scan) {
     return result;
 }
 
-PeerEdges convexPatches(const PeerScan& scan) {
+PclEdges convexPatches(const PclScan& scan) {
     StepClock clock;
     const MeasuredPoints points = measuredPoints(scan);
     clock.ended("conversion");
@@ -98,9 +98,9 @@ PeerEdges convexPatches(const PeerScan& scan) {
     convex.relabelCloud(labelled);
     clock.ended("segments");
 
-    PeerEdges result = segmentsOf(scan, clock);
+    PclEdges result = segmentsOf(scan, clock);
     for (std::size_t n = 0; n < labelled.size() && n < points.cells.size(); ++n) result.segments[points.cells[n]] = labelled[n].label;
     return result;
 }
 
-} // namespace edgescan
+} // namespace edgescan::lab

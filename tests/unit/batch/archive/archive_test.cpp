@@ -21,7 +21,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace edgescan {
+namespace edgescan::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -235,4 +235,4 @@ TEST(WorkerProcesses, AreNotMadeOfAProcessWithThreads) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::batch

@@ -11,6 +11,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::containers;
 using namespace edgescan::test;
 
 namespace {
@@ -321,7 +322,7 @@ TEST(Mcap, CompressedChunksBehindDamageAreFound) {
 TEST(Mcap, WhatWasLeftOutIsTheReasonThatNothingIsThere) {
     const Bytes plain = plainRecords();
     const auto refusal = [](const Bytes& file) {
-        const auto recording = Recording::fromBytes(file, "x.mcap");
+        const auto recording = files::Recording::fromBytes(file, "x.mcap");
         return recording ? std::string() : recording.error().sentence();
     };
     const std::string wrong = refusal(packedFile("", plain, plain.size(), crc32(plain) + 1));
@@ -349,7 +350,7 @@ TEST(Mcap, WhatWasLeftOutIsTheReasonThatNothingIsThere) {
 
 TEST(Mcap, TheDemoHoldsWhatTheIndependentReaderSays) {
     if (!std::filesystem::exists(kDemo)) GTEST_SKIP() << "no reference recording at " << kDemo;
-    const auto recording = Recording::open(kDemo);
+    const auto recording = files::Recording::open(kDemo);
     ASSERT_TRUE(recording) << recording.error().sentence();
     EXPECT_TRUE((*recording)->clean());
     EXPECT_EQ((*recording)->messages().size(), 84U);
@@ -379,12 +380,12 @@ TEST(Mcap, TheDemoHoldsWhatTheIndependentReaderSays) {
     };
     EXPECT_EQ(ours(bytesOfFile(kDemo)), listed(kDemo));
     // And the other way round: the independent reader reads what we write, whole and cut.
-    std::vector<RecordingMessagePtr> messages;
+    std::vector<files::RecordingMessagePtr> messages;
     for (int n = 0; n < 40; ++n) {
         messages.push_back(lineMessage(n));
-        messages.push_back(stepperMessage({n, 0.18 * n, 4.5, true, hostNsOfLine(n)}));
+        messages.push_back(files::stepperMessage({n, 0.18 * n, 4.5, true, hostNsOfLine(n)}));
     }
-    const Bytes whole = recordingBytes(metadataOf(SweepSettings{}), messages);
+    const Bytes whole = files::recordingBytes(scanner::metadataOf(scanner::SweepSettings{}), messages);
     for (const double share : {1.0, 0.9, 0.5, 0.31}) {
         const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(whole.size())));
         writeText(folder / "ours.mcap", std::string(part.begin(), part.end()));

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 void expectSameWithAnyThreads(const Scan& scan, const DepthEdgeSettings& settings) {
@@ -35,12 +35,12 @@ void expectSameWithAnyThreads(const Scan& scan, const DepthEdgeSettings& setting
 }
 
 TEST(DepthBands, GiveTheSameResponses) {
-    SimulationSettings simulation;
+    sim::SimulationSettings simulation;
     simulation.lines = 210;
     simulation.beams = 161;
     simulation.slips = 0.05;
     simulation.dropouts = 0.02;
-    const auto simulated = simulate(simulation);
+    const auto simulated = sim::simulate(simulation);
     ASSERT_TRUE(simulated);
     DepthEdgeSettings settings;
     expectSameWithAnyThreads(simulated->scan, settings);
@@ -50,10 +50,10 @@ TEST(DepthBands, GiveTheSameResponses) {
 
 // Gaps of one to six cells, along and across the seams of any number of bands.
 TEST(DepthBands, FillTheSameGaps) {
-    SimulationSettings simulation;
+    sim::SimulationSettings simulation;
     simulation.lines = 90;
     simulation.beams = 61;
-    auto simulated = simulate(simulation);
+    auto simulated = sim::simulate(simulation);
     ASSERT_TRUE(simulated);
     Scan& scan = simulated->scan;
     std::mt19937 random(5);
@@ -75,4 +75,4 @@ TEST(DepthBands, FillTheSameGaps) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // A wall with a rectangular hole of 20 x 40 cells.
@@ -64,8 +64,8 @@ TEST(EdgeClasses, OutlinesAndJumpsAreClassesOfTheSameEdges) {
 TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
     const auto boxes = std::make_shared<const Scan>(test::boxesScan(60, 80, 4));
     const auto detection = detectEdges(boxes, Settings{});
-    for (const ExportContent content : {ExportContent::EdgeCloud, ExportContent::FullCloud}) {
-        const auto files = exportFiles(content, *detection, "cloud.csv", "", {});
+    for (const exports::ExportContent content : {exports::ExportContent::EdgeCloud, exports::ExportContent::FullCloud}) {
+        const auto files = exports::exportFiles(content, *detection, "cloud.csv", "", {});
         ASSERT_TRUE(files) << files.error().sentence();
         std::istringstream rows(files->front().bytes);
         std::string header;
@@ -84,12 +84,12 @@ TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
                 ASSERT_EQ(fields[6] == "255", fields.back() != "0") << row;
             }
         }
-        EXPECT_EQ(points, content == ExportContent::EdgeCloud ? detection->edges->size()
-                                                              : countCells(*boxes)[static_cast<std::size_t>(CellState::Valid)]);
+        EXPECT_EQ(points, content == exports::ExportContent::EdgeCloud ? detection->edges->size()
+                                                                       : countCells(*boxes)[static_cast<std::size_t>(CellState::Valid)]);
     }
-    const auto gray = exportFiles(ExportContent::EdgeCloud, *detectEdges(boxes, cannySettings()), "cloud.csv", "", {});
+    const auto gray = exports::exportFiles(exports::ExportContent::EdgeCloud, *detectEdges(boxes, cannySettings()), "cloud.csv", "", {});
     EXPECT_EQ(gray->front().bytes.find("class"), std::string::npos); // Canny knows none
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

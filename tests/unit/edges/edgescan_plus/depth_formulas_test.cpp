@@ -12,7 +12,7 @@
 #include <numbers>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -155,4 +155,4 @@ TEST(DepthFormulas, JumpsAndFoldsAreThoseOfTheMethod) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

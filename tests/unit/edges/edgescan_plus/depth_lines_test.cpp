@@ -15,7 +15,7 @@
 #include <cstring>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // Boxes, slanted and rough surfaces, mixed pixels and holes, in sizes round the blocks that loops work on.
@@ -194,7 +194,7 @@ struct WholeSweep {
             for (int i = 0; i < lines; ++i) crackJumps({u, solid}, along, i, anglesOf(steps, along, i, room), slips, limits, cracks);
             cracks.nextEmpty();
             for (int i = -1; i <= lines; ++i) surfaceLinks({u, solid}, cracks, along, i, slips, link);
-            for (int i = 0; i < lines; ++i) onNearerCells({u, solid}, cracks, along, i, cells);
+            for (int i = 0; i < lines; ++i) jumpsOnNearerCells({u, solid}, cracks, along, i, cells);
             addMargin(link);
             for (int i = 0; i < lines; ++i)
                 (along == Along::Beams ? jumpBeams : jumpLines).emplace_back(cells.line(i), cells.line(i) + beams);
@@ -225,7 +225,7 @@ TEST(DepthLines, StagesLineByLineSayWhatTheySayOfTheWholeSweep) {
         const Scan scan = randomScan(random);
         InverseRange inverse = inverseRange(scan);
         SweepSlips slips = noSlips(scan.lines());
-        if (round % 3 == 0) slips.extra[random() % 2][random() % static_cast<unsigned>(scan.lines())] = 1.3F;
+        if (round % 3 == 0) slips.remaining[random() % 2][random() % static_cast<unsigned>(scan.lines())] = 1.3F;
         const AngularSteps steps = angularSteps(scan);
         const DepthLimits limits = randomLimits(random);
         const WholeSweep whole(inverse, steps, slips, limits);
@@ -344,4 +344,4 @@ TEST(OrderStatistic, IsThatOfASort) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

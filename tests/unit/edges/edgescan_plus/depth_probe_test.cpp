@@ -15,17 +15,17 @@
 #include <cmath>
 #include <filesystem>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 Scan smallBell(double interlaceDeg = 0.0) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 150;
     settings.beams = 160;
     settings.seed = 11;
     settings.dropouts = 0.03;
     settings.interlaceDeg = interlaceDeg;
-    return simulate(settings)->scan;
+    return sim::simulate(settings)->scan;
 }
 
 bool besideFilled(const InverseRange& inverse, int line, int beam) {
@@ -62,9 +62,9 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
             if (probe.support == Support::Filled) return held == 0.0F;
             return kept == held || (kept == 0.0F && probe.support == Support::Measured && besideFilled(inverse, line, beam));
         };
-        ASSERT_PRED2(same, probe.jump.kept, whole.jump[k]) << line << " " << beam;
-        ASSERT_PRED2(same, probe.crease.kept, whole.crease[k]) << line << " " << beam;
-        exact += probe.jump.kept == whole.jump[k] && probe.crease.kept == whole.crease[k] ? 1 : 0;
+        ASSERT_PRED2(same, probe.jump.after, whole.jump[k]) << line << " " << beam;
+        ASSERT_PRED2(same, probe.crease.after, whole.crease[k]) << line << " " << beam;
+        exact += probe.jump.after == whole.jump[k] && probe.crease.after == whole.crease[k] ? 1 : 0;
         EXPECT_EQ(probe.noiseAt5mMm, whole.noise.at(5.0));
         double jump = 0;
         for (const DepthStepAtCell& step : probe.steps) {
@@ -76,8 +76,8 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
         for (const FoldAtCell& fold : probe.folds)
             EXPECT_NEAR(fold.dihedralDeg * fold.meets / std::max(probe.creaseDeg, fold.noiseDeg), fold.strength,
                         1e-3 * fold.strength + 1e-6);
-        jumps += probe.jump.kept > 0 ? 1 : 0;
-        folds += probe.crease.kept != 0 ? 1 : 0;
+        jumps += probe.jump.after > 0 ? 1 : 0;
+        folds += probe.crease.after != 0 ? 1 : 0;
         outdone += probe.jump.stronger || probe.crease.stronger ? 1 : 0;
     }
     EXPECT_GT(jumps, 0);
@@ -98,7 +98,7 @@ TEST(DepthProbe, StrengthsAreThoseOfTheWholeScan) {
 TEST(DepthProbe, StrengthsAreThoseOfARealSweep) {
     const std::filesystem::path corridor = std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/lms200_corridor/scan000.json";
     if (!std::filesystem::exists(corridor)) GTEST_SKIP() << "no " << corridor;
-    const Result<Scan> scan = openScan(corridor);
+    const Result<Scan> scan = files::openScan(corridor);
     ASSERT_TRUE(scan);
     expectSameAsWhole(*scan, {}, 100);
 }
@@ -148,7 +148,7 @@ TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
         ++told;
         const ThinnedStrength& channel = why.kind == DepthEdge::Jump ? why.depth->jump : why.depth->crease;
         EXPECT_EQ(static_cast<double>(std::abs(channel.before)), why.strength);
-        EXPECT_EQ(channel.kept, 0.0F);
+        EXPECT_EQ(channel.after, 0.0F);
         EXPECT_EQ(std::abs(why.suppressedBy->line - line) + std::abs(why.suppressedBy->beam - beam), 1); // never a diagonal one
         EXPECT_GE(why.suppressedBy->strength * 1.42, why.strength);
         EXPECT_NE(why.verdict.find("an edge is one cell wide"), std::string::npos) << why.verdict;
@@ -177,7 +177,7 @@ TEST(DepthProbe, TextAndReportNameStepFoldNoiseClassAndChain) {
         ASSERT_TRUE(why.chainTop);
         EXPECT_EQ(why.chainMembers.size(), why.chainCells);
         EXPECT_GE(why.chainTop->strength, why.strength);
-        const nlohmann::ordered_json report = whyReport(*detection, why);
+        const nlohmann::ordered_json report = exports::whyReport(*detection, why);
         const auto& measured = report["measured"];
         EXPECT_GT(measured["noise_mm"].get<double>(), 0);
         EXPECT_FALSE(measured[isJump ? "steps" : "folds"].empty());
@@ -223,4 +223,4 @@ TEST(DepthProbe, OtherMethodsSayUnitAndDirection) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // Each response of a filled cell, in order, to the measured cell without a response that fits best: sides before corners.
@@ -63,7 +63,7 @@ TEST(GapDetour, GoesRoundAsCellByCell) {
         goRoundPlainly(inverse, expectedJump, true);
         goRoundPlainly(inverse, expectedCrease, false);
         const Grid<float> before = jump;
-        goRoundGaps(inverse, jump, crease);
+        moveResponsesOffGaps(inverse, jump, crease);
         EXPECT_EQ(jump, expectedJump) << round;
         EXPECT_EQ(crease, expectedCrease) << round;
         for (std::size_t k = 0; k < jump.size(); ++k) moved += jump[k] != 0 && before[k] == 0 ? 1 : 0;
@@ -73,7 +73,7 @@ TEST(GapDetour, GoesRoundAsCellByCell) {
 
 TEST(DepthEdges, RangesThatAreHardlyAnyAreNone) {
     const Scan scan = test::makeScan(30, 30, [](int i, int j) { return (i + j) % 2 == 0 ? 1.0 : 1e-40; });
-    const Grid<float> strengths = depthStrength(test::depthResponses(scan, {}), {});
+    const Grid<float> strengths = requestedStrength(test::depthResponses(scan, {}), {});
     for (const float strength : strengths.cells) EXPECT_TRUE(std::isfinite(strength));
     const std::array<float, 4> zeros{-0.0F, 0.0F, 2.0F, 1.0F};
     EXPECT_EQ(nthSmallest(zeros, 1), 0.0F);
@@ -81,4 +81,4 @@ TEST(DepthEdges, RangesThatAreHardlyAnyAreNone) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kNoiseLines = 300, kNoiseBeams = 340;
@@ -169,4 +169,4 @@ TEST(NoiseMemory, GrowthWithTheRangeOrItsSquareIsTold) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kLines = 90, kBeams = 120;
@@ -97,4 +97,4 @@ TEST(Silhouettes, ShortOnesAreDroppedAndTheThresholdMapKnowsTheSame) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

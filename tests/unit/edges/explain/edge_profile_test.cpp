@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 /// A wall 4 m in front, square to the beam in the middle; from beam `split` on `step` metres farther.
@@ -55,4 +55,4 @@ TEST(EdgeProfile, WhatHasNoRangeIsLeftOut) {
     EXPECT_TRUE(edgeProfile(scan, scan.rangeMm.index(4, 30), Along::Lines).points.size() <= 9U);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 std::vector<Settings> everyMethod() {
@@ -67,7 +67,7 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     const int beam = detection->mask->at(15, 9) != 0 ? 9 : 10;
     const Why why = whyCell(*detection, detection->mask->index(15, beam));
     ASSERT_TRUE(why.probe.edge);
-    EXPECT_EQ(why.standing, Standing::Between);
+    EXPECT_EQ(why.level, StrengthLevel::Between);
     ASSERT_GT(why.chain.size(), 2U);
     EXPECT_EQ(why.chain.front().line, 15);
     EXPECT_GT(why.chain.back().strength, why.upper);
@@ -100,7 +100,7 @@ TEST(Why, AHoleSaysThatItHasNoRange) {
 TEST(Why, TheReportHoldsWhatTheCommandLineContractNames) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3));
     const auto detection = detectEdges(scan, cannySettings());
-    const nlohmann::ordered_json report = whyReport(*detection, whyCell(*detection, (*detection->edges)[3]));
+    const nlohmann::ordered_json report = exports::whyReport(*detection, whyCell(*detection, (*detection->edges)[3]));
     for (const char* key :
          {"line", "beam", "range_mm", "gray", "smoothed", "gradient", "suppressed_by", "thresholds", "chain", "appears_at", "verdict"})
         EXPECT_TRUE(report.contains(key)) << key;
@@ -111,4 +111,4 @@ TEST(Why, TheReportHoldsWhatTheCommandLineContractNames) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

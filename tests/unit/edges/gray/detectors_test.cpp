@@ -15,7 +15,7 @@
 #include <numbers>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 using Mask = std::vector<std::vector<int>>;
@@ -288,4 +288,4 @@ TEST(LogRange, NothingIsLostBelowOneGrayLevel) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

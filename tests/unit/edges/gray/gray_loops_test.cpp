@@ -13,7 +13,7 @@
 #include <random>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr int kPictures = 10000; // for each instruction set
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(Instructions, EveryGrayLoop, testing::Range<std::size_t
                          });
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

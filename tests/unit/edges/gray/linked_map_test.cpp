@@ -9,6 +9,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::edges;
 
 namespace {
 

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 // ThreadSanitizer reports OpenCV's pool, not us.
@@ -280,4 +280,4 @@ TEST(Methods, EdgesLieOnValidCellsOnlyWhenMissingDataIsMasked) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

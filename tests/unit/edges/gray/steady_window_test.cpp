@@ -9,6 +9,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::edges;
 using namespace edgescan::test;
 
 namespace {

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 Grid<std::uint8_t> blocks(int lines, int beams, std::uint32_t seed) {
@@ -196,4 +196,4 @@ TEST(ThresholdMap, TheCurveCountsEdgesAndFindsThePlateau) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

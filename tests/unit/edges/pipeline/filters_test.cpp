@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace edgescan;
+using namespace edgescan::edges;
 
 TEST(Filters, WhateverIsSetTheScanStaysAndItsCellsAddUp) {
     Scan made = test::boxesScan(40, 60, 5);

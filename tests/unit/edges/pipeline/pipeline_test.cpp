@@ -17,7 +17,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 Settings randomlyTurned(Settings s, std::mt19937& random) {
@@ -263,4 +263,4 @@ TEST(Worker, StoppingNeverHangs) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

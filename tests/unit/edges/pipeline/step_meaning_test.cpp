@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 constexpr std::array kGrayMethods{Method::Canny,  Method::Roberts,  Method::Sobel,        Method::Prewitt,
@@ -172,4 +172,4 @@ TEST(StepMeaning, NoUsualThresholdFindsEdgesOnRoundedPlanes) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

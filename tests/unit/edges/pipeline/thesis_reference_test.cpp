@@ -11,7 +11,7 @@
 #include <fstream>
 #include <span>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 class Reference : public ::testing::TestWithParam<const char*> {};
@@ -21,7 +21,7 @@ TEST_P(Reference, EveryMaskIsIdentical) {
     if (!std::filesystem::exists(shared)) GTEST_SKIP() << "../shared is absent: the reference masks cannot be compared";
     const std::string file = GetParam();
     const std::string stem = std::filesystem::path(file).stem();
-    const Result<Scan> scan = openScan(shared / "data/lms200_corridor" / file);
+    const Result<Scan> scan = files::openScan(shared / "data/lms200_corridor" / file);
     ASSERT_TRUE(scan) << scan.error().sentence();
     const auto reference = nlohmann::json::parse(std::ifstream(shared / "reference/thesis" / (stem + ".json")));
     EXPECT_EQ(countCells(*scan)[0], reference["valid"].get<std::size_t>());
@@ -44,4 +44,4 @@ TEST_P(Reference, EveryMaskIsIdentical) {
 INSTANTIATE_TEST_SUITE_P(Corridor, Reference, ::testing::Values("scan000.json", "scan001.json", "scan000.3d", "scan001.3d"));
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

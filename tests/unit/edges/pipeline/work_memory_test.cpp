@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 TEST(WorkMemory, IsAskedAgainstTheLimitThatHolds) {
@@ -31,4 +31,4 @@ TEST(WorkMemory, IsAskedAgainstTheLimitThatHolds) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

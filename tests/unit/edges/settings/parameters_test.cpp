@@ -10,7 +10,7 @@
 #include <fstream>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 TEST(Parameters, KeysAreUniqueAndEveryRowExplainsItself) {
@@ -144,4 +144,4 @@ TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::edges {
 
 TEST(ContactSheet, EachEntryIsWhatTheProgramShowsAtThatValue) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(80, 100, 3, 0.02));
@@ -89,4 +89,4 @@ TEST(ContactSheet, ItEndsWhenItIsTold) {
     EXPECT_EQ(entries.size(), 3u);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -14,7 +14,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 std::shared_ptr<const Scan> boxes() { return std::make_shared<const Scan>(test::boxesScan(80, 100, 3, 0.02)); }
@@ -118,10 +118,10 @@ TEST(EdgeConfidence, StandsInAnExportAsAFieldAndOtherFormatsRefuse) {
     const auto detection = detectEdges(scan, Settings{});
     const auto made = edgeConfidence(*detection);
     ASSERT_TRUE(made);
-    ExportOptions options;
+    exports::ExportOptions options;
     options.choices.confidence = true;
     options.ascii = true;
-    const auto written = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / "edges.pcd", options);
+    const auto written = exports::exportWithProvenance(exports::ExportContent::EdgeCloud, *detection, folder / "edges.pcd", options);
     ASSERT_TRUE(written) << written.error().sentence();
     std::ifstream file(folder / "edges.pcd");
     std::string line;
@@ -146,12 +146,12 @@ TEST(EdgeConfidence, StandsInAnExportAsAFieldAndOtherFormatsRefuse) {
     }
     EXPECT_EQ(points, *written);
     EXPECT_EQ(points, detection->edges->size());
-    const auto again = openScan(folder / "edges.pcd"); // the field is no range and no intensity
+    const auto again = files::openScan(folder / "edges.pcd"); // the field is no range and no intensity
     ASSERT_TRUE(again) << again.error().sentence();
     EXPECT_EQ(again->intensity.size(), scan->intensity.size());
-    const auto refused = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / "edges.las", options);
+    const auto refused = exports::exportWithProvenance(exports::ExportContent::EdgeCloud, *detection, folder / "edges.las", options);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence().find("--with-confidence"), std::string::npos);
 }
 
-} // namespace edgescan
+} // namespace edgescan::edges

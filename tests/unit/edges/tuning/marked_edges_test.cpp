@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::edges {
 namespace {
 
 bool isEdgeNear(const Grid<std::uint8_t>& mask, std::uint32_t k) {
@@ -22,10 +22,10 @@ bool isEdgeNear(const Grid<std::uint8_t>& mask, std::uint32_t k) {
 }
 
 std::shared_ptr<const Scan> bell() {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 150;
     settings.beams = 190;
-    return std::make_shared<const Scan>(simulate(settings)->scan);
+    return std::make_shared<const Scan>(sim::simulate(settings)->scan);
 }
 
 /// What a run with the proposed settings gives is what the proposal counts.
@@ -35,10 +35,10 @@ void expectTrue(const std::shared_ptr<const Scan>& scan, const EdgeProposal& pro
     for (const std::uint32_t k : marks.wanted) kept += isEdgeNear(*detection->mask, k) ? 1 : 0;
     for (const std::uint32_t k : marks.unwanted) leftOut += isEdgeNear(*detection->mask, k) ? 0 : 1;
     const std::string text = proposalText(proposal, marks);
-    EXPECT_EQ(kept, proposal.kept) << text;
-    EXPECT_EQ(leftOut, proposal.leftOut) << text;
+    EXPECT_EQ(kept, proposal.wantedMet) << text;
+    EXPECT_EQ(leftOut, proposal.unwantedMet) << text;
     EXPECT_EQ(detection->edges->size(), proposal.edges) << text;
-    EXPECT_EQ(proposal.separates(), kept + leftOut == static_cast<int>(marks.wanted.size() + marks.unwanted.size())) << text;
+    EXPECT_EQ(proposal.meetsAllMarks(), kept + leftOut == static_cast<int>(marks.wanted.size() + marks.unwanted.size())) << text;
 }
 
 TEST(MarkedEdges, ProposalsDoWhatTheySay) {
@@ -59,15 +59,15 @@ TEST(MarkedEdges, ProposalsDoWhatTheySay) {
     const auto proposals = edgeProposals(scan, loose, marks);
     ASSERT_GE(proposals.size(), 10U);
     for (const EdgeProposal& proposal : proposals) expectTrue(scan, proposal, marks);
-    EXPECT_TRUE(proposals.front().separates());
+    EXPECT_TRUE(proposals.front().meetsAllMarks());
     for (std::size_t n = 1; n < proposals.size(); ++n) {
-        EXPECT_GE(proposals[n - 1].separates(), proposals[n].separates());
-        if (proposals[n - 1].separates() && proposals[n].separates()) {
+        EXPECT_GE(proposals[n - 1].meetsAllMarks(), proposals[n].meetsAllMarks());
+        if (proposals[n - 1].meetsAllMarks() && proposals[n].meetsAllMarks()) {
             EXPECT_GE(proposals[n - 1].margin, proposals[n].margin);
         }
     }
     const auto ours = std::ranges::find(proposals, Method::EdgeScanPlus, [](const EdgeProposal& p) { return p.settings.method; });
-    EXPECT_TRUE(ours->separates());
+    EXPECT_TRUE(ours->meetsAllMarks());
     EXPECT_GT(ours->settings.sensitivity, loose.sensitivity);
 }
 
@@ -78,7 +78,7 @@ TEST(MarkedEdges, WhatNothingSeparatesIsSaid) {
     const EdgeMarks marks{{edge}, {edge}}; // one place, both ways
     const auto proposals = edgeProposals(scan, {}, marks);
     for (const EdgeProposal& proposal : proposals) {
-        EXPECT_FALSE(proposal.separates());
+        EXPECT_FALSE(proposal.meetsAllMarks());
         expectTrue(scan, proposal, marks);
     }
     EXPECT_NE(proposalText(proposals.front(), marks).find(" of 2 marks"), std::string::npos);
@@ -88,4 +88,4 @@ TEST(MarkedEdges, WhatNothingSeparatesIsSaid) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::edges

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::exports {
 namespace {
 
 constexpr Rgb kRed{250, 0, 0};
@@ -94,8 +94,8 @@ TEST(ContactSheet, NothingMakesNoSheet) {
     EXPECT_EQ(contactSheet({{}}, {}).size(), 0U);
 }
 
-EdgeTruth randomTruth(std::mt19937& random, bool withIgnored) {
-    EdgeTruth truth{Grid<std::uint8_t>(40, 50), Grid<std::uint8_t>(40, 50)};
+lab::EdgeTruth randomTruth(std::mt19937& random, bool withIgnored) {
+    lab::EdgeTruth truth{Grid<std::uint8_t>(40, 50), Grid<std::uint8_t>(40, 50)};
     for (int line = 3; line < 40; line += 6) {
         for (int j = 0; j < 50; ++j) truth.edgeClass.at(line, j) = static_cast<std::uint8_t>(random() % 5);
     }
@@ -108,20 +108,20 @@ EdgeTruth randomTruth(std::mt19937& random, bool withIgnored) {
 TEST(TruthMarks, AreAsManyAsTheScoreCounts) {
     std::mt19937 random(5);
     for (int round = 0; round < 8; ++round) {
-        const EdgeTruth truth = randomTruth(random, round % 2 == 1);
+        const lab::EdgeTruth truth = randomTruth(random, round % 2 == 1);
         Grid<std::uint8_t> mask(40, 50);
         for (int k = 0; k < 300; ++k) mask[random() % mask.size()] = 255;
-        const EdgeCounts all = test::scoreEdges(mask, truth, 1.0).all;
-        const Grid<std::uint8_t> marks = truthMarks(mask, truth, 1.0);
-        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, kMarkFound)), all.found);
-        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, kMarkFalse)), all.false_);
+        const lab::EdgeCounts all = test::scoreEdges(mask, truth, 1.0).all;
+        const Grid<std::uint8_t> marks = lab::truthMarks(mask, truth, 1.0);
+        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, lab::kMarkFound)), all.found);
+        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, lab::kMarkFalse)), all.false_);
         // A true cell that was missed can lie under a detection of its neighbour.
-        EXPECT_LE(static_cast<std::size_t>(std::ranges::count(marks.cells, kMarkMissed)), all.truth - all.found);
+        EXPECT_LE(static_cast<std::size_t>(std::ranges::count(marks.cells, lab::kMarkMissed)), all.truth - all.found);
     }
 }
 
 TEST(TruthMarks, SayWhereSomethingWasFoundMissedOrInvented) {
-    EdgeTruth truth{Grid<std::uint8_t>(9, 9), Grid<std::uint8_t>(9, 9)};
+    lab::EdgeTruth truth{Grid<std::uint8_t>(9, 9), Grid<std::uint8_t>(9, 9)};
     Grid<std::uint8_t> mask(9, 9);
     truth.edgeClass.at(2, 2) = 1;
     mask.at(2, 3) = 255;
@@ -130,42 +130,42 @@ TEST(TruthMarks, SayWhereSomethingWasFoundMissedOrInvented) {
     truth.edgeClass.at(8, 8) = 1; // not scored
     truth.ignore.at(8, 8) = 255;
     Grid<std::uint8_t> expected(9, 9);
-    expected.at(2, 3) = kMarkFound;
-    expected.at(6, 2) = kMarkMissed;
-    expected.at(6, 7) = kMarkFalse;
-    EXPECT_EQ(truthMarks(mask, truth, 1.5), expected);
+    expected.at(2, 3) = lab::kMarkFound;
+    expected.at(6, 2) = lab::kMarkMissed;
+    expected.at(6, 7) = lab::kMarkFalse;
+    EXPECT_EQ(lab::truthMarks(mask, truth, 1.5), expected);
 }
 
 TEST(TruthSheet, DrawsTheThesisAtItsBestThresholdAndEdgeScanPlusAsItIsSet) {
     const Scan scan = test::boxesScan(30, 40, 3);
-    EdgeTruth truth{Grid<std::uint8_t>(30, 40), Grid<std::uint8_t>(30, 40)};
+    lab::EdgeTruth truth{Grid<std::uint8_t>(30, 40), Grid<std::uint8_t>(30, 40)};
     for (int j = 0; j < 40; ++j) truth.edgeClass.at(15, j) = 1;
     Grid<std::uint8_t> whole(30, 40);
     for (int j = 0; j < 40; ++j) whole.at(15, j) = 255;
     const Grid<std::uint8_t> nothing(30, 40);
-    const auto method = [&](Method m, const Grid<std::uint8_t>& set, const Grid<std::uint8_t>& best) {
-        ComparedMethod one;
+    const auto method = [&](edges::Method m, const Grid<std::uint8_t>& set, const Grid<std::uint8_t>& best) {
+        lab::ComparedMethod one;
         one.name = "one";
-        one.settings = Settings{};
+        one.settings = edges::Settings{};
         one.settings->method = m;
         one.mask = set;
-        one.score = Evaluation{};
-        one.best = BestThreshold{"lower", 3.0, {}, best};
+        one.score = lab::Evaluation{};
+        one.best = lab::BestThreshold{"lower", 3.0, {}, best};
         return one;
     };
-    const auto missed = [&](const ComparedMethod& one) {
-        const Grid<Rgb> sheet = truthSheet(scan, {one}, truth, 2.0);
+    const auto missed = [&](const lab::ComparedMethod& one) {
+        const Grid<Rgb> sheet = lab::truthSheet(scan, {one}, truth, 2.0);
         // A row of the tile through the true line: rings where it was missed, filled squares where it was found.
         const int cell = (sheet.beams - 20) / 40;
         const int line = sheet.lines - 10 - 30 * cell + 15 * cell + cell / 2;
         return sheet.at(line, 10 + 20 * cell + cell / 2) == sheet.at(line + 2 * cell, 10 + 20 * cell + cell / 2);
     };
-    EXPECT_FALSE(missed(method(Method::Canny, nothing, whole)));
-    EXPECT_TRUE(missed(method(Method::Canny, whole, nothing)));
-    EXPECT_TRUE(missed(method(Method::EdgeScanPlus, nothing, whole)));
-    EXPECT_FALSE(missed(method(Method::EdgeScanPlus, whole, nothing)));
-    EXPECT_EQ(truthSheet(scan, {ComparedMethod{}}, truth, 2.0).size(), 0U); // without a score
+    EXPECT_FALSE(missed(method(edges::Method::Canny, nothing, whole)));
+    EXPECT_TRUE(missed(method(edges::Method::Canny, whole, nothing)));
+    EXPECT_TRUE(missed(method(edges::Method::EdgeScanPlus, nothing, whole)));
+    EXPECT_FALSE(missed(method(edges::Method::EdgeScanPlus, whole, nothing)));
+    EXPECT_EQ(lab::truthSheet(scan, {lab::ComparedMethod{}}, truth, 2.0).size(), 0U); // without a score
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::exports

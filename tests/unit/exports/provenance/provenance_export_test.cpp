@@ -24,6 +24,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::exports;
 using namespace edgescan::test;
 using Json = nlohmann::ordered_json;
 
@@ -57,12 +58,12 @@ constexpr Export kExports[]{{ExportContent::EdgeCloud, "edges.pcd"},
                             {ExportContent::FullCloud, "cloud.ptx", false}};
 
 /// A scan in a file of `folder`, with or without a place in the mine, and its edges.
-std::shared_ptr<const Detection> detectionIn(const Folder& folder, unsigned seed, bool placed) {
+std::shared_ptr<const edges::Detection> detectionIn(const Folder& folder, unsigned seed, bool placed) {
     Scan scan = makeScan({.axis = Axis::Sweep, .lines = 30, .beams = 40, .seed = seed});
     if (placed) scan.placement = randomPlacement(seed, seed % 2 == 0 ? 30 : 1, true);
     const auto path = folder / "scan.json";
-    EXPECT_TRUE(saveScan(scan, path));
-    return detectEdges(std::make_shared<const Scan>(*openScan(path)), Settings{});
+    EXPECT_TRUE(files::saveScan(scan, path));
+    return edges::detectEdges(std::make_shared<const Scan>(*files::openScan(path)), edges::Settings{});
 }
 
 std::string bigEndian(std::uint32_t value) {
@@ -98,7 +99,7 @@ std::string storedPng(const Grid<std::uint16_t>& values, int depth, const std::s
            pngChunk("tEXt", "edgescan-record\0"s + record) + pngChunk("IDAT", packed) + pngChunk("IEND", "");
 }
 
-Json sidecarOf(const std::filesystem::path& path) { return Json::parse(readText(sidecarPath(path))); }
+Json sidecarOf(const std::filesystem::path& path) { return Json::parse(readText(files::sidecarPath(path))); }
 
 } // namespace
 
@@ -127,7 +128,7 @@ TEST(Provenance, EveryExportHasItsRecordInsideAndBesideIt) {
         EXPECT_EQ(record["scan"]["sha256"], *sha256OfFile(folder / "scan.u16"));
         EXPECT_EQ(record["scan"]["input"], "scan.json");
         EXPECT_EQ(record["edge_mask_sha256"], maskSha256(*detection->mask));
-        EXPECT_EQ(nlohmann::json(record["settings"]), settingsToJson(detection->settings));
+        EXPECT_EQ(nlohmann::json(record["settings"]), edges::settingsToJson(detection->settings));
         EXPECT_EQ(record["scanner"]["serial"], nullptr);
         EXPECT_EQ(record["scanner"]["reason"], "the scan file does not say");
         EXPECT_EQ(record["operator"], "R. Operator");
@@ -161,17 +162,17 @@ TEST(Provenance, ExportsOfAnySettingsFrameAndFormatVerify) {
     const CoordinateFrame frames[]{CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine};
     for (unsigned round = 0; round < 6; ++round) {
         auto detection = detectionIn(folder, round + 1, true);
-        Settings settings;
+        edges::Settings settings;
         settings.kernel = 1 + 2 * static_cast<int>(random() % 4);
         settings.lower = 1 + static_cast<double>(random() % 40);
         settings.maskMissing = random() % 2 == 0;
-        detection = detectEdges(detection->scan, settings);
+        detection = edges::detectEdges(detection->scan, settings);
         for (const Export& one : kExports) {
             const ExportOptions options{frames[random() % 3], random() % 2 == 0};
             SCOPED_TRACE(std::string(one.name) + " frame " + std::to_string(static_cast<int>(options.frame)));
             const auto written = exportWithProvenance(one.content, *detection, folder / one.name, options);
             ASSERT_TRUE(written) << written.error().sentence();
-            if (round % 2 == 0 && one.inside) std::filesystem::remove(sidecarPath(folder / one.name)); // the record inside is enough
+            if (round % 2 == 0 && one.inside) std::filesystem::remove(files::sidecarPath(folder / one.name)); // the record inside is enough
             const auto verified = verifyExport(folder / one.name);
             ASSERT_TRUE(verified) << verified.error().sentence();
             EXPECT_TRUE(verified->identical) << verificationText(*verified);
@@ -219,11 +220,11 @@ TEST(Provenance, APicturePackedByAnotherZlibIsTheSamePicture) {
         Json record = Json::parse(exportRecord(content, *detection, {}));
         record["program"]["libraries"]["zlib"] = "1.3.99";
         const auto repacked = [&](int change) {
-            auto values = *pngValues(exportFiles(content, *detection, path, sealed(record), {})->front().bytes, name);
+            auto values = *containers::pngValues(exportFiles(content, *detection, path, sealed(record), {})->front().bytes, name);
             values[77] = static_cast<std::uint16_t>(values[77] ^ change);
             return storedPng(values, content == ExportContent::EdgeImage ? 8 : 16, sealed(record));
         };
-        std::filesystem::remove(sidecarPath(path));
+        std::filesystem::remove(files::sidecarPath(path));
         writeText(path, repacked(0));
         const auto same = verifyExport(path);
         ASSERT_TRUE(same) << same.error().sentence();
@@ -241,13 +242,13 @@ TEST(Provenance, APicturePackedByAnotherZlibIsTheSamePicture) {
 TEST(Provenance, AWholeScanOfEveryFormatVerifies) {
     const Folder folder;
     const auto edges = detectionIn(folder, 11, true);
-    Detection detection;
+    edges::Detection detection;
     detection.scan = edges->scan;
     for (const char* name :
          {"w.json", "w.u16", "w.pcd", "w.ply", "w.csv", "w.xyz", "w.las", "w.dxf", "w.obj", "w.ptx", "w.mcap", "w.foxglove.mcap"}) {
         for (const CoordinateFrame coordinates : {CoordinateFrame::Scanner, CoordinateFrame::Mine, CoordinateFrame::MineLocal}) {
             SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(coordinates)));
-            const bool ranges = writtenFormat(name)->write == nullptr;
+            const bool ranges = files::writtenFormat(name)->write == nullptr;
             const auto written = exportWithProvenance(ExportContent::WholeScan, detection, folder / name, {coordinates, true});
             ASSERT_EQ(bool(written), !ranges || coordinates == CoordinateFrame::Scanner);
             if (!written) continue;
@@ -276,10 +277,10 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     coarse.sensorM = Eigen::Vector3d::Zero();
     coarse.gridStepDeg = 2.5;
     coarse.projection = Projection::Always;
-    const auto scan = openScan(folder / "cloud.ply", coarse);
+    const auto scan = files::openScan(folder / "cloud.ply", coarse);
     ASSERT_TRUE(scan) << scan.error().sentence();
     ASSERT_FALSE(scan->attached.empty());
-    const auto detection = detectEdges(std::make_shared<const Scan>(*scan), Settings{});
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*scan), edges::Settings{});
     ASSERT_GT(detection->edges->size(), 0U);
     ExportOptions options;
     options.includeAttached = true;
@@ -298,10 +299,10 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     ASSERT_FALSE(ptx);
     EXPECT_NE(ptx.error().sentence().find("PTX holds one point per cell"), std::string::npos);
     // Whole scans say what stays behind.
-    const auto lost = lostOnSaving(*scan, "w.pcd");
+    const auto lost = files::lostOnSaving(*scan, "w.pcd");
     ASSERT_EQ(lost.size(), 1U);
     EXPECT_EQ(lost[0].find(std::to_string(scan->attached.size()) + " points behind the nearest"), 0U) << lost[0];
-    Detection whole;
+    edges::Detection whole;
     whole.scan = detection->scan;
     const auto list = exportWithProvenance(ExportContent::WholeScan, whole, folder / "w.pcd", options);
     ASSERT_TRUE(list) << list.error().sentence();
@@ -313,12 +314,12 @@ TEST(Provenance, ASelectionIsPartOfTheRecordAndVerifies) {
     const Folder folder;
     const auto detection = detectionIn(folder, 5, true);
     std::mt19937 random(17);
-    CellSet cells;
+    inspect::CellSet cells;
     for (std::uint32_t k = 0; k < detection->scan->cells(); ++k) {
         if (random() % 3 == 0) cells.push_back(k);
     }
     ExportOptions options{CoordinateFrame::Mine};
-    options.selection = std::make_shared<const CellSet>(cells);
+    options.selection = std::make_shared<const inspect::CellSet>(cells);
     std::size_t points = 0, edges = 0;
     for (const std::uint32_t k : cells) {
         const bool valid = detection->scan->state[k] == CellState::Valid;
@@ -351,16 +352,16 @@ TEST(Provenance, AnAlteredRecordIsNoticed) {
     const auto detection = detectionIn(folder, 6, false);
     const auto path = folder / "edges.ply";
     ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, path));
-    const std::string sidecar = readText(sidecarPath(path));
+    const std::string sidecar = readText(files::sidecarPath(path));
     std::string altered = sidecar;
     altered.replace(altered.find("\"edges\": "), 9, "\"edges\": 9");
-    writeText(sidecarPath(path), altered);
+    writeText(files::sidecarPath(path), altered);
     const auto verified = verifyExport(path);
     ASSERT_TRUE(verified) << verified.error().sentence();
     EXPECT_FALSE(verified->identical);
     EXPECT_NE(verificationText(*verified).find("The record beside the export is damaged or was altered"), std::string::npos);
     // Inside and without a sidecar: nothing is left to trust.
-    std::filesystem::remove(sidecarPath(path));
+    std::filesystem::remove(files::sidecarPath(path));
     std::string inside = readText(path);
     inside.replace(inside.find("\"input\":\"scan"), 13, "\"input\":\"scum");
     writeText(path, inside);
@@ -375,7 +376,7 @@ TEST(Provenance, WhatAFormatCannotTellIsNoFaultOfTheDiskAndLeavesWhatWasThere) {
     auto placement = std::make_shared<Placement>(*randomPlacement(3, 1, true));
     placement->gridScale = 1e9; // a scan as wide as the sky: no whole millimetres of 32 bits
     scan->placement = placement;
-    const auto detection = detectEdges(scan, Settings{});
+    const auto detection = edges::detectEdges(scan, edges::Settings{});
     writeText(folder / "a.las", "what was here before");
     const auto written = exportWithProvenance(ExportContent::FullCloud, *detection, folder / "a.las", {CoordinateFrame::Mine});
     ASSERT_FALSE(written);
@@ -422,9 +423,9 @@ TEST(Provenance, WhatTheUserSaidOnOpeningIsPartOfTheRecord) {
     options.lineStartDeg = 10;
     options.lineStepDeg = 0.5;
     options.axis = Axis::Sweep;
-    const auto scan = openScan(folder / "ranges.csv", options);
+    const auto scan = files::openScan(folder / "ranges.csv", options);
     ASSERT_TRUE(scan) << scan.error().sentence();
-    const auto detection = detectEdges(std::make_shared<const Scan>(*scan), Settings{});
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*scan), edges::Settings{});
     ASSERT_TRUE(exportWithProvenance(ExportContent::FullCloud, *detection, folder / "cloud.ply"));
     EXPECT_EQ(sidecarOf(folder / "cloud.ply")["record"]["scan"]["opened_with"]["beam-step"], 0.25);
     const auto verified = verifyExport(folder / "cloud.ply");
@@ -439,7 +440,7 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
     ASSERT_FALSE(noPose);
     EXPECT_NE(noPose.error().sentence().find("the scan has no pose"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "edges.pcd"));
-    EXPECT_FALSE(std::filesystem::exists(sidecarPath(folder / "edges.pcd")));
+    EXPECT_FALSE(std::filesystem::exists(files::sidecarPath(folder / "edges.pcd")));
     EXPECT_FALSE(exportWithProvenance(ExportContent::EdgeImage, *detection, folder / "nowhere/mask.png"));
     const auto device = exportWithProvenance(ExportContent::EdgeImage, *detection, "/dev/null");
     EXPECT_TRUE(device);
@@ -456,7 +457,7 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
     }
     Scan unsaved = *detection->scan;
     unsaved.sha256.clear();
-    const auto live = detectEdges(std::make_shared<const Scan>(unsaved), Settings{});
+    const auto live = edges::detectEdges(std::make_shared<const Scan>(unsaved), edges::Settings{});
     ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeImage, *live, folder / "mask.png"));
     const auto verified = verifyExport(folder / "mask.png");
     ASSERT_FALSE(verified);
@@ -466,9 +467,9 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
 TEST(Provenance, NoEdgesAtAllIsAnExportToo) {
     const Folder folder;
     auto detection = detectionIn(folder, 9, false);
-    Settings settings = cannySettings();
+    edges::Settings settings = edges::cannySettings();
     settings.lower = 340;
-    detection = detectEdges(detection->scan, settings);
+    detection = edges::detectEdges(detection->scan, settings);
     ASSERT_EQ(detection->edges->size(), 0U);
     for (const char* name : {"none.pcd", "none.ply", "none.csv", "none.xyz"}) {
         const auto written = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / name);

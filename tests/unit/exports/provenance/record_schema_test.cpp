@@ -19,6 +19,8 @@
 #include <set>
 
 namespace edgescan::test {
+
+using namespace exports;
 namespace {
 
 const SchemaJson& schema() {
@@ -47,14 +49,14 @@ struct Written {
     ExportContent content;
 };
 
-std::vector<Written> exportAll(const Folder& folder, const Detection& detection, const ExportOptions& options) {
+std::vector<Written> exportAll(const Folder& folder, const edges::Detection& detection, const ExportOptions& options) {
     std::vector<Written> written;
     const auto add = [&](ExportContent content, const std::string& name) {
         const auto done = exportWithProvenance(content, detection, folder / name, options);
         EXPECT_TRUE(done) << name << ": " << done.error().sentence();
         if (done) written.push_back({folder / name, content});
     };
-    for (const Format& format : formats()) {
+    for (const files::Format& format : files::formats()) {
         for (const char* extension : format.writes) {
             const std::string end = extension;
             if (format.write != nullptr) {
@@ -83,18 +85,18 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
     std::size_t inside = 0;
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const Folder folder;
-        ASSERT_TRUE(saveScan(recordedScan(seed, seed > 2), folder / "scan.json"));
-        const Settings settings = seed % 2 == 0 ? cannySettings() : Settings{};
-        const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(folder / "scan.json")), settings);
+        ASSERT_TRUE(files::saveScan(recordedScan(seed, seed > 2), folder / "scan.json"));
+        const edges::Settings settings = seed % 2 == 0 ? edges::cannySettings() : edges::Settings{};
+        const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(folder / "scan.json")), settings);
         const CoordinateFrame frames[]{CoordinateFrame::Scanner, CoordinateFrame::Scanner, CoordinateFrame::MineLocal,
                                        CoordinateFrame::Mine};
         ExportOptions options{frames[seed - 1], seed == 1, seed == 1 ? "" : "=A. Operator", "blasting engineer"};
-        options.rocks = std::make_shared<const RockStudy>(studyRocks(rockInputs(*detection), {}));
+        options.rocks = std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(*detection), {}));
         for (const Written& one : exportAll(folder, *detection, options)) {
             SCOPED_TRACE(one.path.filename().string() + ", seed " + std::to_string(seed));
             ++exports;
             const std::string bytes = readText(one.path);
-            const auto sidecar = SchemaJson::parse(readText(sidecarPath(one.path)));
+            const auto sidecar = SchemaJson::parse(readText(files::sidecarPath(one.path)));
             EXPECT_EQ(schemaProblem(sidecar, schema(), schema()), "");
             EXPECT_EQ(sidecar["export"]["sha256"], sha256Hex(std::as_bytes(std::span(bytes))));
             std::size_t cells = 0;
@@ -102,7 +104,7 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
             EXPECT_EQ(cells, 12U * 16U);
             if (one.content != ExportContent::WholeScan) {
                 const auto& set = sidecar["record"]["default_settings"];
-                EXPECT_EQ(set["name"], kDefaultSet.name);
+                EXPECT_EQ(set["name"], edges::kDefaultSet.name);
                 EXPECT_EQ(set["changed"].empty(), seed % 2 != 0);
             }
             const std::string embedded = embeddedRecord(bytes);
@@ -121,8 +123,8 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
 // A schema that lets everything pass would be none.
 TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
     const Folder folder;
-    ASSERT_TRUE(saveScan(recordedScan(3, true), folder / "scan.json"));
-    const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(folder / "scan.json")), Settings{});
+    ASSERT_TRUE(files::saveScan(recordedScan(3, true), folder / "scan.json"));
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(folder / "scan.json")), edges::Settings{});
     const auto record = SchemaJson::parse(exportRecord(ExportContent::EdgeCloud, *detection, {CoordinateFrame::MineLocal}));
     ASSERT_EQ(schemaProblem(record, recordSchema(), schema()), "");
     ExportOptions selected;
@@ -162,8 +164,8 @@ TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
 // No table that the program writes is computed by a spreadsheet: of every cell, cut at commas, semicolons or tabs.
 TEST(RecordSchema, NoCellOfATableIsAFormula) {
     const Folder folder;
-    ASSERT_TRUE(saveScan(recordedScan(2, false), folder / "scan.json"));
-    const auto detection = detectEdges(std::make_shared<const Scan>(*openScan(folder / "scan.json")), Settings{});
+    ASSERT_TRUE(files::saveScan(recordedScan(2, false), folder / "scan.json"));
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(*files::openScan(folder / "scan.json")), edges::Settings{});
     ASSERT_TRUE(exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / "e.csv",
                                      {.operatorName = "@SUM(1),-2+3", .role = "+1", .choices = {.comments = true}}));
     ASSERT_TRUE(exportWithProvenance(ExportContent::WholeScan, *detection, folder / "w.csv", {.choices = {.comments = true}}));
@@ -182,7 +184,7 @@ TEST(RecordSchema, NoCellOfATableIsAFormula) {
         EXPECT_EQ(text.find('\x1b'), std::string::npos) << name;
         EXPECT_TRUE(verifyExport(folder / name)->identical) << name;
     }
-    EXPECT_EQ(openScan(folder / "w.csv")->note, recordedScan(2, false).note);
+    EXPECT_EQ(files::openScan(folder / "w.csv")->note, recordedScan(2, false).note);
 }
 
 } // namespace

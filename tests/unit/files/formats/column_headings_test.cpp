@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

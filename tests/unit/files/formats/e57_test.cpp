@@ -14,6 +14,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -83,14 +84,14 @@ std::string sharedE57(const std::string& name) { return readText(std::filesystem
 
 TEST(E57, ChecksumIsThatOfCastagnoli) {
     const std::string digits = "123456789"; // RFC 3720, appendix B.4, and the usual check value
-    EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xE3069283U);
+    EXPECT_EQ(containers::crc32c(std::as_bytes(std::span(digits))), 0xE3069283U);
     const std::string zeros(32, '\0');
-    EXPECT_EQ(crc32c(std::as_bytes(std::span(zeros))), 0x8A9136AAU);
+    EXPECT_EQ(containers::crc32c(std::as_bytes(std::span(zeros))), 0x8A9136AAU);
     std::mt19937 random(3);
     for (std::size_t length = 0; length < 70; ++length) {
         std::string bytes(length, '\0');
         for (char& byte : bytes) byte = static_cast<char>(random());
-        EXPECT_EQ(crc32c(std::as_bytes(std::span(bytes))), slowCrc32c(bytes));
+        EXPECT_EQ(containers::crc32c(std::as_bytes(std::span(bytes))), slowCrc32c(bytes));
     }
 }
 
@@ -111,11 +112,11 @@ TEST(E57, EveryWidthOfBitsIsUnpacked) {
             part.columns.push_back(column);
         }
         const std::string bytes = e57Bytes({part});
-        auto file = openE57(std::as_bytes(std::span(bytes)), "test");
+        auto file = containers::openE57(std::as_bytes(std::span(bytes)), "test");
         ASSERT_TRUE(file) << file.error().sentence();
         std::vector<std::size_t> all(part.columns.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-        const auto numbers = readE57Columns(*file, file->scans.at(0), all, [](double) { return true; });
+        const auto numbers = containers::readE57Columns(*file, file->scans.at(0), all, [](double) { return true; });
         ASSERT_TRUE(numbers) << numbers.error().sentence();
         for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ((*numbers)[i], part.columns[i].values) << part.columns[i].name;
     }

@@ -16,6 +16,7 @@
 #include <cmath>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -27,12 +28,12 @@ struct Message {
 };
 
 std::vector<Message> messagesOf(const std::string& file) {
-    const auto content = readMcap({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()}, "test");
+    const auto content = containers::readMcap({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()}, "test");
     EXPECT_TRUE(content) << content.error().sentence();
     EXPECT_TRUE(content->clean);
     std::vector<Message> messages;
-    for (const McapMessage& message : content->messages) {
-        const McapChannel& channel = *channelOf(*content, message);
+    for (const containers::McapMessage& message : content->messages) {
+        const containers::McapChannel& channel = *containers::channelOf(*content, message);
         messages.push_back({channel.topic, content->schemas.at(channel.schema).name, message.logNs,
                             nlohmann::json::parse(message.payload.begin(), message.payload.end())});
     }

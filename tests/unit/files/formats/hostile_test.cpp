@@ -11,7 +11,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 struct Hostile : public ::testing::Test {
@@ -55,7 +55,7 @@ TEST_F(Hostile, AViewpointOffTheEarthIsIgnoredAndNoRangeIsInfinite) {
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(countCells(*scan)[0], 400U);
     EXPECT_LT(rangeLimits(*scan).maxMm, 10000);
-    EXPECT_NO_THROW((void)detectEdges(std::make_shared<Scan>(*scan), Settings{}));
+    EXPECT_NO_THROW((void)edges::detectEdges(std::make_shared<Scan>(*scan), edges::Settings{}));
 }
 
 TEST_F(Hostile, ARangeThatIsNoRangeIsRefusedInOurOwnFiles) {
@@ -133,4 +133,4 @@ TEST_F(Hostile, AMissingDataFileIsTold) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::files

@@ -11,6 +11,7 @@
 #endif
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 #ifdef EDGESCAN_WITH_LASZIP

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -202,11 +203,11 @@ TEST(Promises, BombsAreNotUnpacked) {
     const ReadingOptions options = seedOptions();
     // 16-bit gray, black, the larger the emptier.
     const Grid<std::uint16_t> black(4000, 4000);
-    const auto png = png16Bytes(black, "x");
+    const auto png = containers::png16Bytes(black, "x");
     ASSERT_TRUE(png);
     ASSERT_LT(png->size(), 100'000U);
     expectSaid(*png, ".png", "promises more pixels than a file", options);
-    const auto small = png16Bytes(Grid<std::uint16_t>(40, 40, 1000), "x");
+    const auto small = containers::png16Bytes(Grid<std::uint16_t>(40, 40, 1000), "x");
     expectSaid(*small, ".png", "opened", options);
     // A header whose size overflows 64 bits: 2^30 x 2^30 x 32 bits.
     std::string tiff = smallTiff(makeScan({.lines = 4, .beams = 5}));

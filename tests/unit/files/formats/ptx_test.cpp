@@ -10,6 +10,7 @@
 #include <sstream>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

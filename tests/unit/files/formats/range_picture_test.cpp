@@ -15,6 +15,7 @@
 #include <numeric>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -60,7 +61,7 @@ TEST(RangePng, SavedRangesComeBack) {
     const Folder folder;
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const Scan scan = makeScan({.noReturns = 0.2 * seed, .seed = seed});
-        ASSERT_TRUE(savePng16(rangePicture(scan), folder / "range.png"));
+        ASSERT_TRUE(containers::savePng16(rangePicture(scan), folder / "range.png"));
         expectSameRanges(scan, openScan(folder / "range.png", typedAngles(scan)));
     }
 }
@@ -68,12 +69,12 @@ TEST(RangePng, SavedRangesComeBack) {
 TEST(RangePng, Lms511AnglesAreTakenForItsWidthAndOthersAreAskedFor) {
     const Folder folder;
     const Scan scan = makeScan({.lines = 3, .beams = 1141, .beamStep = 0.1});
-    ASSERT_TRUE(savePng16(rangePicture(scan), folder / "range.png"));
+    ASSERT_TRUE(containers::savePng16(rangePicture(scan), folder / "range.png"));
     const auto opened = openScan(folder / "range.png");
     ASSERT_TRUE(opened) << opened.error().sentence();
     EXPECT_DOUBLE_EQ(std::get<PolarGeometry>(opened->geometry).beamDeg.front(), -5.0);
     EXPECT_EQ(opened->format, "range PNG");
-    ASSERT_TRUE(savePng16(rangePicture(makeScan({})), folder / "range.png"));
+    ASSERT_TRUE(containers::savePng16(rangePicture(makeScan({})), folder / "range.png"));
     const auto narrow = openScan(folder / "range.png");
     ASSERT_FALSE(narrow);
     EXPECT_NE(narrow.error().sentence().find("a picture of 60 ranges per line does not say its angles; give --beam-start"),
@@ -83,11 +84,11 @@ TEST(RangePng, Lms511AnglesAreTakenForItsWidthAndOthersAreAskedFor) {
 
 TEST(RangePng, OtherPicturesAreNamed) {
     const Folder folder;
-    ASSERT_TRUE(savePng8(Grid<std::uint8_t>(5, 1141, 9), folder / "mask.png"));
+    ASSERT_TRUE(containers::savePng8(Grid<std::uint8_t>(5, 1141, 9), folder / "mask.png"));
     const auto mask = openScan(folder / "mask.png");
     ASSERT_FALSE(mask);
     EXPECT_NE(mask.error().sentence().find("PNG picture of 8 bit gray, and ranges need 16 bit gray"), std::string::npos);
-    ASSERT_TRUE(savePng16(Grid<std::uint16_t>(50, 1141, 900), folder / "range.png"));
+    ASSERT_TRUE(containers::savePng16(Grid<std::uint16_t>(50, 1141, 900), folder / "range.png"));
     const std::string png = readText(folder / "range.png");
     EXPECT_NE(refusalOf(png.substr(0, png.size() / 2), ".png").find("cannot be read"), std::string::npos);
     std::string lies = png;

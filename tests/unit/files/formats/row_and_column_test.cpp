@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

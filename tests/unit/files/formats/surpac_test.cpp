@@ -7,6 +7,7 @@
 #include <algorithm>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

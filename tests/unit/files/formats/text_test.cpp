@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

@@ -14,6 +14,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -215,7 +216,7 @@ TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
     EXPECT_GT(countCells(*scan)[0], 15000U);
     EXPECT_EQ(countCells(*scan)[0] + scan->attached.size(), 100769U);
     EXPECT_TRUE(anyHolds(scan->warnings, "100769 points in"));
-    const auto detection = detectEdges(std::make_shared<const Scan>(std::move(*scan)), cannySettings());
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), edges::cannySettings());
     const double share = static_cast<double>(detection->edges->size()) / static_cast<double>(countCells(*detection->scan)[0]);
     EXPECT_GT(share, 0.02); // outlines, neither nothing nor speckle
     EXPECT_LT(share, 0.15);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

@@ -5,16 +5,17 @@
 #include "tests/support/point_lists.h"
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 TEST(LiveHealth, TellsWhatTheStateIs) {
     LiveStatus status;
-    status.session = {SessionPhase::Connecting, "Connecting to x:2112.", {}};
+    status.session = {scanner::SessionPhase::Connecting, "Connecting to x:2112.", {}};
     EXPECT_EQ(healthOf(status).badge, "CONNECTING");
     EXPECT_FALSE(healthOf(status).stale());
-    status.session.phase = SessionPhase::Lost;
+    status.session.phase = scanner::SessionPhase::Lost;
     EXPECT_EQ(healthOf(status).badge, "LOST");
-    status.session.phase = SessionPhase::Live;
+    status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 0.04;
     status.lines = 12;
     EXPECT_EQ(healthOf(status).badge, "LIVE");
@@ -25,28 +26,28 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     status.secondsSinceLine = 2.0;
     EXPECT_EQ(healthOf(status).badge, "STALE 2 s");
     EXPECT_TRUE(healthOf(status).stale());
-    status.session.phase = SessionPhase::Stale;
+    status.session.phase = scanner::SessionPhase::Stale;
     status.secondsSinceLine = 0.6;
     EXPECT_EQ(healthOf(status).badge, "STALE 0 s");
-    status.session.phase = SessionPhase::Identifying; // connected again, but no line yet
+    status.session.phase = scanner::SessionPhase::Identifying; // connected again, but no line yet
     status.secondsSinceLine = 130;
     EXPECT_EQ(healthOf(status).badge, "STALE 2 min");
-    status.session.phase = SessionPhase::Lost;
+    status.session.phase = scanner::SessionPhase::Lost;
     status.secondsSinceLine = 7300;
     EXPECT_EQ(healthOf(status).badge, "LOST 2 h");
-    status.session.phase = SessionPhase::Stopped;
+    status.session.phase = scanner::SessionPhase::Stopped;
     EXPECT_EQ(healthOf(status).badge, "STOPPED");
 }
 
 TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
     LiveStatus status;
-    status.session.phase = SessionPhase::Live;
+    status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 0.1;
     status.lines = 312;
     status.sweep.lines = status.sweep.received = 312;
     status.sweep.newestNs = 9'000'000'000;
     status.sweep.growing = true;
-    SweepProgress shown = status.sweep;
+    scanner::SweepProgress shown = status.sweep;
     shown.lines = shown.received = 280;
     shown.newestNs -= 1'800'000'000;
     EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "LIVE");
@@ -59,7 +60,7 @@ TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
 
 TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     LiveStatus status;
-    status.session.phase = SessionPhase::Live;
+    status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 0.0;
     status.lines = 312;
     status.linesPerSecond = 25;
@@ -74,9 +75,9 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
     EXPECT_EQ(health.end, "ends in 28 s");
-    status.session.phase = SessionPhase::Lost; // no line comes: nobody knows when the last one will
+    status.session.phase = scanner::SessionPhase::Lost; // no line comes: nobody knows when the last one will
     EXPECT_EQ(healthOf(status).end, "");
-    status.session.phase = SessionPhase::Live;
+    status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 5.0;
     EXPECT_EQ(healthOf(status).end, "");
     status.secondsSinceLine = 0.0;
@@ -113,31 +114,31 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
 
 TEST(LiveHealth, TellsWhatIsWrongWithTheTelegrams) {
     LiveStatus status;
-    status.session.phase = SessionPhase::Live;
+    status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 0.0;
     status.lines = status.sweep.lines = status.sweep.received = status.sweep.expected = 40;
     EXPECT_EQ(healthOf(status).remark, "");
     EXPECT_EQ(healthOf(status).end, "sweep whole");
-    status.sweep.irregular.note(Irregularity::ClockJump, 7);
+    status.sweep.irregular.note(scanner::Irregularity::ClockJump, 7);
     EXPECT_EQ(healthOf(status).remark, "1 remark");
     EXPECT_EQ(healthOf(status).telegrams, Condition::OutOfSpec);
     EXPECT_EQ(healthOf(status).end, "sweep whole");
     status.undecodable = 2;
     EXPECT_EQ(healthOf(status).remark, "2 remarks");
     EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);
-    status.sweep.irregular.note(Irregularity::CounterJump, 9, 3);
+    status.sweep.irregular.note(scanner::Irregularity::CounterJump, 9, 3);
     EXPECT_EQ(healthOf(status).remark, "COUNTERS IN DOUBT");
     EXPECT_EQ(healthOf(status).lines, "40/40 lines, COUNTERS IN DOUBT");
     EXPECT_EQ(healthOf(status).end, "sweep ended");
 }
 
 TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
-    EmulatedScannerSettings settings;
+    scanner::EmulatedScannerSettings settings;
     settings.linesPerSecond = 300;
-    settings.atEnd = AtEnd::Again;
+    settings.atEnd = scanner::AtEnd::Again;
     const Scan scan = countingScan(80, 30);
     const auto scanner = served(scan, settings);
-    SweepSettings sweep;
+    scanner::SweepSettings sweep;
     sweep.expectedLines = 80;
     const Folder folder;
     {

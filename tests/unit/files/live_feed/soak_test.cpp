@@ -8,6 +8,7 @@
 #include <boost/asio.hpp>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -40,8 +41,8 @@ struct Collected {
     int first = -1; ///< number of the first line; with numbered lines
     bool inPlace = true;
 
-    void take(const std::vector<FinishedSweep>& finished, bool numbered) {
-        for (const FinishedSweep& sweep : finished) {
+    void take(const std::vector<scanner::FinishedSweep>& finished, bool numbered) {
+        for (const scanner::FinishedSweep& sweep : finished) {
             ++sweeps;
             received += sweep.progress.received;
             lost += static_cast<std::int64_t>(sweep.progress.lost.size());
@@ -56,8 +57,8 @@ struct Collected {
     }
 };
 
-SweepSettings soakSweep() {
-    SweepSettings settings;
+scanner::SweepSettings soakSweep() {
+    scanner::SweepSettings settings;
     settings.expectedLines = kSweep;
     return settings;
 }
@@ -65,9 +66,9 @@ SweepSettings soakSweep() {
 } // namespace
 
 TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
-    EmulatedScannerSettings settings;
+    scanner::EmulatedScannerSettings settings;
     settings.linesPerSecond = 0;
-    settings.atEnd = AtEnd::Stop;
+    settings.atEnd = scanner::AtEnd::Stop;
     settings.faults.byChance = true;
     settings.faults.seed = 20;
     settings.faults.splitSends = settings.faults.mergeSends = true;
@@ -97,7 +98,7 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     feed.stop();
     all.take(feed.takeFinished(), true);
     const LiveStatus status = feed.status();
-    const EmulatedScannerStatistics sent = scanner->statistics();
+    const scanner::EmulatedScannerStatistics sent = scanner->statistics();
     ASSERT_TRUE(sent.finished) << status.lines << " lines";
     EXPECT_EQ(sent.lines, static_cast<std::uint64_t>(kLines));
     EXPECT_GT(sent.drops, 5U);
@@ -126,11 +127,11 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     const Folder folder;
     {
         // Narrow telegrams, so that Python keeps up.
-        const auto telegrams = telegramsOf(numberedScan(500));
+        const auto telegrams = scanner::telegramsOf(numberedScan(500));
         ASSERT_TRUE(telegrams);
         std::ofstream file(folder / "stream.bin", std::ios::binary);
-        for (const ScanTelegram& telegram : *telegrams) {
-            const Bytes frame = framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B);
+        for (const scanner::ScanTelegram& telegram : *telegrams) {
+            const Bytes frame = scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B);
             file.write(reinterpret_cast<const char*>(frame.data()), static_cast<std::streamsize>(frame.size()));
         }
     }
@@ -142,7 +143,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     const Process mock({"python3", (protocolFolder() / "tools" / "mock_lms511.py").string(), "--port", std::to_string(port), "--rate",
                         "1e9", "--stream", (folder / "stream.bin").string(), "--chunk", "random", "--garbage", "0.02", "--telegram-loss",
                         "0.01", "--drop-after", "3000"});
-    SessionSettings settings;
+    scanner::SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = port;
     settings.timeouts = hasty();

@@ -10,6 +10,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

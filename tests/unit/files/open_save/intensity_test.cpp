@@ -11,6 +11,7 @@
 #include <limits>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

@@ -7,18 +7,18 @@
 
 #include <gtest/gtest.h>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 TEST(OpenAsAsked, AnglesAreCorrectedOnlyWhereThatIsAsked) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 250;
     settings.beams = 286;
     settings.seed = 3;
     settings.interlaceDeg = 0.36;
     const test::Folder folder;
     const auto path = folder / "interlaced.json";
-    ASSERT_TRUE(saveScan(simulate(settings)->scan, path));
+    ASSERT_TRUE(saveScan(sim::simulate(settings)->scan, path));
 
     const auto bare = openScan(path, {.straighten = true});
     const auto told = openAsAsked(path);
@@ -27,7 +27,7 @@ TEST(OpenAsAsked, AnglesAreCorrectedOnlyWhereThatIsAsked) {
     EXPECT_TRUE(bare->warnings.empty());
     EXPECT_EQ(bare->openedWith, "");
     ASSERT_EQ(told->warnings.size(), 1U);
-    EXPECT_TRUE(tellsOfDisplacement(told->warnings.front()));
+    EXPECT_TRUE(isDisplacementWarning(told->warnings.front()));
     EXPECT_EQ(std::get<PolarGeometry>(told->geometry), std::get<PolarGeometry>(bare->geometry));
     EXPECT_EQ(straight->openedWith, "{\"straighten\":true}");
     EXPECT_FALSE(std::get<PolarGeometry>(straight->geometry).lineSkewDeg.empty());
@@ -36,4 +36,4 @@ TEST(OpenAsAsked, AnglesAreCorrectedOnlyWhereThatIsAsked) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::files

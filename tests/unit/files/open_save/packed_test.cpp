@@ -16,6 +16,7 @@
 #include <thread>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

@@ -15,6 +15,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -182,17 +183,17 @@ TEST(RoundTrip, PngKeepsEveryByte) {
         gray[k] = static_cast<std::uint8_t>(k * 7);
         deep[k] = static_cast<std::uint16_t>(k * 173);
     }
-    ASSERT_TRUE(savePng8(gray, folder / "gray.png"));
-    ASSERT_TRUE(savePng16(deep, folder / "deep.png"));
-    const auto back = readPng8(folder / "gray.png");
+    ASSERT_TRUE(containers::savePng8(gray, folder / "gray.png"));
+    ASSERT_TRUE(containers::savePng16(deep, folder / "deep.png"));
+    const auto back = containers::readPng8(folder / "gray.png");
     ASSERT_TRUE(back) << back.error().sentence();
     EXPECT_EQ(*back, gray);
-    EXPECT_FALSE(readPng8(folder / "deep.png"));
-    EXPECT_FALSE(savePng8({}, folder / "none.png"));
+    EXPECT_FALSE(containers::readPng8(folder / "deep.png"));
+    EXPECT_FALSE(containers::savePng8({}, folder / "none.png"));
     const std::string whole = readText(folder / "gray.png");
     for (std::size_t cut = 0; cut < whole.size(); ++cut) {
         writeText(folder / "cut.png", whole.substr(0, cut));
-        const auto damaged = readPng8(folder / "cut.png");
+        const auto damaged = containers::readPng8(folder / "cut.png");
         if (cut + 12 < whole.size()) {
             EXPECT_FALSE(damaged) << cut;
         } // the last chunk is only a mark

@@ -9,6 +9,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

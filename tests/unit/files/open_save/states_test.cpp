@@ -10,6 +10,7 @@
 #include <numeric>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -94,7 +95,7 @@ TEST(CellsAccountedFor, PtxAndPicturesKnowNoReturnOnly) {
             const auto ptx = openScan(folder / "s.ptx", angles);
             ASSERT_TRUE(ptx) << ptx.error().sentence();
             expectAccounted(scan, *ptx);
-            ASSERT_TRUE(savePng16(rangePicture(scan), folder / "s.png"));
+            ASSERT_TRUE(containers::savePng16(rangePicture(scan), folder / "s.png"));
             angles.beamStartDeg = polar.beamDeg[0];
             angles.beamStepDeg = polar.beamDeg[1] - polar.beamDeg[0];
             angles.lineStartDeg = polar.lineDeg[0];

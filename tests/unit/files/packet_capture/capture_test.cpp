@@ -12,26 +12,27 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
 
 constexpr int kCapturedLines = 40;
 
-std::string telegramBytes(int line, Dialect dialect) {
-    const Bytes frame = framed(encodeScanTelegram(telegramOfLine(line), dialect), dialect);
+std::string telegramBytes(int line, scanner::Dialect dialect) {
+    const Bytes frame = scanner::framed(scanner::encodeScanTelegram(telegramOfLine(line), dialect), dialect);
     return {frame.begin(), frame.end()};
 }
 
 /// The telegrams of a sweep one behind the other.
-std::string telegramStream(Dialect dialect = Dialect::B, int lines = kCapturedLines) {
+std::string telegramStream(scanner::Dialect dialect = scanner::Dialect::B, int lines = kCapturedLines) {
     std::string bytes;
     for (int line = 0; line < lines; ++line) bytes += telegramBytes(line, dialect);
     return bytes;
 }
 
 /// The same telegrams as a recording that says no more than a capture does.
-Scan recordedSweep(Dialect dialect = Dialect::B) {
+Scan recordedSweep(scanner::Dialect dialect = scanner::Dialect::B) {
     std::vector<RecordingMessagePtr> messages;
     for (int line = 0; line < kCapturedLines; ++line) messages.push_back(lineMessage(line, {}, dialect));
     const auto recording = Recording::fromBytes(recordingBytes({}, messages), "recording");
@@ -77,7 +78,7 @@ struct MadePackets {
 } // namespace
 
 TEST(Capture, EveryKindOfCaptureGivesTheSweepOfItsTelegrams) {
-    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
+    for (const scanner::Dialect dialect : {scanner::Dialect::A, scanner::Dialect::B}) {
         const Scan expected = recordedSweep(dialect);
         const std::vector<TcpPart> parts = segmentsOf(telegramStream(dialect), 5);
         std::vector<PacketStyle> styles;
@@ -136,7 +137,7 @@ TEST(Capture, PacketsOutOfOrderTwiceAndOverlappingArePutInOrder) {
 
 TEST(Capture, LostSegmentsAreCountedAndTheirLinesAreLost) {
     const std::string stream = telegramStream();
-    const std::size_t frame = telegramBytes(0, Dialect::B).size();
+    const std::size_t frame = telegramBytes(0, scanner::Dialect::B).size();
     std::vector<TcpPart> parts = segmentsOf(stream, 3, 1000, 60);
     // All that touches the telegrams 7 and 20 to 22 but for some bytes.
     std::uint64_t lost = 0;
@@ -159,7 +160,7 @@ TEST(Capture, LostSegmentsAreCountedAndTheirLinesAreLost) {
 
 TEST(Capture, TheConnectionWithScansIsTakenAndAReconnectedScannerIsOne) {
     const std::string stream = telegramStream();
-    const std::size_t half = 17 * telegramBytes(0, Dialect::B).size();
+    const std::size_t half = 17 * telegramBytes(0, scanner::Dialect::B).size();
     std::vector<TcpPart> parts = segmentsOf(stream.substr(0, half), 2, 5000);
     std::vector<TcpPart> again = segmentsOf(stream.substr(half), 4, 900'000); // another connection between the same ports
     const std::int64_t later = parts.back().timeNs + 40'000'000 - kEpochNs;
@@ -186,7 +187,7 @@ TEST(Capture, TheConnectionWithScansIsTakenAndAReconnectedScannerIsOne) {
 }
 
 TEST(Capture, StreamsAsTheyCameInEitherDialect) {
-    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
+    for (const scanner::Dialect dialect : {scanner::Dialect::A, scanner::Dialect::B}) {
         const Scan expected = recordedSweep(dialect);
         const std::string stream = telegramStream(dialect);
         const auto scan = readBytes(stream, ".bin");
@@ -225,7 +226,7 @@ TEST(Capture, WhatTheUserSaysOfTheMountingIsNotAssumed) {
 TEST(Capture, WhatHoldsNoScanIsRefusedWithASentence) {
     const std::vector<TcpPart> web = segmentsOf("HTTP/1.1 200 OK\r\n\r\n" + std::string(5000, 'x'), 6, 77);
     EXPECT_NE(refusalOf(captureOf(web, {}), ".pcap").find("no scan telegram of a SICK scanner"), std::string::npos);
-    const Bytes answer = framed(Bytes{'s', 'R', 'A', ' ', 'x'}, Dialect::B);
+    const Bytes answer = scanner::framed(Bytes{'s', 'R', 'A', ' ', 'x'}, scanner::Dialect::B);
     EXPECT_NE(refusalOf(std::string(answer.begin(), answer.end()), ".bin").find("1 telegram of a SICK device and none is a scan"),
               std::string::npos);
     EXPECT_NE(refusalOf(std::string("\0\1\2\3\4\5\6\7\2\2\2\2", 12), ".bin").find("a binary file without a telegram of a SICK scanner"),

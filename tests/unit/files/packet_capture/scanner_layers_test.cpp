@@ -12,6 +12,7 @@
 #include <algorithm>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -20,11 +21,11 @@ constexpr int kLayeredLines = 30;
 constexpr std::array<std::int16_t, 4> kLayers{0, 250, -250, 500}; // 1/100 degree
 
 /// Four telegrams per turn of the mirror, counted one by one; the layers see other ranges.
-std::vector<ScanTelegram> layeredTelegrams() {
-    std::vector<ScanTelegram> telegrams;
+std::vector<scanner::ScanTelegram> layeredTelegrams() {
+    std::vector<scanner::ScanTelegram> telegrams;
     for (int n = 0; n < kLayeredLines; ++n) {
         for (const std::int16_t layer : kLayers) {
-            ScanTelegram telegram = telegramOfLine(static_cast<int>(telegrams.size()));
+            scanner::ScanTelegram telegram = telegramOfLine(static_cast<int>(telegrams.size()));
             telegram.channels16.front().values = telegramOfLine(layer == 0 ? n : n + 500).channels16.front().values;
             telegram.layer = layer;
             telegrams.push_back(std::move(telegram));
@@ -47,10 +48,10 @@ void expectTheLevelLayer(const Scan& scan) {
 
 TEST(ScannerLayers, AreLeftOutOfARecording) {
     std::vector<RecordingMessagePtr> messages;
-    for (const ScanTelegram& telegram : layeredTelegrams()) {
+    for (const scanner::ScanTelegram& telegram : layeredTelegrams()) {
         messages.push_back(std::make_shared<const RecordingMessage>(
             RecordingMessage{RecordingTopic::ColaRx, hostNsOfLine(static_cast<int>(messages.size())),
-                             framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B)}));
+                             scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B)}));
     }
     const auto recording = Recording::fromBytes(recordingBytes({}, messages), "recording");
     ASSERT_TRUE(recording);
@@ -60,10 +61,11 @@ TEST(ScannerLayers, AreLeftOutOfARecording) {
 }
 
 TEST(ScannerLayers, AreLeftOutOfACapture) {
-    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
+    for (const scanner::Dialect dialect : {scanner::Dialect::A, scanner::Dialect::B}) {
         std::vector<std::byte> bytes;
-        for (const ScanTelegram& telegram : layeredTelegrams()) {
-            for (const std::uint8_t byte : framed(encodeScanTelegram(telegram, dialect), dialect)) bytes.push_back(std::byte{byte});
+        for (const scanner::ScanTelegram& telegram : layeredTelegrams()) {
+            for (const std::uint8_t byte : scanner::framed(scanner::encodeScanTelegram(telegram, dialect), dialect))
+                bytes.push_back(std::byte{byte});
         }
         const auto scan = readScanBytes(bytes, ".bin");
         ASSERT_TRUE(scan) << scan.error().sentence();
@@ -72,16 +74,16 @@ TEST(ScannerLayers, AreLeftOutOfACapture) {
 }
 
 TEST(ScannerLayers, AreLeftOutLive) {
-    EmulatedScannerSettings settings;
+    scanner::EmulatedScannerSettings settings;
     settings.port = 0;
     settings.linesPerSecond = 0;
-    settings.atEnd = AtEnd::Stop;
-    const auto scanner = serveTelegrams(std::make_shared<const std::vector<ScanTelegram>>(layeredTelegrams()), settings);
+    settings.atEnd = scanner::AtEnd::Stop;
+    const auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(layeredTelegrams()), settings);
     ASSERT_TRUE(scanner) << scanner.error().sentence();
-    SessionSettings session;
+    scanner::SessionSettings session;
     session.host = "127.0.0.1";
     session.port = static_cast<std::uint16_t>((*scanner)->port());
-    LiveFeed feed(session, SweepSettings{}, [] {});
+    LiveFeed feed(session, scanner::SweepSettings{}, [] {});
     const auto all = static_cast<std::int64_t>(kLayers.size()) * kLayeredLines;
     EXPECT_TRUE(waitUntil([&] { return feed.status().sweep.account.telegrams >= all; })) << feed.status().session.sentence;
     const auto scan = feed.snapshot();
@@ -92,9 +94,10 @@ TEST(ScannerLayers, AreLeftOutLive) {
 
 TEST(ScannerLayers, AloneTheyAreNoSweep) {
     std::vector<std::byte> bytes;
-    for (const ScanTelegram& telegram : layeredTelegrams()) {
+    for (const scanner::ScanTelegram& telegram : layeredTelegrams()) {
         if (telegram.layer == 0) continue;
-        for (const std::uint8_t byte : framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B)) bytes.push_back(std::byte{byte});
+        for (const std::uint8_t byte : scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B))
+            bytes.push_back(std::byte{byte});
     }
     const auto scan = readScanBytes(bytes, ".bin");
     ASSERT_FALSE(scan);

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 /// A room of 8 x 6 x 5 m with flat walls, aslant to the scanner (a wall across the axis looks alike at any step): each beam to the nearest.
@@ -109,4 +109,4 @@ TEST(OpeningCheck, ARealCorridorSaysHowItsScannerWasMounted) {
     EXPECT_EQ(mounting.source, OpeningPoint::Source::Typed);
 }
 
-} // namespace edgescan
+} // namespace edgescan::files

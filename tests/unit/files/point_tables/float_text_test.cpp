@@ -12,7 +12,7 @@
 #include <random>
 #include <string>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 std::string ours(float value) {
@@ -57,4 +57,4 @@ TEST(FloatText, IsThatOfTheLibraryWhereDecimalsAreFew) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::files

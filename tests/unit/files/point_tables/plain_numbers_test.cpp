@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 double asFromChars(const std::string& word) {
@@ -137,4 +137,4 @@ TEST(PlainNumbers, RowsOfLongTextsAreReadAsThoseOfShortOnes) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::files

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::files {
 namespace {
 
 using FoundRun = std::tuple<CellState, std::size_t, std::size_t>;
@@ -48,4 +48,4 @@ TEST(StateRuns, AreThoseOfALookAtEveryCell) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::files

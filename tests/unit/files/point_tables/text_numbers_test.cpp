@@ -8,6 +8,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 
 namespace {
 

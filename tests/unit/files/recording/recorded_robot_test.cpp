@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 using nlohmann::json;
 
@@ -29,8 +30,8 @@ constexpr const char* kPoseText = R"({"format": "edgescan-pose/1", "robot": "exa
     "talin": {"time": "2026-11-20T10:00:01Z", "easting_m": 498765.432, "northing_m": 5150123.456, "elevation_m": 287.654,
               "heading_deg": 217.4, "heading_ref": "true", "pitch_deg": 5.75, "roll_deg": -2.1, "zone": "17N", "datum": "WGS84"}})";
 
-SweepMetadata robotMetadata() {
-    SweepMetadata keys = metadataOf(SweepSettings{});
+scanner::SweepMetadata robotMetadata() {
+    scanner::SweepMetadata keys = scanner::metadataOf(scanner::SweepSettings{});
     keys["R_IA"] = "[[0,0,1],[-1,0,0],[0,-1,0]]";
     keys["head_in_robot_m"] = "[4.2,1.3,2.65]";
     keys["talin_in_robot_m"] = "[-0.85,0.1,1.15]";
@@ -53,7 +54,7 @@ json talin(double east, int status = 0) {
 }
 
 /// Thirty lines at 25 Hz; readings as given: seconds after the start, and easting.
-Result<Scan> recorded(const SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt,
+Result<Scan> recorded(const scanner::SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt,
                       const ReadingOptions& options = {}, int status = 0) {
     std::vector<RecordingMessagePtr> messages;
     for (int line = 0; line < 30; ++line) messages.push_back(lineMessage(line));
@@ -135,14 +136,14 @@ TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsTold) {
     EXPECT_TRUE(told(refused->warnings, "readings of inclinometer or TALIN cannot be used"));
     for (const auto& [key, bad] : {std::pair("R_IA", "[[1,0,0],[0,1,0],[0,0,2]]"), std::pair("talin_in_robot_m", "[1,2]"),
                                    std::pair("boresight_rpy_deg", "{"), std::pair("boom_azimuth_deg", "left")}) {
-        SweepMetadata keys = robotMetadata();
+        scanner::SweepMetadata keys = robotMetadata();
         keys[key] = bad;
         const auto scan = recorded(keys, {{0.2, 498765.0}});
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_FALSE(scan->placement) << key;
         EXPECT_TRUE(told(scan->warnings, key)) << key;
     }
-    SweepMetadata bare = robotMetadata();
+    scanner::SweepMetadata bare = robotMetadata();
     bare.erase("R_IA");
     EXPECT_TRUE(told(recorded(bare, {{0.2, 498765.0}})->warnings, "--calibration ROBOT.json places the scan"));
     EXPECT_TRUE(recorded(bare, {})->warnings.empty()) << "nothing is there, so nothing is to be said";
@@ -156,7 +157,7 @@ TEST(RecordedPlace, FilesTakeThePlaceOfWhatTheRecordingHolds) {
     writeText(folder / "pose.json", kPoseText);
     ReadingOptions options;
     options.calibration = (folder / "robot.json").string();
-    SweepMetadata bare = robotMetadata();
+    scanner::SweepMetadata bare = robotMetadata();
     bare.erase("R_IA");
     bare.erase("head_in_robot_m");
     const auto placed = recorded(bare, {{0.2, 498765.0}}, options);

@@ -21,6 +21,7 @@
 #include <thread>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -66,7 +67,7 @@ std::int64_t nowNs() { return std::chrono::duration_cast<std::chrono::nanosecond
 
 TEST(Recording, EverythingPostedIsThereAfterClosing) {
     const Folder folder;
-    auto writer = RecordingWriter::start(folder / "a.mcap", metadataOf({}));
+    auto writer = RecordingWriter::start(folder / "a.mcap", scanner::metadataOf({}));
     ASSERT_TRUE(writer) << writer.error().sentence();
     std::vector<std::thread> posters; // from any thread
     std::atomic<int> posted{0};
@@ -86,14 +87,14 @@ TEST(Recording, EverythingPostedIsThereAfterClosing) {
     EXPECT_TRUE((*recording)->clean());
     EXPECT_EQ((*recording)->messages().size(), 300U);
     EXPECT_EQ((*recording)->metadata().at("format"), "sweep/1");
-    EXPECT_EQ(settingsOf((*recording)->metadata()).settings, SweepSettings{});
+    EXPECT_EQ(scanner::settingsOf((*recording)->metadata()).settings, scanner::SweepSettings{});
 }
 
 TEST(Recording, TelegramBytesAreUntouchedAndDeviceTimesMapped) {
     const Folder folder;
-    for (const Dialect dialect : {Dialect::A, Dialect::B}) {
-        const auto path = folder / (dialect == Dialect::A ? "a.mcap" : "b.mcap");
-        auto writer = RecordingWriter::start(path, metadataOf({}));
+    for (const scanner::Dialect dialect : {scanner::Dialect::A, scanner::Dialect::B}) {
+        const auto path = folder / (dialect == scanner::Dialect::A ? "a.mcap" : "b.mcap");
+        auto writer = RecordingWriter::start(path, scanner::metadataOf({}));
         ASSERT_TRUE(writer);
         for (int n = 0; n < 50; ++n) (*writer)->post(lineMessage(n, {}, dialect));
         ASSERT_TRUE((*writer)->close());
@@ -111,7 +112,7 @@ TEST(Recording, TelegramBytesAreUntouchedAndDeviceTimesMapped) {
 
 TEST(Recording, AMessageIsOnTheDiskWithinASecondWithoutClosing) {
     const Folder folder;
-    auto writer = RecordingWriter::start(folder / "a.mcap", metadataOf({}));
+    auto writer = RecordingWriter::start(folder / "a.mcap", scanner::metadataOf({}));
     ASSERT_TRUE(writer);
     (*writer)->post(numbered(0));
     const auto start = Clock::now();
@@ -191,7 +192,7 @@ TEST(Recording, TheLastMinuteIsKept) {
     kept = minute.messages();
     EXPECT_EQ(kept.size(), 1501U) << "60 s of 25 lines, both ends included";
     const Folder folder;
-    ASSERT_TRUE(saveMessages(folder / "kept.mcap", metadataOf({}), kept));
+    ASSERT_TRUE(saveMessages(folder / "kept.mcap", scanner::metadataOf({}), kept));
     const auto recording = Recording::open(folder / "kept.mcap");
     ASSERT_TRUE(recording);
     EXPECT_TRUE((*recording)->clean());
@@ -205,7 +206,7 @@ TEST(Recording, ClockRunsOnWhenSomebodySetsTheWallClock) {
 }
 
 TEST(Recording, StepperJson) {
-    const StepperReading reading{17, 3.0600000000000005, -4.5, true, 1'614'600'000'041'000'001};
+    const scanner::StepperReading reading{17, 3.0600000000000005, -4.5, true, 1'614'600'000'041'000'001};
     EXPECT_EQ(parseStepper(stepperJson(reading), 0), reading);
     const auto parsed = [](const std::string& text) { return parseStepper(Bytes(text.begin(), text.end()), 42); };
     EXPECT_EQ(parsed(R"({"step":1,"phi_deg":2})")->hostNs, 42);
@@ -218,10 +219,10 @@ TEST(RecordingChild, DISABLED_Records) {
     const char* path = std::getenv("EDGESCAN_TEST_RECORD");
     ASSERT_NE(path, nullptr);
     Posted* posted = shared(std::string(path) + ".posted", false);
-    auto writer = RecordingWriter::start(path, metadataOf({}));
+    auto writer = RecordingWriter::start(path, scanner::metadataOf({}));
     ASSERT_TRUE(writer);
     for (int n = 0; n < kMostPosts; ++n) {
-        (*writer)->post(numbered(n, 3553, hostNow().utcNs));
+        (*writer)->post(numbered(n, 3553, scanner::hostNow().utcNs));
         posted->atNs[static_cast<std::size_t>(n)] = nowNs();
         posted->count = n + 1;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));

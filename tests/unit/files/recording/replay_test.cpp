@@ -14,6 +14,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {
@@ -27,14 +28,14 @@ bool warns(const Scan& scan, const std::string& words) {
 
 /// A recording of `lines` lines with the stepper's reports, some lost.
 Bytes sampleRecording(int lines, int beams = 61) {
-    SweepSettings settings;
+    scanner::SweepSettings settings;
     settings.expectedLines = lines;
     std::vector<RecordingMessagePtr> messages;
     for (int n = 0; n < lines; ++n) {
         if (n % 13 != 12) messages.push_back(lineMessage(n, {.beams = beams}));
         messages.push_back(stepperMessage({n, 2 + 0.17 * n, 4.25, true, hostNsOfLine(n)}));
     }
-    return recordingBytes(metadataOf(settings), messages);
+    return recordingBytes(scanner::metadataOf(settings), messages);
 }
 
 std::shared_ptr<const Recording> recordingOfBytes(Bytes bytes) {
@@ -174,7 +175,7 @@ TEST(Replay, HostileTelegramsNeverCrash) {
     for (int round = 0; round < 150; ++round) {
         std::vector<RecordingMessagePtr> messages;
         for (int n = 0; n < 30; ++n) {
-            ScanTelegram telegram = telegramOfLine(n, {.beams = 12});
+            scanner::ScanTelegram telegram = telegramOfLine(n, {.beams = 12});
             if (random() % 4 == 0) telegram.telegramCounter = static_cast<std::uint16_t>(random());
             if (random() % 4 == 0) telegram.scanCounter = static_cast<std::uint16_t>(random());
             if (random() % 4 == 0) telegram.sinceStartUs = static_cast<std::uint32_t>(random());
@@ -185,15 +186,16 @@ TEST(Replay, HostileTelegramsNeverCrash) {
             if (random() % 6 == 0) telegram.channels16[0].step = static_cast<std::uint16_t>(random());
             if (random() % 6 == 0) telegram.channels16[0].scale = static_cast<float>(random()) * 1e30F;
             if (random() % 6 == 0) telegram.channels16[0].values.resize(random() % 40);
-            RecordingMessage message{RecordingTopic::ColaRx, hostNsOfLine(n), framed(encodeScanTelegram(telegram, Dialect::B), Dialect::B)};
+            RecordingMessage message{RecordingTopic::ColaRx, hostNsOfLine(n),
+                                     scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B)};
             if (random() % 6 == 0) message.hostNs = static_cast<std::int64_t>((static_cast<std::uint64_t>(random()) << 31U) ^ random());
             if (random() % 9 == 0) message.hostNs = INT64_MAX;
             messages.push_back(std::make_shared<const RecordingMessage>(message));
             if (random() % 4 == 0) messages.push_back(stepperMessage({n, static_cast<double>(random()) / 4, 1e5, true, hostNsOfLine(n)}));
         }
-        SweepSettings settings;
+        scanner::SweepSettings settings;
         if (random() % 2 == 0) settings.ticksPerDeg = 1e-3;
-        const auto scan = scanOf(recordingOfBytes(recordingBytes(metadataOf(settings), messages)), "test");
+        const auto scan = scanOf(recordingOfBytes(recordingBytes(scanner::metadataOf(settings), messages)), "test");
         if (!scan) continue;
         for (const double angle : std::get<PolarGeometry>(scan->geometry).lineDeg) EXPECT_TRUE(std::isfinite(angle));
     }
@@ -206,7 +208,7 @@ TEST(Replay, TheLongestOfSeveralSweepsIsOpened) {
         messages.push_back(lineMessage(n));
         messages.push_back(stepperMessage({n, phi, n < 30 ? 5.0 : -5.0, true, hostNsOfLine(n)}));
     }
-    const auto scan = scanOf(recordingOfBytes(recordingBytes(metadataOf({}), messages)), "test");
+    const auto scan = scanOf(recordingOfBytes(recordingBytes(scanner::metadataOf({}), messages)), "test");
     ASSERT_TRUE(scan);
     EXPECT_EQ(scan->lines(), 69);
     EXPECT_TRUE(warns(*scan, "2 sweeps; sweep 2"));
@@ -214,15 +216,15 @@ TEST(Replay, TheLongestOfSeveralSweepsIsOpened) {
 
 TEST(Replay, NoScanIsOneSentence) {
     const Folder folder;
-    const Bytes empty = recordingBytes(metadataOf({}), {});
+    const Bytes empty = recordingBytes(scanner::metadataOf({}), {});
     writeText(folder / "empty.mcap", std::string(empty.begin(), empty.end()));
-    McapEncoder other("other");
+    containers::McapEncoder other("other");
     other.channel({1, 0, "/camera", "json", {}});
     other.message({1, 0, 1, 1, Bytes(3, '1')});
     other.finish();
     const Bytes foreign = other.take();
     writeText(folder / "foreign.mcap", std::string(foreign.begin(), foreign.end()));
-    writeText(folder / "magic.mcap", std::string(kMcapMagic));
+    writeText(folder / "magic.mcap", std::string(containers::kMcapMagic));
     for (const char* name : {"empty.mcap", "foreign.mcap", "magic.mcap"}) {
         const auto scan = openScan(folder / name);
         ASSERT_FALSE(scan) << name;
@@ -261,11 +263,11 @@ TEST(SaveRecording, ScansOfEveryKindSurvive) {
 }
 
 TEST(SaveRecording, ASimulatedBellSurvives) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 60;
     settings.beams = 90;
     settings.rocks = 40;
-    const auto simulation = simulate(settings);
+    const auto simulation = sim::simulate(settings);
     ASSERT_TRUE(simulation);
     expectRoundTrip(simulation->scan);
 }
@@ -301,12 +303,13 @@ TEST(SaveRecording, WhatTelegramsCannotCarryIsRefused) {
 
 TEST(Sweep, CostOfALineAndOfASnapshot) {
     constexpr int kLines = 1000;
-    SweepSettings settings;
+    scanner::SweepSettings settings;
     settings.expectedLines = kLines;
-    std::vector<ColaFrame> frames;
+    std::vector<scanner::ColaFrame> frames;
     for (int n = 0; n < kLines; ++n) {
-        const Bytes wire = framed(encodeScanTelegram(telegramOfLine(n, {.beams = 1141}), Dialect::B), Dialect::B);
-        frames.push_back(ColaStream().push(wire).front());
+        const Bytes wire =
+            scanner::framed(scanner::encodeScanTelegram(telegramOfLine(n, {.beams = 1141}), scanner::Dialect::B), scanner::Dialect::B);
+        frames.push_back(scanner::ColaStream().push(wire).front());
     }
     SweepFeed feed(settings);
     double worst = 0;

@@ -9,13 +9,14 @@
 #include <thread>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 TEST(Replay, CopiesOnSeveralThreadsShareTheRecordingAndWhatTheyShow) {
     constexpr int kLines = 60, kThreads = 3, kMoves = 60;
     std::vector<RecordingMessagePtr> messages;
     for (int n = 0; n < kLines; ++n) messages.push_back(lineMessage(n, {.beams = 21}));
-    const auto recording = Recording::fromBytes(recordingBytes(metadataOf({}), messages), "test");
+    const auto recording = Recording::fromBytes(recordingBytes(scanner::metadataOf({}), messages), "test");
     ASSERT_TRUE(recording);
     Replay first(*recording);
     first.seek(kLines / 2);

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 using namespace edgescan;
+using namespace edgescan::files;
 using namespace edgescan::test;
 
 namespace {

@@ -9,19 +9,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 // The second half of a turn, whose stepper stands `aheadDeg` ahead of what its angles say.
 Scan passOf(double aheadDeg, std::uint64_t seed, int repeat, Axis axis) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.axis = axis;
     settings.seed = seed;
     settings.repeat = repeat;
     settings.lines = 360;
     settings.beams = 286;
     settings.zeroJumpDeg = aheadDeg;
-    Result<Simulation> simulation = simulate(settings);
+    Result<sim::Simulation> simulation = sim::simulate(settings);
     EXPECT_TRUE(simulation);
     Scan scan = std::move(simulation->scan);
     for (int i = 0; i < 185; ++i) std::fill_n(scan.state.line(i), scan.beams(), CellState::NoReturn);
@@ -67,4 +67,4 @@ TEST(Backlash, WhatDoesNotFitIsRefused) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

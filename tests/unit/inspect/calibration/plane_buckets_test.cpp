@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 
 TEST(PlaneBuckets, FindsTheNearestOfAll) {
     std::mt19937 random(5);
@@ -32,4 +32,4 @@ TEST(PlaneBuckets, FindsTheNearestOfAll) {
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

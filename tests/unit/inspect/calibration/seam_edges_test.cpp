@@ -12,21 +12,21 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 // Several cells of the sweep below.
 AssemblyErrors seamErrors() { return {{30.0, -40.0, 1.0, -0.9, 0.5}}; }
 
 std::shared_ptr<const Scan> turned(double turnDeg, Axis axis = Axis::Spin) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.axis = axis;
     settings.seed = 33;
     settings.turnDeg = turnDeg;
     settings.lines = static_cast<int>(turnDeg * 2);
     settings.beams = 381;
     settings.assembly = seamErrors();
-    const Result<Simulation> simulation = simulate(settings);
+    const Result<sim::Simulation> simulation = sim::simulate(settings);
     EXPECT_TRUE(simulation);
     return std::make_shared<const Scan>(simulation->scan);
 }
@@ -83,12 +83,12 @@ TEST(SeamEdges, AnEarlyEdgeLiesWhereTheRayOfTheLateViewPassesNearest) {
 TEST(SeamEdges, MeetOnceTheErrorsAreKnown) {
     for (const double turnDeg : {200.0, 360.0}) {
         const auto scan = turned(turnDeg);
-        const auto detection = detectEdges(scan, Settings{});
+        const auto detection = edges::detectEdges(scan, edges::Settings{});
         const SeamEdges before = seamEdges(*scan, *detection->mask, {});
         const SeamEdges after = seamEdges(*scan, *detection->mask, seamErrors());
         EXPECT_GT(after.lateEdges, 300U);
-        EXPECT_GT(after.metShare(), 0.6) << turnDeg;
-        EXPECT_LT(before.metShare(), after.metShare() - 0.2) << turnDeg;
+        EXPECT_GT(after.matchedShare(), 0.6) << turnDeg;
+        EXPECT_LT(before.matchedShare(), after.matchedShare() - 0.2) << turnDeg;
         const Grid<Rgb> picture = seamPicture(after);
         EXPECT_EQ(picture.lines, 3 * after.late.lines);
         const Rgb white{255, 255, 255};
@@ -106,7 +106,7 @@ TEST(SeamEdges, OfASweepLieAtTheEndsOfItsAxis) {
     const SeamEdges seam = seamEdges(*scan, edges, seamErrors());
     ASSERT_EQ(seam.late.beams, static_cast<int>(seam.beams.size()));
     EXPECT_GT(seam.lateEdges, 2000U);
-    EXPECT_GT(seam.metShare(), 0.7); // close to the axis one early cell covers many late lines
+    EXPECT_GT(seam.matchedShare(), 0.7); // close to the axis one early cell covers many late lines
     for (const int beam : seam.beams) {
         const double deg = polar.beamDeg[static_cast<std::size_t>(beam)];
         EXPECT_LE(std::min(std::abs(deg), std::abs(180 - deg)), 5.001);
@@ -136,4 +136,4 @@ TEST(SeamEdges, AreNoneWhereNothingIsSeenTwice) {
     }
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

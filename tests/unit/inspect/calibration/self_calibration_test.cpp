@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 AssemblyErrors someErrors() { return {{12.0, -8.0, 0.4, -0.3, 0.2}}; }
@@ -22,7 +22,7 @@ PolarGeometry turning(Axis axis, double way) {
 }
 
 std::shared_ptr<const Scan> spun(double turnDeg, const AssemblyErrors& errors, std::uint64_t seed = 31, double skewDeg = 0) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.axis = Axis::Spin;
     settings.motorSkewDeg = skewDeg;
     settings.seed = seed;
@@ -30,36 +30,36 @@ std::shared_ptr<const Scan> spun(double turnDeg, const AssemblyErrors& errors, s
     settings.lines = static_cast<int>(turnDeg * 1.5);
     settings.beams = 286;
     settings.assembly = errors;
-    const Result<Simulation> simulation = simulate(settings);
+    const Result<sim::Simulation> simulation = sim::simulate(settings);
     EXPECT_TRUE(simulation);
     return std::make_shared<const Scan>(simulation->scan);
 }
 
 std::shared_ptr<const Scan> swept(double turnDeg, const AssemblyErrors& errors, std::uint64_t seed = 31) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.seed = seed;
     settings.turnDeg = turnDeg;
     settings.lines = static_cast<int>(turnDeg * 2);
     settings.beams = 381;
     settings.assembly = errors;
-    const Result<Simulation> simulation = simulate(settings);
+    const Result<sim::Simulation> simulation = sim::simulate(settings);
     EXPECT_TRUE(simulation);
     return std::make_shared<const Scan>(simulation->scan);
 }
 
-Result<SelfCalibration> calibrated(const std::shared_ptr<const Scan>& scan) { return calibrateFromTurn(std::span(&scan, 1)); }
+Result<SelfCalibration> calibrated(const std::shared_ptr<const Scan>& scan) { return calibrateFromSweeps(std::span(&scan, 1)); }
 
 } // namespace
 
 TEST(TwiceSeen, OfAnIdealAssemblyTheOtherViewIsHalfATurnAwayAndMirrored) {
     const double a = 35.0;
     const SeenCell cell{0, 0, 190.0, {4.0 * std::cos(radians(a)), 0, 4.0 * std::sin(radians(a))}};
-    const auto seen = otherViewOf(cell, View::Late, turningMounting(turning(Axis::Spin, 1.0), {}));
+    const auto seen = otherViewOf(cell, View::Late, mountingWithErrors(turning(Axis::Spin, 1.0), {}));
     ASSERT_TRUE(seen);
     EXPECT_NEAR(seen->lineDeg, 10.0, 1e-9);
     EXPECT_NEAR(seen->beamDeg, 180.0 - a, 1e-9);
     EXPECT_NEAR(seen->rangeM, 4.0, 1e-12);
-    const auto later = otherViewOf(cell, View::Early, turningMounting(turning(Axis::Spin, -1.0), {}));
+    const auto later = otherViewOf(cell, View::Early, mountingWithErrors(turning(Axis::Spin, -1.0), {}));
     ASSERT_TRUE(later);
     EXPECT_NEAR(later->lineDeg, 370.0, 1e-9);
 }
@@ -69,7 +69,7 @@ TEST(TwiceSeen, TheOtherViewMeasuresTheSamePoint) {
         for (const double way : {1.0, -1.0}) {
             for (const double a : {5.0, 40.0, 75.0, 110.0, 170.0}) {
                 const AssemblyErrors errors = someErrors();
-                const TurningMounting mounting = turningMounting(turning(axis, way), errors);
+                const MountingWithErrors mounting = mountingWithErrors(turning(axis, way), errors);
                 const SeenCell cell{0, 0, 193.0, {6.0 * std::cos(radians(a)), 0, 6.0 * std::sin(radians(a))}};
                 const auto seen = otherViewOf(cell, View::Late, mounting);
                 ASSERT_TRUE(seen);
@@ -90,7 +90,7 @@ TEST(TwiceSeen, TheOtherViewMeasuresTheSamePoint) {
 TEST(SelfCalibration, SlopesAreThoseOfTheResiduals) {
     const auto scan = spun(200, {});
     const auto& polar = std::get<PolarGeometry>(scan->geometry);
-    const TurnedSweep sweep = turnedSweep(*scan, polar);
+    const PreparedSweep sweep = preparedSweep(*scan, polar);
     SurfaceFits fits(sweep.inverse, 4);
     const auto cells = cellsSeenTwice(polar, sweep.inverse, View::Late, 300);
     ASSERT_GT(cells.size(), 200U);
@@ -151,7 +151,7 @@ TEST(SelfCalibration, ASweepTellsAllButTheTurnFromTheEndsOfItsAxis) {
         EXPECT_LT(std::abs(off), 3.5 * found->sd.values[q]) << q;
         EXPECT_GT(found->sd.values[q], 0) << q;
     }
-    EXPECT_FALSE(found->turnTold);
+    EXPECT_FALSE(found->turnIsEstimated);
     EXPECT_EQ(found->errors.turnDeg(), 0);
     EXPECT_GT(found->medianBeforeMm, 2 * found->medianAfterMm);
 
@@ -169,7 +169,7 @@ TEST(SelfCalibration, ASweepTellsAllButTheTurnFromTheEndsOfItsAxis) {
 TEST(SelfCalibration, SeveralScansOfOneAssemblyCountTogether) {
     const std::vector<std::shared_ptr<const Scan>> scans{spun(200, someErrors(), 31), spun(200, someErrors(), 32)};
     const auto one = calibrated(scans[0]);
-    const auto both = calibrateFromTurn(scans);
+    const auto both = calibrateFromSweeps(scans);
     ASSERT_TRUE(one && both);
     EXPECT_GT(both->cells, one->cells * 3 / 2);
     EXPECT_LT(std::abs(both->errors.t2Mm() - someErrors().t2Mm()), 1.5);
@@ -192,7 +192,7 @@ TEST(SelfCalibration, RefusesWhatCannotTellIt) {
     EXPECT_NE(half180.error().sentence().find("the fan ends at the axis"), std::string::npos) << half180.error().sentence();
 
     const std::vector<std::shared_ptr<const Scan>> both{spun(200, {}), swept(360, {})};
-    const auto mixed = calibrateFromTurn(both);
+    const auto mixed = calibrateFromSweeps(both);
     ASSERT_FALSE(mixed);
     EXPECT_NE(mixed.error().sentence().find("another axis"), std::string::npos) << mixed.error().sentence();
 
@@ -201,7 +201,7 @@ TEST(SelfCalibration, RefusesWhatCannotTellIt) {
     cloud.state = {3, 3};
     cloud.geometry = PointGeometry{};
     EXPECT_FALSE(calibrated(std::make_shared<const Scan>(cloud)));
-    EXPECT_FALSE(calibrateFromTurn({}));
+    EXPECT_FALSE(calibrateFromSweeps({}));
 }
 
 TEST(SelfCalibration, RefusesAPlaceThatChangedMeanwhile) {
@@ -255,10 +255,10 @@ TEST(ViewsPicture, PalesWithTheRightErrors) {
 TEST(SelfCalibration, IsGivenUpWhenAskedTo) {
     const auto scan = spun(200, someErrors());
     int asked = 0;
-    const auto found = calibrateFromTurn(std::span(&scan, 1), [&](const char*, double) { return ++asked < 4; });
+    const auto found = calibrateFromSweeps(std::span(&scan, 1), [&](const char*, double) { return ++asked < 4; });
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().what, "cancelled");
     EXPECT_EQ(asked, 4);
 }
 
-} // namespace edgescan
+} // namespace edgescan::inspect

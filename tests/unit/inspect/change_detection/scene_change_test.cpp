@@ -12,19 +12,19 @@
 #include <random>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 std::shared_ptr<const Scan> bell(int repeat, bool after, int lines = 150, int beams = 190) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = lines;
     settings.beams = beams;
     settings.repeat = repeat;
     settings.afterBlast = after;
-    return std::make_shared<const Scan>(simulate(settings)->scan);
+    return std::make_shared<const Scan>(sim::simulate(settings)->scan);
 }
 
-ScanEdges edgesOf(const std::shared_ptr<const Scan>& scan) { return {scan, detectEdges(scan, {})->mask}; }
+ScanEdges edgesOf(const std::shared_ptr<const Scan>& scan) { return {scan, edges::detectEdges(scan, {})->mask}; }
 
 TEST(EdgeChanges, AreThoseOfASlowVersion) {
     std::mt19937 dice(5);
@@ -58,17 +58,17 @@ TEST(EdgeChanges, AreThoseOfASlowVersion) {
                 const bool sawEarlier = near(i, j, looks, [&](int a, int b) { return earlierState.at(a, b) == CellState::Valid; });
                 EdgeChange expected = EdgeChange::None;
                 if (later.at(i, j) != 0)
-                    expected = hasEarlier ? EdgeChange::Kept : sawEarlier ? EdgeChange::Gained : EdgeChange::Unseen;
+                    expected = hasEarlier ? EdgeChange::Unchanged : sawEarlier ? EdgeChange::Gained : EdgeChange::Unknown;
                 else if (earlier.at(i, j) != 0 && !hasLater)
-                    expected = sawLater ? EdgeChange::Lost : EdgeChange::Unseen;
+                    expected = sawLater ? EdgeChange::Lost : EdgeChange::Unknown;
                 ASSERT_EQ(found.cells.at(i, j), expected) << round << " " << i << " " << j;
                 ++counts[static_cast<std::size_t>(expected)];
             }
         }
-        EXPECT_EQ(found.kept, counts[1]);
+        EXPECT_EQ(found.unchanged, counts[1]);
         EXPECT_EQ(found.gained, counts[2]);
         EXPECT_EQ(found.lost, counts[3]);
-        EXPECT_EQ(found.unseen, counts[4]);
+        EXPECT_EQ(found.unknown, counts[4]);
     }
 }
 
@@ -82,18 +82,18 @@ TEST(SceneChange, OfTwoSweepsOfOneSceneIsNextToNothing) {
     EXPECT_LT(ranges.nearer + ranges.farther, a->cells() / 500);
     EXPECT_GT(ranges.same, a->cells() * 9 / 10);
     EXPECT_TRUE(change->regions.empty());
-    EXPECT_GT(change->edges.kept, 5 * (change->edges.gained + change->edges.lost) / 2);
+    EXPECT_GT(change->edges.unchanged, 5 * (change->edges.gained + change->edges.lost) / 2);
 }
 
 /// The cells whose true range changed by more than a rock's relief are the ones that are told.
 TEST(SceneChange, AfterABlastIsThatOfTheTruth) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 150;
     settings.beams = 190;
     settings.truth = true;
-    const Simulation before = *simulate(settings);
+    const sim::Simulation before = *sim::simulate(settings);
     settings.afterBlast = true;
-    const Simulation after = *simulate(settings);
+    const sim::Simulation after = *sim::simulate(settings);
     const auto a = std::make_shared<const Scan>(before.scan), b = std::make_shared<const Scan>(after.scan);
     const auto change = sceneChange(edgesOf(b), edgesOf(a));
     ASSERT_TRUE(change) << change.error().sentence();
@@ -141,13 +141,13 @@ TEST(SceneChange, AfterABlastIsThatOfTheTruth) {
 
 TEST(SceneChange, OfOneScanComparesEdgesCellByCell) {
     const auto scan = bell(0, false);
-    Settings other;
-    other.method = Method::Canny;
-    const auto a = detectEdges(scan, {}), b = detectEdges(scan, other);
+    edges::Settings other;
+    other.method = edges::Method::Canny;
+    const auto a = edges::detectEdges(scan, {}), b = edges::detectEdges(scan, other);
     const auto change = sceneChange({scan, b->mask}, {scan, a->mask});
     ASSERT_TRUE(change);
-    EXPECT_EQ(change->edges.kept + change->edges.lost + change->edges.unseen, a->edges->size());
-    EXPECT_GE(change->edges.kept + change->edges.gained + change->edges.unseen, b->edges->size());
+    EXPECT_EQ(change->edges.unchanged + change->edges.lost + change->edges.unknown, a->edges->size());
+    EXPECT_GE(change->edges.unchanged + change->edges.gained + change->edges.unknown, b->edges->size());
     EXPECT_EQ(change->ranges.cells.size(), 0U);
     EXPECT_FALSE(change->earlier.how.outOfSpec);
 }
@@ -161,10 +161,10 @@ TEST(LineUp, ByPosesBringsAnotherGridOntoThisOne) {
     auto& polar = std::get<PolarGeometry>(turned->geometry);
     for (double& angle : polar.lineDeg) angle -= turn * 180.0 / 3.14159265358979323846;
     const RigidTransform back{rotationX(turn), Eigen::Vector3d::Zero()};
-    LineUpWish wish;
+    RegistrationRequest wish;
     wish.poses = std::array{RigidTransform{}, back};
     const auto edges = edgesOf(turned);
-    const auto on = onGridOf(later, turned, edges.mask, wish);
+    const auto on = earlierOnGridOf(later, turned, edges.mask, wish);
     ASSERT_TRUE(on) << on.error().sentence();
     EXPECT_FALSE(on->how.sameCells);
     EXPECT_FALSE(on->how.outOfSpec) << on->how.warnings.front();
@@ -178,11 +178,11 @@ TEST(LineUp, ByPosesBringsAnotherGridOntoThisOne) {
     EXPECT_GT(alike, both * 9 / 10);
     const auto change = sceneChange(edgesOf(later), edges, wish);
     ASSERT_TRUE(change);
-    EXPECT_GT(change->edges.kept, change->edges.gained);
+    EXPECT_GT(change->edges.unchanged, change->edges.gained);
     EXPECT_LT(change->ranges.nearer + change->ranges.farther, both / 50);
     // With a wrong pose the surfaces say so.
     wish.poses = std::array{RigidTransform{}, RigidTransform{}};
-    const auto wrong = onGridOf(later, turned, edges.mask, wish);
+    const auto wrong = earlierOnGridOf(later, turned, edges.mask, wish);
     ASSERT_TRUE(wrong);
     EXPECT_TRUE(wrong->how.outOfSpec);
 }
@@ -192,18 +192,18 @@ TEST(LineUp, RefusesWhereOnlyOneScanHasAPlace) {
     auto placed = std::make_shared<Scan>(*bell(1, false, 60, 80));
     placed->placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
     const auto edges = edgesOf(placed);
-    const auto refused = onGridOf(later, placed, edges.mask);
+    const auto refused = earlierOnGridOf(later, placed, edges.mask);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence().find("has none"), std::string::npos);
-    LineUpWish wish;
+    RegistrationRequest wish;
     wish.bySurfaces = true;
-    const auto on = onGridOf(later, placed, edges.mask, wish);
+    const auto on = earlierOnGridOf(later, placed, edges.mask, wish);
     ASSERT_TRUE(on) << on.error().sentence();
     EXPECT_TRUE(on->how.outOfSpec);
     // Both in one place: their own cells.
     auto first = std::make_shared<Scan>(*later);
     first->placement = placed->placement;
-    const auto same = onGridOf(first, placed, edges.mask);
+    const auto same = earlierOnGridOf(first, placed, edges.mask);
     ASSERT_TRUE(same);
     EXPECT_TRUE(same->how.sameCells);
     EXPECT_FALSE(same->how.outOfSpec) << same->how.warnings.front();
@@ -211,4 +211,4 @@ TEST(LineUp, RefusesWhereOnlyOneScanHasAPlace) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

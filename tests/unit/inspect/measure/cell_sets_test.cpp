@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 using Corners = std::vector<Eigen::Vector2d>;
@@ -100,4 +100,4 @@ TEST(CellSets, AGateAndABoxHoldBackWhatASlowVersionDoes) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -14,7 +14,7 @@
 #include <functional>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 // A sweep with the LMS511's steps, of what `rangeM` says of a direction; `sigmaM` of noise.
@@ -141,7 +141,7 @@ TEST(Dip, FallsTheWayOfItsSteepestLine) {
 
 TEST(TargetAt, SaysWhatTheDetectionAndThePlaneSay) {
     auto scan = std::make_shared<Scan>(sweepOfSurface(planeAt(tilted(20, 0), 5.0), 0.006));
-    const auto detection = detectEdges(scan, Settings{});
+    const auto detection = edges::detectEdges(scan, edges::Settings{});
     const RangeNoise noise = noiseOf(*detection);
     const std::size_t k = middleOf(*scan);
     const CellTarget target = targetAt(*detection, noise, k);
@@ -168,12 +168,12 @@ TEST(TargetAt, SaysWhatTheDetectionAndThePlaneSay) {
 
 TEST(TargetAt, TellsTheStrengthOfAnEdgeAsItWasDecidedOn) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(120, 160, 3));
-    const auto detection = detectEdges(scan, Settings{});
+    const auto detection = edges::detectEdges(scan, edges::Settings{});
     const RangeNoise noise = noiseOf(*detection);
     int edges = 0;
     for (const std::uint32_t k : *detection->edges) {
         const CellTarget target = targetAt(*detection, noise, k);
-        if (target.probe.kind == DepthEdge::Border) continue;
+        if (target.probe.kind == edges::DepthEdge::Border) continue;
         ++edges;
         ASSERT_TRUE(target.strength);
         EXPECT_GT(*target.strength, 0.0) << k;
@@ -186,9 +186,9 @@ TEST(TargetAt, TellsTheStrengthOfAnEdgeAsItWasDecidedOn) {
         told += strength ? 1 : 0;
     }
     EXPECT_GT(told, 100);
-    Settings canny;
-    canny.method = Method::Canny;
-    const auto gray = detectEdges(scan, canny);
+    edges::Settings canny;
+    canny.method = edges::Method::Canny;
+    const auto gray = edges::detectEdges(scan, canny);
     EXPECT_FALSE(targetAt(*gray, noiseOf(*gray), gray->edges->front()).strength);
     EXPECT_DOUBLE_EQ(noiseOf(*gray).at(5), noise.at(5)) << "the noise is the scan's, not the method's";
 }
@@ -262,4 +262,4 @@ TEST(BoomAt, NothingIsSaidWhereNoBoomIsKnown) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr RangeNoise kUsualNoise{5.5, 0.25};
@@ -129,15 +129,15 @@ TEST(Lengths, TolerancesAreTwiceTheSpreadOfChance) {
 TEST(Lengths, HoldOnASimulatedWall) {
     // Between cells of a wall as it is and as the scanner measured it: 95 of 100 lie within what is told, or more, since the beam's width
     // moves none of these points.
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.scene = "wall";
     settings.lines = 120;
     settings.beams = 160;
     settings.dropouts = 0.0;
     settings.noise = 0.0;
-    const auto exact = simulate(settings);
+    const auto exact = sim::simulate(settings);
     settings.noise = 1.0;
-    const auto noisy = simulate(settings);
+    const auto noisy = sim::simulate(settings);
     ASSERT_TRUE(exact && noisy);
     const RangeNoise noise = rangeNoise(inverseRange(noisy->scan));
     std::mt19937 random(3);
@@ -164,4 +164,4 @@ TEST(MeasureKinds, HaveNamesForFiles) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 const NotebookScan kThis{std::string(64, 'a'), "bell", 20, 30};
@@ -101,7 +101,7 @@ TEST(Notebook, DamageNeverReadsAsSomethingElseThanANotebook) {
         const auto read = notebookFromText(damaged, kThis, "here");
         if (!read) continue;
         for (const PinnedTarget& target : read->targets) EXPECT_LT(target.cell, 600U);
-        for (const KeptMeasure& measure : read->measures) {
+        for (const StoredMeasure& measure : read->measures) {
             EXPECT_EQ(measure.cells.size(), traitsOf(measure.kind).cells);
             for (const std::uint32_t k : measure.cells) EXPECT_LT(k, 600U);
         }
@@ -109,4 +109,4 @@ TEST(Notebook, DamageNeverReadsAsSomethingElseThanANotebook) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 constexpr RangeNoise kQuietNoise{0.5, 0.0};
@@ -150,4 +150,4 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

@@ -11,7 +11,7 @@
 
 #include <random>
 
-namespace edgescan {
+namespace edgescan::inspect {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST(SessionFile, DamagedOnesGiveASentence) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::inspect

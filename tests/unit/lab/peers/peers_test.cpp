@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 // A box 1 m before a wall at 5 m: lines 30..59, beams 40..79.
@@ -51,36 +51,36 @@ int cellsOn(const Grid<std::uint8_t>& mask, int firstBeam, int lastBeam) {
 class Peers : public testing::Test {
 protected:
     void SetUp() override {
-        if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+        if (const Result<Done> present = checkPclIsAvailable(); !present) GTEST_SKIP() << present.error().sentence();
     }
 };
 
 TEST_F(Peers, EachFindsTheOutlineOfABoxInItsCells) {
     const Scan scan = boxBeforeWall();
-    const PeerScan seen = peerScan(scan);
-    PeerLimits limits;
+    const PclScan seen = pclScan(scan);
+    PclLimits limits;
     limits.seconds = std::numeric_limits<double>::infinity();
     limits.radiusM = 0.06;
-    for (int n = 0; n < kPeers; ++n) {
-        const Peer peer = static_cast<Peer>(n);
-        const Result<PeerEdges> edges = runPeer(peer, seen, limits);
+    for (int n = 0; n < kPclEdgeMethods; ++n) {
+        const PclMethod peer = static_cast<PclMethod>(n);
+        const Result<PclEdges> edges = runPclMethod(peer, seen, limits);
         ASSERT_TRUE(edges) << edges.error().sentence();
         ASSERT_EQ(edges->mask.size(), scan.cells());
         EXPECT_EQ(edges->share, 1.0);
-        EXPECT_GT(outlineFound(edges->mask, 2), 0.9) << peerName(peer);
+        EXPECT_GT(outlineFound(edges->mask, 2), 0.9) << pclMethodName(peer);
         // The middle of the box is flat.
         int inside = 0;
         for (int i = 38; i < 52; ++i) {
             for (int j = 48; j < 72; ++j) inside += edges->mask.at(i, j) != 0 ? 1 : 0;
         }
-        EXPECT_LT(inside, 14 * 24 / 10) << peerName(peer);
+        EXPECT_LT(inside, 14 * 24 / 10) << pclMethodName(peer);
         EXPECT_FALSE(edges->steps.empty());
     }
 }
 
 TEST_F(Peers, BordersAreToldApart) {
-    const PeerScan seen = peerScan(boxBeforeWall());
-    const Result<PeerEdges> borders = runPeer(Peer::RangeImageBorder, seen, {});
+    const PclScan seen = pclScan(boxBeforeWall());
+    const Result<PclEdges> borders = runPclMethod(PclMethod::RangeImageBorder, seen, {});
     ASSERT_TRUE(borders);
     ASSERT_EQ(borders->classes.size(), 3U);
     // The object border lies on the box, the shadow border on the wall beside it.
@@ -88,33 +88,33 @@ TEST_F(Peers, BordersAreToldApart) {
     EXPECT_EQ(cellsOn(borders->classes[0].mask, 37, 39), 0);
     EXPECT_GT(cellsOn(borders->classes[1].mask, 37, 39), 15);
     EXPECT_EQ(cellsOn(borders->classes[1].mask, 40, 42), 0);
-    const Result<PeerEdges> organised = runPeer(Peer::OrganizedEdge, seen, {});
+    const Result<PclEdges> organised = runPclMethod(PclMethod::OrganizedEdge, seen, {});
     ASSERT_TRUE(organised);
     EXPECT_GT(cellsOn(organised->classes[0].mask, 40, 42), 15); // occluding
     EXPECT_GT(cellsOn(organised->classes[1].mask, 37, 39), 15); // occluded
 }
 
 TEST_F(Peers, ASlowOneStopsWhenItsTimeIsUp) {
-    PeerLimits limits;
+    PclLimits limits;
     limits.seconds = 0.0;
-    const Result<PeerEdges> edges = runPeer(Peer::BoundaryNeighbours, peerScan(boxBeforeWall()), limits);
+    const Result<PclEdges> edges = runPclMethod(PclMethod::BoundaryNeighbours, pclScan(boxBeforeWall()), limits);
     ASSERT_TRUE(edges);
     EXPECT_GT(edges->share, 0.0);
     EXPECT_LT(edges->share, 0.5);
 }
 
 TEST_F(Peers, TooLittleIsRefusedInOneSentence) {
-    const PeerScan nothing = peerScan(test::makeScan(20, 20, [](int, int) { return 0.0F; }));
-    for (int n = 0; n < kPeers; ++n) EXPECT_FALSE(runPeer(static_cast<Peer>(n), nothing, {}));
+    const PclScan nothing = pclScan(test::makeScan(20, 20, [](int, int) { return 0.0F; }));
+    for (int n = 0; n < kPclEdgeMethods; ++n) EXPECT_FALSE(runPclMethod(static_cast<PclMethod>(n), nothing, {}));
 }
 
 // PCL's normals crashed on grids of 8 and 9 lines: whatever the grid, there are edges or one sentence, and never a crash.
 TEST_F(Peers, SmallGridsGiveEdgesOrASentence) {
     for (const auto& [lines, beams] : {std::pair{8, 60}, {9, 60}, {10, 60}, {60, 9}, {7, 200}}) {
         const PolarGeometry polar = test::regularAngles(lines, beams);
-        const PeerScan seen = peerScan(test::makeScan(lines, beams, [&](int i, int j) { return test::wallRangeMm(polar, i, j, 5000.0); }));
-        for (int n = 0; n < kPeers; ++n) {
-            const Result<PeerEdges> edges = runPeer(static_cast<Peer>(n), seen, {});
+        const PclScan seen = pclScan(test::makeScan(lines, beams, [&](int i, int j) { return test::wallRangeMm(polar, i, j, 5000.0); }));
+        for (int n = 0; n < kPclEdgeMethods; ++n) {
+            const Result<PclEdges> edges = runPclMethod(static_cast<PclMethod>(n), seen, {});
             if (edges)
                 EXPECT_EQ(edges->mask.size(), seen.pointsM.size());
             else
@@ -125,21 +125,21 @@ TEST_F(Peers, SmallGridsGiveEdgesOrASentence) {
 }
 
 TEST_F(Peers, OneThatRunsOutOfMemoryIsTold) {
-    PeerLimits limits;
+    PclLimits limits;
     limits.memoryBytes = 300U << 20U; // enough for PCL's libraries, not for the scan
-    const PeerScan large = peerScan(test::makeScan(1000, 1000, [](int, int) { return 5000.0F; }));
-    const Result<PeerEdges> edges = runPeer(Peer::RangeImageBorder, large, limits);
+    const PclScan large = pclScan(test::makeScan(1000, 1000, [](int, int) { return 5000.0F; }));
+    const Result<PclEdges> edges = runPclMethod(PclMethod::RangeImageBorder, large, limits);
     ASSERT_FALSE(edges);
     EXPECT_NE(edges.error().sentence().find("needed more than 314.6 MB of memory"), std::string::npos) << edges.error().sentence();
 }
 
 TEST_F(Peers, OneThatCrashesIsTold) {
-    PeerScan broken = peerScan(boxBeforeWall());
+    PclScan broken = pclScan(boxBeforeWall());
     broken.unrolledM = Grid<Eigen::Vector3f>(1, 1, Eigen::Vector3f::Zero()); // the guard looks at pointsM; PCL takes "1 - 10" for a size
-    const Result<PeerEdges> edges = runPeer(Peer::OrganizedEdgeUnrolled, broken, {});
+    const Result<PclEdges> edges = runPclMethod(PclMethod::OrganizedEdgeUnrolled, broken, {});
     ASSERT_FALSE(edges);
     EXPECT_NE(edges.error().sentence().find("PCL crashed"), std::string::npos) << edges.error().sentence();
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab

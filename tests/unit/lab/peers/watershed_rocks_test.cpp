@@ -8,7 +8,7 @@
 
 #include <map>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 TEST(WatershedRocks, AFrameOfEdgesPartsItsInsideFromItsOutside) {
@@ -31,7 +31,7 @@ TEST(WatershedRocks, AFrameOfEdgesPartsItsInsideFromItsOutside) {
 
 // A wall 5 m away, and a box 1.5 m before it.
 TEST(RockPeers, SegmentsKeepABoxApartFromTheWall) {
-    if (const Result<Done> present = peersArePresent(); !present) GTEST_SKIP() << present.error().sentence();
+    if (const Result<Done> present = checkPclIsAvailable(); !present) GTEST_SKIP() << present.error().sentence();
     Scan scan;
     PolarGeometry polar;
     polar.axis = Axis::Sweep;
@@ -44,25 +44,25 @@ TEST(RockPeers, SegmentsKeepABoxApartFromTheWall) {
     for (int i = 0; i < 120; ++i)
         for (int j = 0; j < 120; ++j) scan.rangeMm.at(i, j) = isBox(i, j) ? 3500.0F : 5000.0F;
     scan.state.at(60, 60) = CellState::NoReturn;
-    for (const Peer peer : {Peer::RegionGrowing, Peer::ConvexPatches}) {
-        const Result<PeerEdges> answer = runPeer(peer, peerScan(scan), {});
+    for (const PclMethod peer : {PclMethod::RegionGrowing, PclMethod::ConvexPatches}) {
+        const Result<PclEdges> answer = runPclMethod(peer, pclScan(scan), {});
         ASSERT_TRUE(answer) << answer.error().sentence();
         const Grid<std::uint32_t>& segments = answer->segments;
-        ASSERT_EQ(segments.size(), scan.cells()) << peerName(peer);
+        ASSERT_EQ(segments.size(), scan.cells()) << pclMethodName(peer);
         EXPECT_EQ(segments.at(60, 60), 0U) << "no range, no segment";
         std::map<std::uint32_t, std::size_t> inBox, inWall;
         for (int i = 0; i < 120; ++i)
             for (int j = 0; j < 120; ++j) ++(isBox(i, j) ? inBox : inWall)[segments.at(i, j)];
         for (const auto& [segment, cells] : inBox) {
             if (segment != 0) {
-                EXPECT_EQ(inWall.count(segment), 0U) << peerName(peer) << " joins what is 1.5 m apart";
+                EXPECT_EQ(inWall.count(segment), 0U) << pclMethodName(peer) << " joins what is 1.5 m apart";
             }
         }
         std::size_t most = 0;
         for (const auto& [segment, cells] : inBox) most = std::max(most, segment == 0 ? 0 : cells);
-        EXPECT_GT(most, 1000U) << peerName(peer) << ": most of a flat side is one segment";
+        EXPECT_GT(most, 1000U) << pclMethodName(peer) << ": most of a flat side is one segment";
     }
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab

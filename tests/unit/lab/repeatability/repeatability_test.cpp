@@ -11,16 +11,17 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::lab;
 using namespace edgescan::test;
 
 namespace {
 
 std::shared_ptr<const Scan> bell(int lines, int beams, std::uint64_t seed) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = lines;
     settings.beams = beams;
     settings.seed = seed;
-    auto simulation = simulate(settings);
+    auto simulation = sim::simulate(settings);
     EXPECT_TRUE(simulation);
     return std::make_shared<const Scan>(std::move(simulation->scan));
 }
@@ -37,10 +38,11 @@ Grid<std::uint8_t> someCells(const Scan& scan, double share, unsigned seed) {
 }
 
 /// The same by looking at every pair.
-RepeatCount byForce(const PlacedScan& a, const Grid<std::uint8_t>& maskA, const PlacedScan& b, const Grid<std::uint8_t>& maskB,
-                    double radiusM) {
+RepeatCount byForce(const inspect::PlacedScan& a, const Grid<std::uint8_t>& maskA, const inspect::PlacedScan& b,
+                    const Grid<std::uint8_t>& maskB, double radiusM) {
     RepeatCount count;
-    const auto oneWay = [&](const PlacedScan& from, const Grid<std::uint8_t>& mask, const PlacedScan& to, const Grid<std::uint8_t>& other) {
+    const auto oneWay = [&](const inspect::PlacedScan& from, const Grid<std::uint8_t>& mask, const inspect::PlacedScan& to,
+                            const Grid<std::uint8_t>& other) {
         for (std::size_t k = 0; k < mask.size(); ++k) {
             const Eigen::Vector3d& p = from.pointsM[k];
             if (mask[k] == 0 || !p.allFinite()) continue;
@@ -69,9 +71,9 @@ RepeatCount byForce(const PlacedScan& a, const Grid<std::uint8_t>& maskA, const 
 TEST(Repeat, CountsAsASearchThroughEverythingDoes) {
     const auto scan = bell(40, 50, 3);
     const auto other = bell(36, 44, 3);
-    const PlacedScan a = placedBy(scan, {});
+    const inspect::PlacedScan a = inspect::placedBy(scan, {});
     for (const double shift : {0.0, 0.4}) {
-        const PlacedScan b = placedBy(other, moved(2, {1, 2, 3}, {shift, 0.1, -shift}));
+        const inspect::PlacedScan b = inspect::placedBy(other, moved(2, {1, 2, 3}, {shift, 0.1, -shift}));
         const Grid<std::uint8_t> maskA = someCells(*scan, 0.2, 5);
         const Grid<std::uint8_t> maskB = someCells(*other, 0.3, 6);
         for (const double radius : {0.05, 0.2}) {
@@ -97,7 +99,7 @@ TEST(Repeat, WhatIsHiddenFromTheOtherIsNotHeldAgainstAnybody) {
     };
     const auto open = scanOf(false);
     const auto blocked = scanOf(true);
-    const PlacedScan a = placedBy(open, {}), b = placedBy(blocked, {});
+    const inspect::PlacedScan a = inspect::placedBy(open, {}), b = inspect::placedBy(blocked, {});
     Grid<std::uint8_t> mask(30, 40);
     for (int line = 5; line < 25; ++line) mask.at(line, 8) = mask.at(line, 30) = 255;
     const RepeatCount count = RepeatCounter(a, b, 0.05).count(mask, Grid<std::uint8_t>(30, 40));
@@ -109,9 +111,9 @@ TEST(Repeat, WhatIsHiddenFromTheOtherIsNotHeldAgainstAnybody) {
 TEST(Repeat, RoughPosesAreRefinedAndTheResidualTold) {
     const auto scan = bell(160, 200, 7);
     const RigidTransform off = moved(1.0, {3, -1, 2}, {0.08, -0.05, 0.06});
-    const PlacedScan fixed = placedBy(scan, {});
-    const PlacedScan rough = placedBy(scan, off);
-    const auto aligned = alignScans(fixed, rough, 0.5);
+    const inspect::PlacedScan fixed = inspect::placedBy(scan, {});
+    const inspect::PlacedScan rough = inspect::placedBy(scan, off);
+    const auto aligned = inspect::alignScans(fixed, rough, 0.5);
     ASSERT_TRUE(aligned) << aligned.error().sentence();
     EXPECT_LT(aligned->residualM, 0.2 * aligned->residualBeforeM);
     const RigidTransform left = aligned->correction * off;
@@ -122,19 +124,19 @@ TEST(Repeat, RoughPosesAreRefinedAndTheResidualTold) {
 TEST(Repeat, SurfacesLieAsFarApartAsTheirNoise) {
     // Dense scans: the nearest points in space are those with the same noise, and would tell far less than it.
     for (const double noise : {1.0}) {
-        std::array<PlacedScan, 2> scans;
+        std::array<inspect::PlacedScan, 2> scans;
         for (int n = 0; n < 2; ++n) {
-            SimulationSettings settings;
+            sim::SimulationSettings settings;
             settings.lines = 400;
             settings.beams = 460;
             settings.seed = 9;
             settings.repeat = n;
             settings.noise = noise;
-            auto simulation = simulate(settings);
+            auto simulation = sim::simulate(settings);
             ASSERT_TRUE(simulation);
-            scans[static_cast<std::size_t>(n)] = placedBy(std::make_shared<const Scan>(std::move(simulation->scan)), {});
+            scans[static_cast<std::size_t>(n)] = inspect::placedBy(std::make_shared<const Scan>(std::move(simulation->scan)), {});
         }
-        const auto aligned = alignScans(scans[0], scans[1], 0.5);
+        const auto aligned = inspect::alignScans(scans[0], scans[1], 0.5);
         ASSERT_TRUE(aligned) << aligned.error().sentence();
         // Median of |N(0, sigma)| is 0.67 sigma; a slanted surface shows less of it.
         const double sigmaM = 0.001 * noise * 7;
@@ -144,14 +146,15 @@ TEST(Repeat, SurfacesLieAsFarApartAsTheirNoise) {
 }
 
 TEST(Repeat, AWallHoldsNothingAlongItself) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 80;
     settings.beams = 90;
     settings.scene = "wall";
-    auto simulation = simulate(settings);
+    auto simulation = sim::simulate(settings);
     ASSERT_TRUE(simulation);
     const auto scan = std::make_shared<const Scan>(std::move(simulation->scan));
-    const auto aligned = alignScans(placedBy(scan, {}), placedBy(scan, moved(0.1, {0, 0, 1}, {0.01, 0, 0})), 0.3);
+    const auto aligned =
+        inspect::alignScans(inspect::placedBy(scan, {}), inspect::placedBy(scan, moved(0.1, {0, 0, 1}, {0.01, 0, 0})), 0.3);
     ASSERT_FALSE(aligned);
     EXPECT_NE(aligned.error().what.find("do not hold"), std::string::npos) << aligned.error().sentence();
 }
@@ -159,14 +162,14 @@ TEST(Repeat, AWallHoldsNothingAlongItself) {
 TEST(Repeat, PosesOf3dtkAreMirroredLikeTheirScans) {
     const Folder folder;
     writeText(folder / "a.pose", "100 -200 300\n0 90 0\n");
-    const auto pose = open3dtkPose(folder / "a.pose");
+    const auto pose = inspect::open3dtkPose(folder / "a.pose");
     ASSERT_TRUE(pose) << pose.error().sentence();
     // Left-handed: x right, y up, z forward. 90 degrees about y takes forward to right; only y changes its sign between the two worlds.
     EXPECT_LT((*pose * Eigen::Vector3d(0, 0, 1) - Eigen::Vector3d(2, 2, 3)).norm(), 1e-12);
     EXPECT_LT((*pose * Eigen::Vector3d(0, 1, 0) - Eigen::Vector3d(1, 3, 3)).norm(), 1e-12);
     for (const char* text : {"1 2 3", "1 2 3 4 5 6 7", "1 2 3 4 5 nan", "a b c d e f", ""}) {
         writeText(folder / "b.pose", text);
-        EXPECT_FALSE(open3dtkPose(folder / "b.pose")) << text;
+        EXPECT_FALSE(inspect::open3dtkPose(folder / "b.pose")) << text;
     }
 }
 
@@ -176,14 +179,14 @@ TEST(Repeat, EveryMethodIsComparedAtEqualNumbers) {
     ComparisonSettings settings;
     settings.only = {"thesis", "edgescan+", "sobel"};
     settings.repeats = 1;
-    settings.peers = false;
-    const auto rows = methodRepeatability(placedBy(scan, {}), placedBy(again, {}), 0.15, settings);
+    settings.withPcl = false;
+    const auto rows = methodRepeatability(inspect::placedBy(scan, {}), inspect::placedBy(again, {}), 0.15, settings);
     ASSERT_EQ(rows.size(), 3U);
     std::size_t ours = 0;
     for (const MethodRepeatability& row : rows) {
-        if (row.key == "edgescan+") ours = row.asSet.edges;
-        EXPECT_GT(row.asSet.found, 0U) << row.key;
-        EXPECT_LE(row.asSet.found, row.asSet.visible);
+        if (row.key == "edgescan+") ours = row.withFixedSettings.edges;
+        EXPECT_GT(row.withFixedSettings.found, 0U) << row.key;
+        EXPECT_LE(row.withFixedSettings.found, row.withFixedSettings.visible);
     }
     for (const MethodRepeatability& row : rows) {
         ASSERT_TRUE(row.atEqual) << row.key;

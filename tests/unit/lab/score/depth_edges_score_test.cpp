@@ -14,10 +14,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
-Simulation simulated(const char* scene, std::uint64_t seed, int lines = 250, int beams = 286) {
+sim::Simulation simulated(const char* scene, std::uint64_t seed, int lines = 250, int beams = 286) {
     return test::scoredScene(scene, seed, lines, beams);
 }
 
@@ -27,16 +27,16 @@ std::size_t countOf(const EdgeTruth& truth, EdgeClass wanted) {
 }
 
 TEST(EdgeTruth, AWallHasNoEdgeAndABellHasAllKinds) {
-    const Simulation wall = simulated("wall", 3);
+    const sim::Simulation wall = simulated("wall", 3);
     const EdgeTruth none = edgeTruth(*wall.truth);
     for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_EQ(countOf(none, c), 0U);
-    const Simulation bell = simulated("hangup", 3);
+    const sim::Simulation bell = simulated("hangup", 3);
     const EdgeTruth all = edgeTruth(*bell.truth);
     for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_GT(countOf(all, c), 100U);
 }
 
 TEST(EdgeScore, TheTruthItselfIsPerfectAndNothingFindsNothing) {
-    const Simulation bell = simulated("hangup", 4);
+    const sim::Simulation bell = simulated("hangup", 4);
     const EdgeTruth truth = edgeTruth(*bell.truth);
     Grid<std::uint8_t> mask(bell.scan.lines(), bell.scan.beams());
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = truth.edgeClass[k] != 0 ? 255 : 0;
@@ -66,10 +66,10 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     EdgeScore depth;
     EdgeScore gray;
     for (const char* scene : {"hangup", "pile"}) {
-        const Simulation bell = simulated(scene, 21);
+        const sim::Simulation bell = simulated(scene, 21);
         const EdgeTruth truth = edgeTruth(*bell.truth);
         depth += test::scoreEdges(test::depthEdges(bell.scan, {}).mask, truth, 2);
-        gray += test::scoreEdges(*detectEdges(std::make_shared<Scan>(bell.scan), cannySettings())->mask, truth, 2);
+        gray += test::scoreEdges(*edges::detectEdges(std::make_shared<Scan>(bell.scan), edges::cannySettings())->mask, truth, 2);
     }
     std::printf("all edges, 286 x 250: depth edges F %.3f, gray levels F %.3f\n", depth.all.f(), gray.all.f());
     EXPECT_GT(depth.all.f(), gray.all.f() + 0.15);
@@ -84,7 +84,7 @@ TEST(DepthEdges, AFlatWallWithHolesHasNone) {
         const bool hole = (i > 40 && i < 90 && j > 50 && j < 150) || random() % 100 < 5;
         return hole ? 0.0 : test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random));
     });
-    const DepthEdges edges = test::depthEdges(wall, {});
+    const edges::DepthEdges edges = test::depthEdges(wall, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
@@ -94,10 +94,10 @@ TEST(DepthEdges, GoRoundALostRangeByItsNeighbours) {
     EXPECT_EQ(test::depthEdges(scan, {}).mask.at(10, 19), 255);
     scan.state.at(10, 19) = CellState::NoReturn;
     scan.rangeMm.at(10, 19) = 0;
-    const DepthEdges edges = test::depthEdges(scan, {});
+    const edges::DepthEdges edges = test::depthEdges(scan, {});
     EXPECT_EQ(edges.mask.at(10, 19), 0);
     EXPECT_EQ(edges.mask.at(10, 18), 255);
-    EXPECT_EQ(edges.kind.at(10, 18), DepthEdge::Jump);
+    EXPECT_EQ(edges.kind.at(10, 18), edges::DepthEdge::Jump);
     for (int i = 2; i < 28; ++i) {
         int cells = 0;
         for (int j = 0; j < 40; ++j) cells += edges.mask.at(i, j) != 0 ? 1 : 0;
@@ -106,7 +106,7 @@ TEST(DepthEdges, GoRoundALostRangeByItsNeighbours) {
 }
 
 TEST(DepthEdges, RandomDropOutsCostLittle) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.seed = 22;
     settings.lines = 250;
     settings.beams = 286;
@@ -114,7 +114,7 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     std::array<double, 2> f{};
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
-        const Simulation bell = *simulate(settings);
+        const sim::Simulation bell = *sim::simulate(settings);
         f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(test::depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
@@ -122,18 +122,18 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
 }
 
 TEST(DepthEdges, DecidingAnewGivesWhatMeasuringAnewWould) {
-    const Simulation bell = simulated("pile", 23, 120, 150);
-    DepthEdgeSettings settings;
-    const DepthResponses responses = test::depthResponses(bell.scan, settings);
+    const sim::Simulation bell = simulated("pile", 23, 120, 150);
+    edges::DepthEdgeSettings settings;
+    const edges::DepthResponses responses = test::depthResponses(bell.scan, settings);
     settings.sensitivity = 1.4;
     settings.hysteresisLow = 0.5;
     settings.minimumLength = 7;
     settings.convex = false;
-    const DepthEdges decided = decideDepthEdges(responses, settings);
-    const DepthEdges whole = test::depthEdges(bell.scan, settings);
+    const edges::DepthEdges decided = edges::decideDepthEdges(responses, settings);
+    const edges::DepthEdges whole = test::depthEdges(bell.scan, settings);
     EXPECT_EQ(decided.mask, whole.mask);
     EXPECT_EQ(decided.kind, whole.kind);
-    EXPECT_EQ(std::count(whole.kind.cells.begin(), whole.kind.cells.end(), DepthEdge::Convex), 0);
+    EXPECT_EQ(std::count(whole.kind.cells.begin(), whole.kind.cells.end(), edges::DepthEdge::Convex), 0);
 }
 
 TEST(DepthEdges, DustCloseToAWallIsNone) {
@@ -148,7 +148,7 @@ TEST(DepthEdges, DustCloseToAWallIsNone) {
             return test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random)) + (i % 2 == 0 ? dust : -dust) -
                    (atPost ? 300.0 : 0.0);
         });
-        const DepthEdges edges = test::depthEdges(wall, {});
+        const edges::DepthEdges edges = test::depthEdges(wall, {});
         int beside = 0;
         int elsewhere = 0;
         for (int i = 0; i < wall.lines(); ++i)
@@ -184,7 +184,7 @@ TEST(Interlace, BeamsFromTwoPassesAreToldAndStraightened) {
     const SweepSlips slips = straighten(combed);
     EXPECT_TRUE(slips.interlaced);
     for (int i = 5; i + 5 < floor.lines(); ++i) EXPECT_NEAR(slips.parity[static_cast<std::size_t>(i)], 0.5, 0.12) << i;
-    const DepthEdges edges = test::depthEdges(floor, {});
+    const edges::DepthEdges edges = test::depthEdges(floor, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
@@ -193,8 +193,8 @@ TEST(Interlace, ASlipOfTheStepperIsNoEdge) {
     InverseRange slipped = inverseRange(floor);
     const SweepSlips slips = straighten(slipped);
     EXPECT_FALSE(slips.interlaced);
-    for (const std::vector<float>& extra : slips.extra) EXPECT_NEAR(extra[40], 2.0, 0.3);
-    const DepthEdges edges = test::depthEdges(floor, {});
+    for (const std::vector<float>& extra : slips.remaining) EXPECT_NEAR(extra[40], 2.0, 0.3);
+    const edges::DepthEdges edges = test::depthEdges(floor, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
@@ -212,10 +212,10 @@ TEST(Interlace, AStallAndTheLeapAfterItAreNoEdges) {
         for (std::size_t parity = 0; parity < 2; ++parity) {
             for (std::size_t i = 30; i < 33; ++i) EXPECT_NEAR(slips.measured[parity][i], -1.0, 0.15) << i;
             EXPECT_NEAR(slips.measured[parity][33], made, 0.25 * made);
-            const float left = *std::max_element(slips.extra[parity].begin() + 25, slips.extra[parity].begin() + 45);
+            const float left = *std::max_element(slips.remaining[parity].begin() + 25, slips.remaining[parity].begin() + 45);
             EXPECT_NEAR(left, made - 3, 0.35 * made);
         }
-        const DepthEdges edges = test::depthEdges(stalled, {});
+        const edges::DepthEdges edges = test::depthEdges(stalled, {});
         int cells = 0;
         for (int i = 20; i < 50; ++i)
             for (int j = 0; j < floor.beams(); ++j) cells += edges.mask.at(i, j) != 0 ? 1 : 0;
@@ -254,8 +254,8 @@ TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
     EXPECT_NEAR(test::depthResponses(near, {}).jumpMm, 8.7, 0.6);
     EXPECT_NEAR(test::depthResponses(far, {}).jumpMm, 21.0, 0.1);
     const auto jumps = [](const Scan& scan) {
-        const DepthEdges edges = test::depthEdges(scan, {});
-        return std::count(edges.kind.cells.begin(), edges.kind.cells.end(), DepthEdge::Jump);
+        const edges::DepthEdges edges = test::depthEdges(scan, {});
+        return std::count(edges.kind.cells.begin(), edges.kind.cells.end(), edges::DepthEdge::Jump);
     };
     EXPECT_NEAR(static_cast<double>(jumps(near)), 156.0, 8.0); // the rim of 40 x 40 cells
     EXPECT_EQ(jumps(far), 0);
@@ -264,9 +264,9 @@ TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
 TEST(DepthEdges, SpacingOfAnEmptyScanIsNothing) {
     const Scan empty = test::makeScan(20, 30, [](int, int) { return 0.0; });
     EXPECT_EQ(pointSpacingMm(inverseRange(empty), angularSteps(empty)), 0.0);
-    const DepthEdges edges = test::depthEdges(empty, {});
+    const edges::DepthEdges edges = test::depthEdges(empty, {});
     EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab

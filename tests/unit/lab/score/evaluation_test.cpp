@@ -11,17 +11,17 @@
 #include <fstream>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 namespace fs = std::filesystem;
 
-Simulation smallBell(SimulationSettings& settings) {
+sim::Simulation smallBell(sim::SimulationSettings& settings) {
     settings.lines = 100;
     settings.beams = 120;
     settings.seed = 9;
     settings.truth = true;
-    return *simulate(settings);
+    return *sim::simulate(settings);
 }
 
 Grid<std::uint8_t> perfectMask(const TruthSet& truth) {
@@ -31,9 +31,9 @@ Grid<std::uint8_t> perfectMask(const TruthSet& truth) {
 }
 
 TEST(Truth, SurvivesItsFiles) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.rockRounding = 0.25;
-    const Simulation bell = smallBell(settings);
+    const sim::Simulation bell = smallBell(settings);
     const fs::path folder = fs::path(testing::TempDir()) / "truth-of-a-bell";
     ASSERT_TRUE(writeTruth(bell, settings, folder));
     for (const char* name : {"gt_class.png", "gt_ignore.png", "object.png", "face.png", "range_clean.png", "tear_beam.png", "tear_line.png",
@@ -49,17 +49,17 @@ TEST(Truth, SurvivesItsFiles) {
     EXPECT_EQ(read->edges.ignore, made.edges.ignore);
     EXPECT_EQ(read->object, made.object);
     EXPECT_EQ(read->cleanMm, made.cleanMm);
-    ASSERT_TRUE(savePng8(Grid<std::uint8_t>(3, 4), folder / "gt_ignore.png"));
+    ASSERT_TRUE(containers::savePng8(Grid<std::uint8_t>(3, 4), folder / "gt_ignore.png"));
     EXPECT_FALSE(readTruth(folder));
     fs::remove_all(folder);
     EXPECT_FALSE(readTruth(folder));
 }
 
 TEST(Evaluation, TheTruthItselfIsPerfectInEveryFigure) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.noise = 0;
     settings.footprint = false;
-    const Simulation bell = smallBell(settings);
+    const sim::Simulation bell = smallBell(settings);
     const TruthSet truth = truthSetOf(bell);
     const Evaluation perfect = evaluateMask(perfectMask(truth), truth, &bell.scan, 2);
     EXPECT_EQ(perfect.score.all.f(), 1.0);
@@ -119,4 +119,4 @@ TEST(Evaluation, BestThresholdsAndAreaOfASweep) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 Grid<std::uint8_t> randomMask(int lines, int beams, unsigned oneIn, std::mt19937& random) {
@@ -173,4 +173,4 @@ TEST(Thin, LooksOnlyWhereSomethingChangedAndMissesNothing) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <random>
 
-namespace edgescan {
+namespace edgescan::lab {
 namespace {
 
 using Labels = Grid<std::uint32_t>;
@@ -73,19 +73,19 @@ TEST(RockScore, MissesAreToldApart) {
     const RockMatch match = matched(rock, region, {100, false});
     const auto miss = [&](std::size_t n) { return match.rocks.at(n).miss; };
     EXPECT_FALSE(match.rocks[0].found);
-    EXPECT_EQ(miss(0), Miss::Merged);
+    EXPECT_EQ(miss(0), RockMiss::Merged);
     EXPECT_TRUE(match.rocks[1].found); // 250 of 450 cells
-    EXPECT_EQ(miss(2), Miss::Wall);
-    EXPECT_EQ(miss(3), Miss::Split);
-    EXPECT_EQ(miss(4), Miss::Other);
+    EXPECT_EQ(miss(2), RockMiss::Wall);
+    EXPECT_EQ(miss(3), RockMiss::Split);
+    EXPECT_EQ(miss(4), RockMiss::Other);
     // The wall's region is no matter leniently; the four pieces are false.
     EXPECT_EQ(match.falseRegions, (std::vector<std::uint32_t>{3, 4, 5, 6}));
     EXPECT_EQ(matched(rock, region, {100, true}).falseRegions, (std::vector<std::uint32_t>{2, 3, 4, 5, 6}));
     const std::vector<std::uint8_t> isRock{0, 0, 0, 1, 1, 1, 1};
     const RockMatch called = matched(rock, region, {100, true}, isRock);
     EXPECT_EQ(called.falseRegions, (std::vector<std::uint32_t>{3, 4, 5, 6}));
-    EXPECT_EQ(called.rocks[1].miss, Miss::Dropped);
-    EXPECT_EQ(called.rocks[0].miss, Miss::Other);
+    EXPECT_EQ(called.rocks[1].miss, RockMiss::Dropped);
+    EXPECT_EQ(called.rocks[0].miss, RockMiss::Other);
     EXPECT_EQ(matched(rock, region, {100, false}, isRock).counts.found, 1U) << "leniently nobody asks what a region is called";
 }
 
@@ -171,18 +171,18 @@ struct Slow {
         return total;
     }
 
-    Miss missOf(std::uint32_t r) const {
+    RockMiss missOf(std::uint32_t r) const {
         for (std::uint32_t g = 1; g < numbers; ++g) {
-            if (isGone(g) && iou(r, g) > 0.5) return Miss::Dropped;
+            if (isGone(g) && iou(r, g) > 0.5) return RockMiss::Dropped;
         }
         std::size_t inside = 0;
         for (std::uint32_t g = 1; g < numbers; ++g) {
             if (isGone(g)) continue;
             const std::size_t both = common(r, g);
-            if (2 * both >= rockCells(r) && both > 0) return 2 * common(0, g) > regionCells(g) - both ? Miss::Wall : Miss::Merged;
+            if (2 * both >= rockCells(r) && both > 0) return 2 * common(0, g) > regionCells(g) - both ? RockMiss::Wall : RockMiss::Merged;
             if (2 * both >= regionCells(g)) inside += both;
         }
-        return 2 * inside >= rockCells(r) ? Miss::Split : Miss::Other;
+        return 2 * inside >= rockCells(r) ? RockMiss::Split : RockMiss::Other;
     }
 
     bool isFalse(std::uint32_t g) const {
@@ -272,11 +272,11 @@ TEST(RockTruth, SpansAreThoseOfTheCalipers) {
 }
 
 TEST(RockTruth, SurvivesItsFilesAndScoresItselfPerfect) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.lines = 120;
     settings.beams = 140;
     settings.truth = true;
-    const Simulation bell = *simulate(settings);
+    const sim::Simulation bell = *sim::simulate(settings);
     const auto folder = std::filesystem::path(testing::TempDir()) / "truth-of-rocks";
     ASSERT_TRUE(writeTruth(bell, settings, folder));
     const Result<TrueRocks> read = readTrueRocks(folder);
@@ -290,7 +290,7 @@ TEST(RockTruth, SurvivesItsFilesAndScoresItselfPerfect) {
     EXPECT_NEAR((read->rocks[3].centreM - made.rocks[3].centreM).norm(), 0.0, 1e-6);
 
     const RockScene scene = *rockScene(bell.scan, made, "here");
-    RockAnswer answer;
+    RockDetection answer;
     answer.region = made.rock;
     answer.isRock.assign(made.rocks.size() + 1, 1);
     answer.claims.resize(made.rocks.size() + 1);
@@ -359,14 +359,14 @@ TEST(RockPairs, WhatIsToldIsComparedByTheRocksThatRegionsAre) {
     const std::vector<RockPair> told{{8, 9, 9, false}, {7, 8, 7, true}, {7, 9, 9, false}, {1, 9, 9, true}};
     const PairScore score = scorePairs(truth, told, match);
     EXPECT_EQ(score.order.known, 2U) << "the pair with a missed rock is left out";
-    EXPECT_EQ(score.order.told, 3U) << "so is the one with a region that is no rock";
-    EXPECT_EQ(score.order.toldKnown, 2U);
+    EXPECT_EQ(score.order.reported, 3U) << "so is the one with a region that is no rock";
+    EXPECT_EQ(score.order.reportedKnown, 2U);
     EXPECT_EQ(score.order.right, 1U);
     EXPECT_EQ(score.contacts.known, 1U);
-    EXPECT_EQ(score.contacts.told, 1U);
-    EXPECT_EQ(score.contacts.toldKnown, 0U);
+    EXPECT_EQ(score.contacts.reported, 1U);
+    EXPECT_EQ(score.contacts.reportedKnown, 0U);
     EXPECT_EQ(score.contacts.rocksClose, 3U);
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::lab

@@ -17,7 +17,7 @@
 #include <random>
 #include <set>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 struct Ball {
@@ -43,8 +43,8 @@ Scan ballsScan(const std::vector<Ball>& balls, int lines = 200, int beams = 260)
 }
 
 struct FoundBalls {
-    RockLeaves leaves;
-    RockMap map;
+    Segmentation leaves;
+    RegionMap map;
     std::vector<Rock> rocks;
 };
 FoundBalls found(const Scan& scan) {
@@ -64,9 +64,9 @@ TEST(RockRows, ABallHasItsSizePlaceAndDistance) {
         const Rock& rock = f.rocks[n];
         const double away = centres[n].norm();
         const double seen = 2 * radii[n] * std::sqrt(1 - std::pow(radii[n] / away, 2)); // the widest circle that is seen
-        EXPECT_NEAR(rock.longM, seen, rock.toleranceM);
-        EXPECT_NEAR(rock.wideM, seen, rock.toleranceM);
-        EXPECT_LE(rock.wideM, rock.longM);
+        EXPECT_NEAR(rock.longestCaliperM, seen, rock.toleranceM);
+        EXPECT_NEAR(rock.shortestCaliperM, seen, rock.toleranceM);
+        EXPECT_LE(rock.shortestCaliperM, rock.longestCaliperM);
         EXPECT_LT(rock.toleranceM, 0.16);
         EXPECT_GT(rock.distanceM, away - radii[n]);
         EXPECT_LT(rock.distanceM, away);
@@ -76,7 +76,7 @@ TEST(RockRows, ABallHasItsSizePlaceAndDistance) {
         EXPECT_GT(rock.unoccluded, 0.9);
         EXPECT_GT(rock.confidence, 0.9);
         EXPECT_TRUE(rock.contacts.empty());
-        EXPECT_TRUE(rock.before.empty());
+        EXPECT_TRUE(rock.rocksBehind.empty());
         EXPECT_EQ(rockLabels(f.leaves, f.map)[rock.cell], rock.label);
     }
 }
@@ -87,9 +87,9 @@ TEST(RockRows, TheNearerOfTwoThatOverlapLiesBefore) {
     const Rock& far = f.rocks[0];
     const Rock& near = f.rocks[1];
     EXPECT_GT(far.distanceM, near.distanceM);
-    EXPECT_EQ(near.before, std::vector<std::uint32_t>{1});
-    EXPECT_EQ(far.behind, std::vector<std::uint32_t>{2});
-    EXPECT_TRUE(near.behind.empty());
+    EXPECT_EQ(near.rocksBehind, std::vector<std::uint32_t>{1});
+    EXPECT_EQ(far.rocksInFront, std::vector<std::uint32_t>{2});
+    EXPECT_TRUE(near.rocksInFront.empty());
     EXPECT_LT(far.unoccluded, near.unoccluded);
 }
 
@@ -98,13 +98,13 @@ TEST(RockRows, FreeHeightBelowEndsWhereSomethingStandsOrNothingCameBack) {
     const Scan open = ballsScan({{{1.0, 0.0, 5.0}, 0.4}});
     const FoundBalls f = found(open);
     ASSERT_EQ(f.rocks.size(), 1U);
-    EXPECT_GT(f.rocks[0].freeBelowM, 0.5);
-    EXPECT_LT(f.rocks[0].freeBelowM, 4.6);
+    EXPECT_GT(f.rocks[0].freeHeightM, 0.5);
+    EXPECT_LT(f.rocks[0].freeHeightM, 4.6);
     // Another ball stands half a metre below it.
     const FoundBalls two = found(ballsScan({{{1.0, 0.0, 5.0}, 0.4}, {{1.0, 0.0, 3.9}, 0.2}}));
     ASSERT_EQ(two.rocks.size(), 2U);
     const Rock& upper = two.rocks[0].distanceM > two.rocks[1].distanceM ? two.rocks[0] : two.rocks[1];
-    EXPECT_LE(upper.freeBelowM, 0.6);
+    EXPECT_LE(upper.freeHeightM, 0.6);
     // Nothing came back from below it.
     Scan silent = open;
     const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
@@ -116,13 +116,13 @@ TEST(RockRows, FreeHeightBelowEndsWhereSomethingStandsOrNothingCameBack) {
     const FoundBalls alone = found(silent);
     ASSERT_EQ(alone.rocks.size(), 1U);
     // Only what the beams to the ball itself passed through is free.
-    EXPECT_LT(alone.rocks[0].freeBelowM, f.rocks[0].freeBelowM - 0.5);
+    EXPECT_LT(alone.rocks[0].freeHeightM, f.rocks[0].freeHeightM - 0.5);
 }
 
 TEST(RockRows, CellsThatSawPastTheRimMakeNoRockLonger) {
     const FoundBalls f = found(ballsScan({{{0.3, 0.0, 5.0}, 0.5}}));
     ASSERT_EQ(f.rocks.size(), 1U);
-    RockLeaves leaves = f.leaves;
+    Segmentation leaves = f.leaves;
     Scan scan = *leaves.inputs.scan;
     const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
     int changed = 0;
@@ -133,8 +133,8 @@ TEST(RockRows, CellsThatSawPastTheRimMakeNoRockLonger) {
     }
     leaves.inputs.scan = std::make_shared<const Scan>(std::move(scan));
     const std::vector<Rock> rocks = rockRows(leaves, f.map);
-    EXPECT_NEAR(rocks[0].longM, f.rocks[0].longM, 0.05);
-    EXPECT_NEAR(rocks[0].wideM, f.rocks[0].wideM, 0.05);
+    EXPECT_NEAR(rocks[0].longestCaliperM, f.rocks[0].longestCaliperM, 0.05);
+    EXPECT_NEAR(rocks[0].shortestCaliperM, f.rocks[0].shortestCaliperM, 0.05);
     EXPECT_NEAR(rocks[0].distanceM, f.rocks[0].distanceM, 0.01);
 }
 
@@ -238,11 +238,11 @@ TEST(RockOutlines, EncloseTheCellsOfTheirLabelAndNoOthers) {
 
 TEST(RockHulls, HoldAllVisiblePoints) {
     const FoundBalls f = found(ballsScan({{{-1.0, 0.2, 5.0}, 0.5}, {{1.2, -0.3, 6.0}, 0.3}}));
-    const std::vector<RockHull> hulls = rockHulls(f.leaves, f.map);
+    const std::vector<Hull> hulls = rockHulls(f.leaves, f.map);
     ASSERT_EQ(hulls.size(), 2U);
     const CartesianTables tables(*f.leaves.inputs.scan);
     const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
-    for (const RockHull& hull : hulls) {
+    for (const Hull& hull : hulls) {
         ASSERT_GT(hull.triangles.size(), 20U);
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
         for (const auto& t : hull.triangles) {
@@ -264,4 +264,4 @@ TEST(RockHulls, HoldAllVisiblePoints) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::rocks

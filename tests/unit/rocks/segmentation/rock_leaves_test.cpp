@@ -16,16 +16,16 @@
 #include <set>
 #include <vector>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
-std::shared_ptr<const Detection> boxes(std::uint32_t seed, KeepFor keep = KeepFor::Rocks) {
-    return detectEdges(std::make_shared<Scan>(test::boxesScan(50, 70, seed, 0.03)), Settings{}, keep);
+std::shared_ptr<const edges::Detection> boxes(std::uint32_t seed, edges::KeepFor keep = edges::KeepFor::Rocks) {
+    return edges::detectEdges(std::make_shared<Scan>(test::boxesScan(50, 70, seed, 0.03)), edges::Settings{}, keep);
 }
 
 TEST(RockBarrier, DistanceIsThatToTheNearestBarrierOfAll) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
-        const RockInputs inputs = rockInputs(*boxes(seed));
+        const Inputs inputs = rockInputs(*boxes(seed));
         const Grid<float> distance = barrierDistance(inputs);
         const Grid<Support>& support = inputs.surface->inverse.support;
         int free = 0;
@@ -51,19 +51,19 @@ TEST(RockBarrier, DistanceIsThatToTheNearestBarrierOfAll) {
 }
 
 TEST(RockBarrier, ASurfaceWithoutBarriersIsOneLeaf) {
-    const RockInputs inputs = rockInputs(*detectEdges(std::make_shared<Scan>(test::boxesScan(30, 30, 1, 0)), Settings{}));
-    RockInputs flat = inputs;
-    auto surface = std::make_shared<DepthSurface>(*inputs.surface);
+    const Inputs inputs = rockInputs(*edges::detectEdges(std::make_shared<Scan>(test::boxesScan(30, 30, 1, 0)), edges::Settings{}));
+    Inputs flat = inputs;
+    auto surface = std::make_shared<edges::DepthSurface>(*inputs.surface);
     std::fill(surface->inverse.support.cells.begin(), surface->inverse.support.cells.end(), Support::Measured);
     std::fill(surface->inverse.u.cells.begin(), surface->inverse.u.cells.end(), 0.2F);
     flat.surface = surface;
-    auto cracks = std::make_shared<DepthCracks>();
-    flat.responses = std::make_shared<const DepthResponses>(depthResponses(*surface, {}, cracks.get()));
+    auto cracks = std::make_shared<edges::DepthCracks>();
+    flat.responses = std::make_shared<const edges::DepthResponses>(edges::depthResponses(*surface, {}, cracks.get()));
     flat.cracks = cracks;
-    const RockLeaves leaves = rockLeaves(flat);
+    const Segmentation leaves = segmentRocks(flat);
     EXPECT_EQ(leaves.count(), 1U);
     EXPECT_TRUE(leaves.borders.empty());
-    EXPECT_TRUE(std::all_of(leaves.leaf.cells.begin(), leaves.leaf.cells.end(), [](std::uint32_t l) { return l == 1; }));
+    EXPECT_TRUE(std::all_of(leaves.segment.cells.begin(), leaves.segment.cells.end(), [](std::uint32_t l) { return l == 1; }));
 }
 
 // Joins basins one after the other, looking through all cracks each time for the highest saddle that joins two.
@@ -125,10 +125,10 @@ Grid<std::uint32_t> slowBasins(const Grid<float>& distance, const CellLinks& lin
 
 TEST(RockLeaves, BasinsAreThoseOfTheSlowWay) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-        const RockInputs inputs = rockInputs(*boxes(seed));
+        const Inputs inputs = rockInputs(*boxes(seed));
         const Grid<float> distance = barrierDistance(inputs);
         const CellLinks links{inputs.surface->inverse.support, *inputs.cracks};
-        const Grid<std::uint32_t> leaf = leafBasins(distance, links);
+        const Grid<std::uint32_t> leaf = segmentBasins(distance, links);
         EXPECT_EQ(leaf, slowBasins(distance, links)) << "seed " << seed;
         EXPECT_GT(*std::max_element(leaf.cells.begin(), leaf.cells.end()), 3U);
     }
@@ -136,8 +136,8 @@ TEST(RockLeaves, BasinsAreThoseOfTheSlowWay) {
 
 // How deep the crack between (i, j) and the next cell lies under the line through the cells that are up to `lengthM` away on both sides, in
 // the same leaves, mm.
-double slowDepthMm(const RockInputs& inputs, const Grid<std::uint32_t>& leaf, int i, int j, Along along, double lengthM, double most) {
-    const int dy = along == Along::Lines ? 1 : 0;
+double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& leaf, int i, int j, edges::Along along, double lengthM, double most) {
+    const int dy = along == edges::Along::Lines ? 1 : 0;
     const int dx = 1 - dy;
     const auto u = [&](int n) { return static_cast<double>(inputs.cracks->smoothed.at(i + n * dy, j + n * dx)); };
     const double nearest = std::max(u(0), u(1));
@@ -157,20 +157,21 @@ double slowDepthMm(const RockInputs& inputs, const Grid<std::uint32_t>& leaf, in
 }
 
 TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
-    const RockInputs inputs = rockInputs(*boxes(2));
-    const Grid<std::uint32_t> leaf = leafBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
-    const std::vector<LeafBorder> borders = leafBorders(inputs, leaf);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, LeafBorder> slow;
+    const Inputs inputs = rockInputs(*boxes(2));
+    const Grid<std::uint32_t> leaf = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
+    const std::vector<SegmentBorder> borders = segmentBorders(inputs, leaf);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, SegmentBorder> slow;
     const CrackMeasure measure(inputs, leaf);
     for (int i = 0; i < leaf.lines; ++i) {
         for (int j = 0; j < leaf.beams; ++j) {
-            for (const Along along : {Along::Beams, Along::Lines}) {
-                const int y = along == Along::Lines ? i + 1 : i;
-                const int x = along == Along::Beams ? j + 1 : j;
-                if (!leaf.contains(y, x) || leaf.at(i, j) == leaf.at(y, x) || leaf.at(i, j) == kOpen || leaf.at(y, x) == kOpen) continue;
+            for (const edges::Along along : {edges::Along::Beams, edges::Along::Lines}) {
+                const int y = along == edges::Along::Lines ? i + 1 : i;
+                const int x = along == edges::Along::Beams ? j + 1 : j;
+                if (!leaf.contains(y, x) || leaf.at(i, j) == leaf.at(y, x) || leaf.at(i, j) == kNoSegment || leaf.at(y, x) == kNoSegment)
+                    continue;
                 const std::uint32_t p = leaf.at(i, j);
                 const std::uint32_t q = leaf.at(y, x);
-                LeafBorder& border = slow[{std::min(p, q), std::max(p, q)}];
+                SegmentBorder& border = slow[{std::min(p, q), std::max(p, q)}];
                 const CrackEvidence evidence = measure.at(i, j, along);
                 ASSERT_NEAR(evidence.valleyMm, slowDepthMm(inputs, leaf, i, j, along, 0.12, 12), 1e-6);
                 ASSERT_NEAR(evidence.wideMm, slowDepthMm(inputs, leaf, i, j, along, 0.5, 40), 1e-6);
@@ -180,7 +181,7 @@ TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
                 border.sumWide += std::llround(w * 65536);
                 border.sumZ += std::llround(evidence.z * 65536);
                 ++border.cracks;
-                const float jump = (along == Along::Beams ? inputs.cracks->jumpBeams : inputs.cracks->jumpLines).at(i, j);
+                const float jump = (along == edges::Along::Beams ? inputs.cracks->jumpBeams : inputs.cracks->jumpLines).at(i, j);
                 if (jump <= 1) continue;
                 const bool firstIsNearer = inputs.cracks->smoothed.at(i, j) >= inputs.cracks->smoothed.at(y, x);
                 ++((firstIsNearer ? p : q) == std::min(p, q) ? border.jumpsA : border.jumpsB);
@@ -188,8 +189,8 @@ TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
         }
     }
     ASSERT_EQ(borders.size(), slow.size());
-    for (const LeafBorder& border : borders) {
-        const LeafBorder& other = slow.at({border.a, border.b});
+    for (const SegmentBorder& border : borders) {
+        const SegmentBorder& other = slow.at({border.a, border.b});
         EXPECT_EQ(border.sumZ, other.sumZ);
         EXPECT_EQ(border.sumWide, other.sumWide);
         EXPECT_EQ(border.cracks, other.cracks);
@@ -199,19 +200,20 @@ TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
 }
 
 TEST(RockLeaves, SumsAreThoseOfTheCells) {
-    const RockLeaves leaves = test::rockLeavesOf(std::make_shared<Scan>(test::boxesScan(50, 70, 3, 0.03)));
+    const Segmentation leaves = test::rockLeavesOf(std::make_shared<Scan>(test::boxesScan(50, 70, 3, 0.03)));
     std::vector<std::uint32_t> cells(leaves.sums.size());
-    for (std::size_t k = 0; k < leaves.leaf.size(); ++k) {
-        if (leaves.inputs.surface->inverse.support[k] == Support::Measured) ++cells[leaves.leaf[k]];
-        EXPECT_FALSE(leaves.inputs.surface->inverse.support[k] == Support::Void && leaves.leaf[k] != kOpen);
+    for (std::size_t k = 0; k < leaves.segment.size(); ++k) {
+        if (leaves.inputs.surface->inverse.support[k] == Support::Measured) ++cells[leaves.segment[k]];
+        EXPECT_FALSE(leaves.inputs.surface->inverse.support[k] == Support::Void && leaves.segment[k] != kNoSegment);
     }
     std::size_t inRuns = 0;
     for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) EXPECT_EQ(leaves.sums[leaf].cells, cells[leaf]);
-    for (const LeafRun& run : leaves.beamRuns) inRuns += run.end - run.begin;
+    for (const SegmentRun& run : leaves.beamRuns) inRuns += run.end - run.begin;
     std::size_t inOtherRuns = 0;
-    for (const LeafRun& run : leaves.lineRuns) inOtherRuns += run.end - run.begin;
+    for (const SegmentRun& run : leaves.lineRuns) inOtherRuns += run.end - run.begin;
     EXPECT_EQ(inRuns, inOtherRuns);
-    EXPECT_EQ(inRuns, leaves.leaf.size() - static_cast<std::size_t>(std::count(leaves.leaf.cells.begin(), leaves.leaf.cells.end(), kOpen)));
+    EXPECT_EQ(inRuns, leaves.segment.size() -
+                          static_cast<std::size_t>(std::count(leaves.segment.cells.begin(), leaves.segment.cells.end(), kNoSegment)));
 }
 
 TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndLeavesTheRestAlone) {
@@ -227,14 +229,14 @@ TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndLeavesTheRestAlone) {
         }
     }
     const Grid<float> none(40, 40);
-    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 2);
+    refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 2);
     EXPECT_EQ(leaf, wanted);
 }
 
 // One pass of the refinement as docs/rocks-method.md says it, from the leaves before it. 0 where a cell may not choose.
 class SlowPass {
 public:
-    SlowPass(const RockInputs& inputs, double most, const Grid<std::uint32_t>& leaf)
+    SlowPass(const Inputs& inputs, double most, const Grid<std::uint32_t>& leaf)
         : in_(inputs), most_(most), leaf_(leaf), inverse_(inputs.surface->inverse) {}
 
     [[nodiscard]] bool touches(int i, int j) const {
@@ -251,14 +253,14 @@ public:
         for (int n = 0; n < 9; ++n) {
             const int y = i + n / 3 - 1;
             const int x = j + n % 3 - 1;
-            if (leaf_.contains(y, x) && leaf_.at(y, x) != kOpen) nearby[leaf_.at(y, x)] += n == 4 ? 0 : 1 - 0.5 * edge(i, j, y, x);
+            if (leaf_.contains(y, x) && leaf_.at(y, x) != kNoSegment) nearby[leaf_.at(y, x)] += n == 4 ? 0 : 1 - 0.5 * edge(i, j, y, x);
         }
         std::uint32_t best = leaf_.at(i, j);
         double least = 1e9;
         for (const auto& [leaf, counted] : nearby) {
             const double off = deviations(i, j, leaf);
             const double cost = (off > most_ ? most_ + 0.01 * (off - most_) : off) - 2 * counted;
-            if ((leaf_.at(i, j) == kOpen && off >= 20) || cost >= least) continue;
+            if ((leaf_.at(i, j) == kNoSegment && off >= 20) || cost >= least) continue;
             least = cost;
             best = leaf;
         }
@@ -267,7 +269,7 @@ public:
 
 private:
     [[nodiscard]] double edge(int i, int j, int y, int x) const {
-        const DepthCracks& c = *in_.cracks;
+        const edges::DepthCracks& c = *in_.cracks;
         const auto step = [&](int a, int b, int d, int e) { // of neighbours in a line
             const bool lines = a != d;
             const int k = std::min(a, d);
@@ -304,7 +306,7 @@ private:
         return 1000 * std::abs(1 / std::max(fit, 1e-4) - rangeM) / std::max(in_.responses->noise.at(rangeM), 0.1);
     }
 
-    const RockInputs& in_;
+    const Inputs& in_;
     double most_;
     const Grid<std::uint32_t>& leaf_;
     const InverseRange& inverse_;
@@ -313,13 +315,13 @@ private:
 TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const double most = seed % 2 == 0 ? 5 : 30;
-        const RockInputs inputs = rockInputs(*boxes(seed));
-        Grid<std::uint32_t> leaf = leafBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
+        const Inputs inputs = rockInputs(*boxes(seed));
+        Grid<std::uint32_t> leaf = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
         const std::uint32_t count = *std::max_element(leaf.cells.begin(), leaf.cells.end());
         Grid<std::uint32_t> slow = leaf;
         std::vector<std::uint32_t> cells(count + 1);
         for (const std::uint32_t l : leaf.cells) ++cells[l];
-        for (std::uint32_t& l : slow.cells) l = cells[l] < kSmallestLeaf ? kOpen : l;
+        for (std::uint32_t& l : slow.cells) l = cells[l] < kSmallestSegment ? kNoSegment : l;
         const Grid<std::uint32_t> before = slow;
         for (int pass = 0; pass < 4; ++pass) {
             const Grid<std::uint32_t> from = slow;
@@ -330,7 +332,7 @@ TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
                 }
             }
         }
-        refineLeaves(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, most, leaf, count);
+        refineSegments(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, most, leaf, count);
         EXPECT_EQ(leaf, slow) << "seed " << seed;
         EXPECT_NE(slow, before) << "seed " << seed;
     }
@@ -354,20 +356,20 @@ TEST(RockLeaves, ASmallLeafIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
         inverse.u.at(25, 10 + n) = 0.4F; // far before the plane
     }
     const Grid<float> none(leaf.lines, leaf.beams);
-    refineLeaves(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 3);
+    refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 3);
     EXPECT_EQ(leaf.at(10, 11), 1U);
-    EXPECT_EQ(leaf.at(25, 11), kOpen);
-    EXPECT_EQ(std::count(leaf.cells.begin(), leaf.cells.end(), kOpen), 3);
+    EXPECT_EQ(leaf.at(25, 11), kNoSegment);
+    EXPECT_EQ(std::count(leaf.cells.begin(), leaf.cells.end(), kNoSegment), 3);
 }
 
 TEST(RockInputs, AreTheSameHoweverTheyWereMade) {
-    const auto plain = boxes(5, KeepFor::Edges);
+    const auto plain = boxes(5, edges::KeepFor::Edges);
     const auto kept = boxes(5);
     EXPECT_EQ(*plain->mask, *kept->mask);
     EXPECT_EQ(plain->cracks, nullptr);
     ASSERT_NE(kept->cracks, nullptr);
-    const RockInputs one = rockInputs(*plain);
-    const RockInputs other = rockInputs(*kept);
+    const Inputs one = rockInputs(*plain);
+    const Inputs other = rockInputs(*kept);
     EXPECT_EQ(other.cracks, kept->cracks);
     EXPECT_EQ(one.cracks->smoothed, other.cracks->smoothed);
     EXPECT_EQ(one.cracks->jumpBeams, other.cracks->jumpBeams);
@@ -376,11 +378,11 @@ TEST(RockInputs, AreTheSameHoweverTheyWereMade) {
     EXPECT_EQ(one.cracks->foldLines, other.cracks->foldLines);
     EXPECT_EQ(one.responses->jump, plain->responses->jump);
     EXPECT_EQ(one.responses->crease, plain->responses->crease);
-    Settings canny;
-    canny.method = Method::Canny;
-    const RockInputs third = rockInputs(*detectEdges(plain->scan, canny));
+    edges::Settings canny;
+    canny.method = edges::Method::Canny;
+    const Inputs third = rockInputs(*edges::detectEdges(plain->scan, canny));
     EXPECT_EQ(third.cracks->smoothed, one.cracks->smoothed);
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::rocks

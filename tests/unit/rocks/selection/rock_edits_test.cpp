@@ -12,18 +12,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
-const RockInputs& sceneInputs() {
-    static const RockInputs inputs = rockInputs(*detectEdges(test::rockScene("hangup", 815, 300, 343).scan, Settings{}, KeepFor::Rocks));
+const Inputs& sceneInputs() {
+    static const Inputs inputs =
+        rockInputs(*edges::detectEdges(test::rockScene("hangup", 815, 300, 343).scan, edges::Settings{}, edges::KeepFor::Rocks));
     return inputs;
 }
-const RockStudy& plain() {
-    static const RockStudy study = studyRocks(sceneInputs(), {});
+const Study& plain() {
+    static const Study study = studyRocks(sceneInputs(), {});
     return study;
 }
-std::uint32_t regionAt(const RockStudy& study, std::uint32_t k) { return study.map.regionOfLeaf[study.leaves->leaf[k]]; }
+std::uint32_t regionAt(const Study& study, std::uint32_t k) { return study.map.regionOfSegment[study.segmentation->segment[k]]; }
 RockSettings levelled(double level) {
     RockSettings settings;
     settings.level = level;
@@ -40,13 +41,13 @@ std::pair<std::uint32_t, std::uint32_t> neighbours() {
 
 TEST(RockStudy, RowsAreTheSameWithWhatWasMeasuredBefore) {
     std::size_t kept = 0;
-    const RockStudy* before = &plain();
-    std::vector<RockStudy> studies(9);
+    const Study* before = &plain();
+    std::vector<Study> studies(9);
     for (int n = 0; n < 9; ++n) {
         const double level = n - 4.0;
         studies[static_cast<std::size_t>(n)] = studyRocks(sceneInputs(), levelled(level), {}, before);
-        const RockStudy& study = studies[static_cast<std::size_t>(n)];
-        const RockStudy fresh = studyRocks(sceneInputs(), levelled(level));
+        const Study& study = studies[static_cast<std::size_t>(n)];
+        const Study fresh = studyRocks(sceneInputs(), levelled(level));
         ASSERT_EQ(study.rocks.size(), fresh.rocks.size()) << level;
         EXPECT_TRUE(study.rocks == fresh.rocks) << level;
         for (const Rock& rock : study.rocks) {
@@ -60,9 +61,9 @@ TEST(RockStudy, RowsAreTheSameWithWhatWasMeasuredBefore) {
 TEST(RockEdits, WhatIsJoinedStaysOneAtEveryLevel) {
     const auto [p, q] = neighbours();
     ASSERT_NE(regionAt(plain(), p), regionAt(plain(), q));
-    const std::vector<RockEdit> edits{{RockEditKind::Join, {p, q}}};
+    const std::vector<Edit> edits{{EditKind::Join, {p, q}}};
     for (const double level : {-4.0, 0.0, 3.0}) {
-        const RockStudy study = studyRocks(sceneInputs(), levelled(level), edits, &plain());
+        const Study study = studyRocks(sceneInputs(), levelled(level), edits, &plain());
         EXPECT_EQ(regionAt(study, p), regionAt(study, q));
         EXPECT_TRUE(whyTwoRocks(study, p, q).alwaysOne);
     }
@@ -70,17 +71,17 @@ TEST(RockEdits, WhatIsJoinedStaysOneAtEveryLevel) {
 
 TEST(RockEdits, WhatIsPartedStaysTwoAtEveryLevelAndAfterTurningTheMethod) {
     const auto [p, q] = neighbours();
-    const std::vector<RockEdit> edits{{RockEditKind::Part, {p, q}}};
-    ASSERT_EQ(regionAt(studyRocks(sceneInputs(), levelled(4), {{RockEditKind::Join, {p, q}}}), p),
-              regionAt(studyRocks(sceneInputs(), levelled(4), {{RockEditKind::Join, {p, q}}}), q));
-    Settings turned;
+    const std::vector<Edit> edits{{EditKind::Part, {p, q}}};
+    ASSERT_EQ(regionAt(studyRocks(sceneInputs(), levelled(4), {{EditKind::Join, {p, q}}}), p),
+              regionAt(studyRocks(sceneInputs(), levelled(4), {{EditKind::Join, {p, q}}}), q));
+    edges::Settings turned;
     turned.jumpMm = 60;
-    const RockInputs other = rockInputs(*detectEdges(sceneInputs().scan, turned, KeepFor::Rocks));
+    const Inputs other = rockInputs(*edges::detectEdges(sceneInputs().scan, turned, edges::KeepFor::Rocks));
     for (const double level : {-4.0, 0.0, 4.0}) {
         EXPECT_NE(regionAt(studyRocks(sceneInputs(), levelled(level), edits), p),
                   regionAt(studyRocks(sceneInputs(), levelled(level), edits), q));
-        const RockStudy study = studyRocks(other, levelled(level), edits);
-        if (study.leaves->leaf[p] != study.leaves->leaf[q]) {
+        const Study study = studyRocks(other, levelled(level), edits);
+        if (study.segmentation->segment[p] != study.segmentation->segment[q]) {
             EXPECT_NE(regionAt(study, p), regionAt(study, q));
         }
     }
@@ -89,17 +90,17 @@ TEST(RockEdits, WhatIsPartedStaysTwoAtEveryLevelAndAfterTurningTheMethod) {
 TEST(RockEdits, AClickSplitsARockInTwoAndTheWheelGoesUpThroughItsAncestors) {
     int split = 0;
     for (const Rock& rock : plain().rocks) {
-        const RockFamily family = familyAt(*plain().leaves, *plain().tree, 0, rock.cell);
-        const auto& pieces = family.line.pieces;
-        for (std::size_t n = 1; n < pieces.size(); ++n) EXPECT_TRUE(std::ranges::includes(pieces[n].leaves, pieces[n - 1].leaves));
-        ASSERT_LT(family.line.region, pieces.size());
-        EXPECT_TRUE(pieces[family.line.region].part.cells.empty());
-        EXPECT_EQ(pieces[family.line.region].cells, rock.cells);
-        const auto edit = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
+        const WheelPieces family = wheelPiecesAt(*plain().segmentation, *plain().tree, 0, rock.cell);
+        const auto& pieces = family.nested.pieces;
+        for (std::size_t n = 1; n < pieces.size(); ++n) EXPECT_TRUE(std::ranges::includes(pieces[n].segments, pieces[n - 1].segments));
+        ASSERT_LT(family.nested.region, pieces.size());
+        EXPECT_TRUE(pieces[family.nested.region].edit.cells.empty());
+        EXPECT_EQ(pieces[family.nested.region].cells, rock.cells);
+        const auto edit = splitAt(*plain().segmentation, *plain().tree, 0, rock.cell);
         if (!edit) continue;
-        ASSERT_EQ(edit->kind, RockEditKind::Part);
-        const RockStudy study = studyRocks(sceneInputs(), {}, {*edit}, &plain());
-        EXPECT_EQ(study.leaves, plain().leaves);
+        ASSERT_EQ(edit->kind, EditKind::Part);
+        const Study study = studyRocks(sceneInputs(), {}, {*edit}, &plain());
+        EXPECT_EQ(study.segmentation, plain().segmentation);
         EXPECT_EQ(regionAt(plain(), edit->cells[0]), regionAt(plain(), edit->cells[1]));
         EXPECT_NE(regionAt(study, edit->cells[0]), regionAt(study, edit->cells[1]));
         if (++split == 5) break;
@@ -111,7 +112,7 @@ TEST(RockEdits, AStrokeCutsAPieceInTwo) {
     // Through the middle of the largest rock, along the beams.
     const Rock& rock = plain().rocks.front();
     const auto beams = static_cast<std::uint32_t>(sceneInputs().scan->beams());
-    const Grid<std::uint32_t> labels = rockLabels(*plain().leaves, plain().map);
+    const Grid<std::uint32_t> labels = rockLabels(*plain().segmentation, plain().map);
     const std::uint32_t line = rock.cell / beams;
     std::uint32_t least = beams, most = 0;
     for (std::uint32_t j = 0; j < beams; ++j) {
@@ -120,36 +121,35 @@ TEST(RockEdits, AStrokeCutsAPieceInTwo) {
         most = std::max(most, j);
     }
     ASSERT_LT(least + 10, most);
-    const std::vector<RockEdit> edits{{RockEditKind::Cut, {line * beams + least - 2, line * beams + most + 2}}};
+    const std::vector<Edit> edits{{EditKind::Cut, {line * beams + least - 2, line * beams + most + 2}}};
     const std::uint32_t above = rock.cell - 4 * beams;
     const std::uint32_t below = rock.cell + 4 * beams;
     ASSERT_EQ(regionAt(plain(), above), regionAt(plain(), below));
     for (const double level : {0.0, 4.0}) {
-        const RockStudy study = studyRocks(sceneInputs(), levelled(level), edits);
+        const Study study = studyRocks(sceneInputs(), levelled(level), edits);
         EXPECT_NE(regionAt(study, above), regionAt(study, below)) << level;
     }
     // Undone, everything is as before.
-    const RockStudy cut = studyRocks(sceneInputs(), {}, edits);
-    EXPECT_EQ(rockLabels(*studyRocks(sceneInputs(), {}, {}, &cut).leaves, studyRocks(sceneInputs(), {}, {}, &cut).map), labels);
+    const Study cut = studyRocks(sceneInputs(), {}, edits);
+    EXPECT_EQ(rockLabels(*studyRocks(sceneInputs(), {}, {}, &cut).segmentation, studyRocks(sceneInputs(), {}, {}, &cut).map), labels);
 }
 
 TEST(RockEdits, TheSameEditsGiveTheSameLabelsWhateverWasThereBefore) {
     const auto [p, q] = neighbours();
-    const std::vector<RockEdit> edits{
-        {RockEditKind::Join, {p, q}}, {RockEditKind::Cut, {p, q}}, {RockEditKind::NotRock, {plain().rocks[2].cell}}};
-    const RockStudy fresh = studyRocks(sceneInputs(), levelled(1), edits);
-    RockStudy step = studyRocks(sceneInputs(), levelled(-2));
+    const std::vector<Edit> edits{{EditKind::Join, {p, q}}, {EditKind::Cut, {p, q}}, {EditKind::NotRock, {plain().rocks[2].cell}}};
+    const Study fresh = studyRocks(sceneInputs(), levelled(1), edits);
+    Study step = studyRocks(sceneInputs(), levelled(-2));
     for (std::size_t n = 1; n <= edits.size(); ++n)
         step = studyRocks(sceneInputs(), levelled(n == edits.size() ? 1 : 0),
                           {edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(n)}, &step);
-    EXPECT_EQ(rockLabels(*fresh.leaves, fresh.map), rockLabels(*step.leaves, step.map));
+    EXPECT_EQ(rockLabels(*fresh.segmentation, fresh.map), rockLabels(*step.segmentation, step.map));
 }
 
 TEST(RockEdits, WhatIsCalledARockIsOne) {
-    const RockStudy not_ = studyRocks(sceneInputs(), {}, {{RockEditKind::NotRock, {plain().rocks[0].cell}}}, &plain());
+    const Study not_ = studyRocks(sceneInputs(), {}, {{EditKind::NotRock, {plain().rocks[0].cell}}}, &plain());
     EXPECT_EQ(not_.rocks.size() + 1, plain().rocks.size());
-    const RockStudy again = studyRocks(
-        sceneInputs(), {}, {{RockEditKind::NotRock, {plain().rocks[0].cell}}, {RockEditKind::Rock, {plain().rocks[0].cell}}}, &not_);
+    const Study again =
+        studyRocks(sceneInputs(), {}, {{EditKind::NotRock, {plain().rocks[0].cell}}, {EditKind::Rock, {plain().rocks[0].cell}}}, &not_);
     ASSERT_EQ(again.rocks.size(), plain().rocks.size());
     EXPECT_TRUE(again.rocks[0].byHand);
 }
@@ -165,9 +165,9 @@ TEST(RockWhy, TheLevelThatItNamesJoinsThem) {
                     0.5 * why.border->mean(why.border->sumValley) + 1.5 * why.border->mean(why.border->sumWide) - 9,
                 1e-3);
     ASSERT_TRUE(why.joinedFrom);
-    const auto groups = [&](double level) { return groupsAt(*plain().tree, plain().leaves->count(), level); };
-    const std::uint32_t a = plain().leaves->leaf[p];
-    const std::uint32_t b = plain().leaves->leaf[q];
+    const auto groups = [&](double level) { return groupsAt(*plain().tree, plain().segmentation->count(), level); };
+    const std::uint32_t a = plain().segmentation->segment[p];
+    const std::uint32_t b = plain().segmentation->segment[q];
     EXPECT_EQ(groups(*why.joinedFrom)[a], groups(*why.joinedFrom)[b]);
     EXPECT_NE(groups(*why.joinedFrom - 1e-6)[a], groups(*why.joinedFrom - 1e-6)[b]);
     EXPECT_NE(why.verdict.find("one from level"), std::string::npos) << why.verdict;
@@ -175,11 +175,8 @@ TEST(RockWhy, TheLevelThatItNamesJoinsThem) {
 }
 
 TEST(RockEdits, SurviveJsonAndAreRefusedWithASentence) {
-    const std::vector<RockEdit> edits{{RockEditKind::Join, {0, 7, 12}},
-                                      {RockEditKind::Part, {3, 4}},
-                                      {RockEditKind::Cut, {1, 2}},
-                                      {RockEditKind::Rock, {19}},
-                                      {RockEditKind::NotRock, {0}}};
+    const std::vector<Edit> edits{
+        {EditKind::Join, {0, 7, 12}}, {EditKind::Part, {3, 4}}, {EditKind::Cut, {1, 2}}, {EditKind::Rock, {19}}, {EditKind::NotRock, {0}}};
     const std::string text = rockEditsToJson(edits, 4, 5).dump();
     const auto back = rockPresetFromText(text, 4, 5, "", "edits.json");
     ASSERT_TRUE(back) << back.error().sentence();
@@ -204,10 +201,10 @@ TEST(RockEdits, SurviveJsonAndAreRefusedWithASentence) {
 
 TEST(RockEdits, AStrokeOverACrackJoinsWhatItCrosses) {
     const auto [p, q] = neighbours();
-    const auto edit = joinAlong(*plain().leaves, plain().map, {p, q});
+    const auto edit = joinAlong(*plain().segmentation, plain().map, {p, q});
     ASSERT_TRUE(edit);
-    EXPECT_EQ(edit->kind, RockEditKind::Join);
-    const std::vector<std::uint32_t> cells = strokeCells({p, q}, plain().leaves->leaf.lines, plain().leaves->leaf.beams);
+    EXPECT_EQ(edit->kind, EditKind::Join);
+    const std::vector<std::uint32_t> cells = strokeCells({p, q}, plain().segmentation->segment.lines, plain().segmentation->segment.beams);
     std::vector<std::uint32_t> crossed;
     for (const std::uint32_t k : cells) {
         if (regionAt(plain(), k) != 0) crossed.push_back(regionAt(plain(), k));
@@ -216,36 +213,36 @@ TEST(RockEdits, AStrokeOverACrackJoinsWhatItCrosses) {
     crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
     EXPECT_EQ(edit->cells.size(), crossed.size());
     EXPECT_GE(crossed.size(), 2U);
-    const RockStudy study = studyRocks(sceneInputs(), levelled(-4), {*edit}, &plain());
+    const Study study = studyRocks(sceneInputs(), levelled(-4), {*edit}, &plain());
     for (const std::uint32_t k : edit->cells) EXPECT_EQ(regionAt(study, k), regionAt(study, p));
-    EXPECT_FALSE(joinAlong(*plain().leaves, plain().map, {p, p + 1}));
-    EXPECT_FALSE(joinAlong(*plain().leaves, plain().map, {}));
-    EXPECT_FALSE(cutAlong(*plain().leaves, plain().map, {}));
-    EXPECT_TRUE(cutAlong(*plain().leaves, plain().map, {p, q}));
+    EXPECT_FALSE(joinAlong(*plain().segmentation, plain().map, {p, p + 1}));
+    EXPECT_FALSE(joinAlong(*plain().segmentation, plain().map, {}));
+    EXPECT_FALSE(cutAlong(*plain().segmentation, plain().map, {}));
+    EXPECT_TRUE(cutAlong(*plain().segmentation, plain().map, {p, q}));
 }
 
 TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
     int smaller = 0, larger = 0;
     for (const Rock& rock : plain().rocks) {
-        const RockFamily family = familyAt(*plain().leaves, *plain().tree, 0, rock.cell);
-        for (std::size_t n = 0; n < family.line.pieces.size(); ++n) {
-            const RockAncestor& piece = family.line.pieces[n];
-            if (n == family.line.region) continue;
-            const bool isLarger = n > family.line.region;
-            EXPECT_EQ(piece.part.kind, isLarger ? RockEditKind::Join : RockEditKind::Part);
+        const WheelPieces family = wheelPiecesAt(*plain().segmentation, *plain().tree, 0, rock.cell);
+        for (std::size_t n = 0; n < family.nested.pieces.size(); ++n) {
+            const NestedPiece& piece = family.nested.pieces[n];
+            if (n == family.nested.region) continue;
+            const bool isLarger = n > family.nested.region;
+            EXPECT_EQ(piece.edit.kind, isLarger ? EditKind::Join : EditKind::Part);
             if ((isLarger ? larger : smaller) >= 6) continue;
             ++(isLarger ? larger : smaller);
-            const RockStudy study = studyRocks(sceneInputs(), {}, {piece.part}, &plain());
-            const RockRegion& made = study.map.regions[regionAt(study, rock.cell)];
+            const Study study = studyRocks(sceneInputs(), {}, {piece.edit}, &plain());
+            const Region& made = study.map.regions[regionAt(study, rock.cell)];
             if (isLarger)
                 EXPECT_GT(made.sums.cells, rock.cells);
             else
                 EXPECT_LT(made.sums.cells, rock.cells);
         }
-        const auto split = splitAt(*plain().leaves, *plain().tree, 0, rock.cell);
-        EXPECT_EQ(split.has_value(), family.split != family.line.region);
+        const auto split = splitAt(*plain().segmentation, *plain().tree, 0, rock.cell);
+        EXPECT_EQ(split.has_value(), family.split != family.nested.region);
         if (split) {
-            EXPECT_EQ(*split, family.line.pieces[family.split].part);
+            EXPECT_EQ(*split, family.nested.pieces[family.split].edit);
         }
     }
     EXPECT_EQ(smaller, 6);
@@ -253,10 +250,10 @@ TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
 }
 
 TEST(RockPresets, KeepSettingsAndEditsOfTheirOwnScanAlone) {
-    RockPreset preset;
+    Preset preset;
     preset.settings = levelled(1.5);
     preset.settings->region = {{0, 0}, {3, 4}};
-    preset.edits = {{RockEditKind::Join, {0, 7}}};
+    preset.edits = {{EditKind::Join, {0, 7}}};
     preset.sha256 = "abc";
     const std::string text = rockPresetText(preset, 4, 5);
     const auto back = rockPresetFromText(text, 4, 5, "abc", "p.json");
@@ -306,4 +303,4 @@ TEST(RegionOfInterest, TheMaskEqualsAskingEachCell) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 
-namespace edgescan {
+namespace edgescan::rocks {
 namespace {
 
 struct Found {
     test::RockScene scene;
-    RockLeaves leaves;
+    Segmentation leaves;
     MergeTree tree;
 };
 const Found& hangup() {
@@ -27,7 +27,7 @@ const Found& hangup() {
 
 TEST(RockMap, FindsTheRocksOfASceneThatNobodyTunedOn) {
     const Found& f = hangup();
-    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.leaves, f.tree, {});
     EXPECT_GT(map.rocks, 40U);
     EXPECT_GT(test::panopticQuality(f.leaves, map, f.scene.truth, 100), 0.80);
     RockSettings coarse;
@@ -38,8 +38,8 @@ TEST(RockMap, FindsTheRocksOfASceneThatNobodyTunedOn) {
 
 TEST(RockMap, AgainGivesTheSameLabels) {
     const Found& f = hangup();
-    const RockLeaves again = test::rockLeavesOf(f.scene.scan);
-    EXPECT_EQ(again.leaf, f.leaves.leaf);
+    const Segmentation again = test::rockLeavesOf(f.scene.scan);
+    EXPECT_EQ(again.segment, f.leaves.segment);
     const MergeTree tree = mergeTree(again.count(), again.borders);
     for (const double level : {-4.0, 0.0, 2.5}) {
         RockSettings settings;
@@ -50,12 +50,12 @@ TEST(RockMap, AgainGivesTheSameLabels) {
 
 TEST(RockMap, RocksComeFirstAndTheLargestOfThemFirst) {
     const Found& f = hangup();
-    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.leaves, f.tree, {});
     for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
         EXPECT_EQ(n <= map.rocks, map.regions[n].kind == RegionKind::Rock);
         EXPECT_FALSE(n > 1 && n <= map.rocks && map.regions[n].sums.areaM2 > map.regions[n - 1].sums.areaM2);
         EXPECT_EQ(map.regions[n].kind == RegionKind::Fines, map.regions[n].sums.cells < 100U);
-        EXPECT_LE(map.regions[n].near, 1.0);
+        EXPECT_LE(map.regions[n].nearShare, 1.0);
     }
     const Grid<std::uint32_t> labels = rockLabels(f.leaves, map);
     std::vector<std::uint32_t> cells(map.rocks + 1);
@@ -68,30 +68,32 @@ TEST(RockMap, RocksComeFirstAndTheLargestOfThemFirst) {
 
 TEST(RockMap, WhatIsARockIsSaidByItsSums) {
     const Found& f = hangup();
-    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.leaves, f.tree, {});
     for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
-        const RockRegion& r = map.regions[n];
+        const Region& r = map.regions[n];
         if (r.kind == RegionKind::Fines) continue;
         const double tooLong = std::max(0.0, r.longM - 2.5);
-        const double flat = std::max(0.0, 0.05 - r.depth);
-        EXPECT_NEAR(r.score, 22 * r.bulge + 8.4 * r.near + 33 * r.edges + 11.7 * r.depth + 9.3 * r.fill - 1.1 * tooLong - 200 * flat - 37,
+        const double flat = std::max(0.0, 0.05 - r.depthRatio);
+        EXPECT_NEAR(r.score,
+                    22 * r.bulge + 8.4 * r.nearShare + 33 * r.edgeShare + 11.7 * r.depthRatio + 9.3 * r.boxShare - 1.1 * tooLong -
+                        200 * flat - 37,
                     1e-9);
         EXPECT_NEAR(r.confidence, 1 / (1 + std::exp(1.82 - 0.48 * r.evidence - 0.39 * std::clamp(r.score, -6.0, 12.0))), 1e-9);
         EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && (r.sums.sumM / r.sums.cells).norm() < 15);
         double covered = 0;
         for (const RegionBorder& border : map.borders)
             covered += border.a == n || border.b == n ? static_cast<double>(border.sumE2) / 65536 : 0;
-        EXPECT_NEAR(r.edges, r.outlineCracks == 0 ? 1 : covered / r.outlineCracks, 1e-9);
-        EXPECT_TRUE(r.depth >= 0 && r.depth <= 1 && r.fill > 0) << r.depth << " " << r.fill;
+        EXPECT_NEAR(r.edgeShare, r.outlineCracks == 0 ? 1 : covered / r.outlineCracks, 1e-9);
+        EXPECT_TRUE(r.depthRatio >= 0 && r.depthRatio <= 1 && r.boxShare > 0) << r.depthRatio << " " << r.boxShare;
     }
 }
 
 TEST(RockMap, BordersOfRegionsAreThoseOfTheirLeaves) {
     const Found& f = hangup();
-    const RockMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.leaves, f.tree, {});
     std::uint64_t ofLeaves = 0;
-    for (const LeafBorder& border : f.leaves.borders)
-        ofLeaves += map.regionOfLeaf[border.a] != map.regionOfLeaf[border.b] ? border.cracks : 0;
+    for (const SegmentBorder& border : f.leaves.borders)
+        ofLeaves += map.regionOfSegment[border.a] != map.regionOfSegment[border.b] ? border.cracks : 0;
     std::uint64_t ofRegions = 0;
     for (const RegionBorder& border : map.borders) {
         EXPECT_LT(border.a, border.b);
@@ -114,12 +116,12 @@ TEST(RockMap, ALevelFurtherUpOnlyJoins) {
 
 TEST(RockMap, WhatAPersonSaysOfARegionHolds) {
     const Found& f = hangup();
-    const RockMap map = rocksAt(f.leaves, f.tree, {});
-    const RockRegion& first = map.regions[1];
-    const std::vector<CalledLeaf> called{{first.group, true}, {first.group, false}};
-    const RockMap other = rocksAt(f.leaves, f.tree, {}, called);
+    const RegionMap map = rocksAt(f.leaves, f.tree, {});
+    const Region& first = map.regions[1];
+    const std::vector<RockCall> called{{first.firstSegment, true}, {first.firstSegment, false}};
+    const RegionMap other = rocksAt(f.leaves, f.tree, {}, called);
     EXPECT_EQ(other.rocks, map.rocks - 1);
-    const RockRegion& now = other.regions[other.regionOfLeaf[first.group]];
+    const Region& now = other.regions[other.regionOfSegment[first.firstSegment]];
     EXPECT_EQ(now.kind, RegionKind::NotRock);
     EXPECT_TRUE(now.byHand);
 }
@@ -128,7 +130,7 @@ TEST(RockMap, OutsideTheRegionOfInterestNothingIsARock) {
     const Found& f = hangup();
     RockSettings settings;
     settings.region = {{100, 100}, {300, 350}};
-    const RockMap map = rocksAt(f.leaves, f.tree, settings);
+    const RegionMap map = rocksAt(f.leaves, f.tree, settings);
     EXPECT_GT(map.rocks, 3U);
     EXPECT_LT(map.rocks, rocksAt(f.leaves, f.tree, {}).rocks);
     const Grid<std::uint32_t> labels = regionLabels(f.leaves, map);
@@ -171,4 +173,4 @@ TEST(RockSettings, SurviveJsonAndRefuseWhatIsWrong) {
 }
 
 } // namespace
-} // namespace edgescan
+} // namespace edgescan::rocks

@@ -43,12 +43,12 @@ Scan phased(const Scan& fine, const Phases& phases) {
 }
 
 Scan simulated(Axis axis, std::uint64_t seed, int lines, int beams) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.axis = axis;
     settings.seed = seed;
     settings.lines = lines;
     settings.beams = beams;
-    return simulate(settings)->scan;
+    return sim::simulate(settings)->scan;
 }
 
 TEST(LinePhases, LinesInTurnAreToldAndPutSideBySide) {
@@ -70,14 +70,14 @@ TEST(LinePhases, LinesInTurnAreToldAndPutSideBySide) {
             const Scan nominal = phased(fine, phases);
             const LinePhases phasesFound = linePhases(inverseRange(nominal));
             const std::vector<double>& found = phasesFound.steps;
-            EXPECT_GE(phasesFound.surest, 6.0);
+            EXPECT_GE(phasesFound.significance, 6.0);
             ASSERT_EQ(static_cast<int>(found.size()), count);
             for (int k = 0; k < count; ++k)
                 EXPECT_NEAR(found[static_cast<std::size_t>(k)],
                             static_cast<double>(phases.offsets[static_cast<std::size_t>(k)]) / phases.spacing, 0.05);
             const auto told = displacementWarning(nominal);
             ASSERT_TRUE(told);
-            EXPECT_TRUE(tellsOfDisplacement(*told));
+            EXPECT_TRUE(isDisplacementWarning(*told));
             EXPECT_NE(told->find("the beams of " + std::to_string(count) + " lines in turn lie 0"), std::string::npos) << *told;
             EXPECT_NE(told->find(" times what that is uncertain by;"), std::string::npos) << *told;
             const Scan straight = straightened(nominal);
@@ -125,7 +125,7 @@ TEST(LinePhases, VerticalEdgesHaveNoCombsOnceTheLinesAreSideBySide) {
     for (int j = 0; j < named.beams(); ++j) polar.beamDeg[static_cast<std::size_t>(j)] = 0.25 * j;
     const Scan straight = straightened(phased(named, {4, {0, 1, 2, 3}}));
     ASSERT_EQ(straight.lines(), 30);
-    const auto edges = detectEdges(std::make_shared<const Scan>(straight), Settings{});
+    const auto edges = edges::detectEdges(std::make_shared<const Scan>(straight), edges::Settings{});
     std::set<int> columns;
     int rows = 0;
     for (int i = 2; i < 28; ++i) {

@@ -12,8 +12,8 @@
 namespace edgescan {
 namespace {
 
-SimulationSettings smallBell() {
-    SimulationSettings settings;
+sim::SimulationSettings smallBell() {
+    sim::SimulationSettings settings;
     settings.lines = 250;
     settings.beams = 286;
     settings.seed = 3;
@@ -23,11 +23,11 @@ SimulationSettings smallBell() {
 const PolarGeometry& anglesOf(const Scan& scan) { return std::get<PolarGeometry>(scan.geometry); }
 
 TEST(Straighten, InterlacedBeamsGetTheirSkew) {
-    SimulationSettings settings = smallBell();
+    sim::SimulationSettings settings = smallBell();
     const double stepDeg = 180.0 / settings.lines;
     for (const double displacement : {0.5 * stepDeg, -0.4 * stepDeg}) {
         settings.interlaceDeg = displacement;
-        const Scan nominal = simulate(settings)->scan;
+        const Scan nominal = sim::simulate(settings)->scan;
         const Scan straight = straightened(nominal);
         const auto& skew = anglesOf(straight).lineSkewDeg;
         ASSERT_EQ(skew.size(), static_cast<std::size_t>(settings.beams)) << displacement;
@@ -38,12 +38,12 @@ TEST(Straighten, InterlacedBeamsGetTheirSkew) {
 }
 
 TEST(Straighten, WhatIsDisplacedIsToldAndTellsNoMoreOnceItIsStraight) {
-    SimulationSettings settings = smallBell();
+    sim::SimulationSettings settings = smallBell();
     settings.interlaceDeg = -0.36;
-    const Scan nominal = simulate(settings)->scan;
+    const Scan nominal = sim::simulate(settings)->scan;
     const std::optional<std::string> told = displacementWarning(nominal);
     ASSERT_TRUE(told);
-    EXPECT_TRUE(tellsOfDisplacement(*told));
+    EXPECT_TRUE(isDisplacementWarning(*told));
     EXPECT_NE(told->find(" degrees behind even ones"), std::string::npos) << *told;
     EXPECT_NE(told->find("--straighten"), std::string::npos) << *told;
     const double degrees = std::stod(told->substr(told->find("odd beams lie ") + 14));
@@ -69,28 +69,28 @@ TEST(Straighten, SlipsAreToldWithoutBeamsThatLieNowhereElse) {
 
 // Steps that differ by an eighth of a step: what stands out from that by chance is no slip.
 TEST(Straighten, AnUnevenMotorDoesNotSlip) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.scene = "empty";
     settings.axis = Axis::Spin;
     settings.seed = 5002;
     settings.lines = 350;
     settings.beams = 400;
     settings.lineJitterDeg = 0.06;
-    EXPECT_FALSE(displacementWarning(simulate(settings)->scan));
+    EXPECT_FALSE(displacementWarning(sim::simulate(settings)->scan));
 }
 
 TEST(Straighten, StraightScenesAreToldNothing) {
     for (const char* scene : {"hangup", "pile", "empty", "wall", "staircase"}) {
-        SimulationSettings settings = smallBell();
+        sim::SimulationSettings settings = smallBell();
         settings.scene = scene;
         settings.dropouts = 0.1;
         settings.lineJitterDeg = 0.03;
-        EXPECT_EQ(displacementWarning(simulate(settings)->scan).value_or(""), "") << scene;
+        EXPECT_EQ(displacementWarning(sim::simulate(settings)->scan).value_or(""), "") << scene;
     }
 }
 
 TEST(Straighten, AStraightSweepStaysAsItIs) {
-    const Scan nominal = simulate(smallBell())->scan;
+    const Scan nominal = sim::simulate(smallBell())->scan;
     const Scan same = straightened(nominal);
     EXPECT_EQ(anglesOf(same), anglesOf(nominal));
     EXPECT_NE(same.warnings.back().find("the angles stay"), std::string::npos);

@@ -121,32 +121,32 @@ TEST(Gaps, ThePlaneIsThatOfLeastSquaresAndItsLeverageToo) {
 }
 
 std::shared_ptr<const Scan> pile() {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.scene = "pile";
     settings.seed = 401;
     settings.lines = 250;
     settings.beams = 286;
     settings.dropouts = 0.05;
-    return std::make_shared<const Scan>(simulate(settings)->scan);
+    return std::make_shared<const Scan>(sim::simulate(settings)->scan);
 }
 
 TEST(Gaps, EdgesAndNoiseAreTheSameUnlessFilledCellsAreToTakePart) {
     const auto scan = pile();
-    const auto plain = detectEdges(scan, Settings{});
-    Settings settings;
+    const auto plain = edges::detectEdges(scan, edges::Settings{});
+    edges::Settings settings;
     settings.fillCells = 8;
-    const auto filled = detectEdges(scan, settings);
+    const auto filled = edges::detectEdges(scan, settings);
     ASSERT_TRUE(filled->filled);
     EXPECT_GT(filled->filled->cells.size(), 1000U);
     EXPECT_EQ(*filled->mask, *plain->mask);
     EXPECT_EQ(*filled->classes, *plain->classes);
     settings.fillEdges = true;
-    const auto taken = detectEdges(scan, settings);
+    const auto taken = edges::detectEdges(scan, settings);
     EXPECT_EQ(taken->responses->noise.at(5.0), plain->responses->noise.at(5.0));
     EXPECT_NE(*taken->mask, *plain->mask);
     for (const std::uint32_t k : *taken->edges) EXPECT_TRUE(scan->state[k] == CellState::Valid || taken->filled->at(k) != nullptr);
     // The same in a pipeline that had run with other settings before.
-    Pipeline pipeline;
+    edges::Pipeline pipeline;
     for (const bool edges : {true, false, true}) {
         settings.fillEdges = edges;
         EXPECT_EQ(*pipeline.run(scan, settings)->mask, edges ? *taken->mask : *plain->mask);
@@ -154,43 +154,44 @@ TEST(Gaps, EdgesAndNoiseAreTheSameUnlessFilledCellsAreToTakePart) {
 }
 
 TEST(Gaps, VoidsStayVoids) {
-    SimulationSettings settings;
+    sim::SimulationSettings settings;
     settings.scene = "wall";
-    settings.hole = WallHole::Round;
+    settings.hole = sim::WallHole::Round;
     settings.holes = 4;
     settings.holeM = 2.0; // of 26 cells: a hole no larger than what is filled looks like lost cells
     settings.lines = 250;
     settings.beams = 286;
     settings.truth = true;
-    const Simulation wall = *simulate(settings);
+    const sim::Simulation wall = *sim::simulate(settings);
     for (const FilledCell& cell : fillGaps(wall.scan, 8).cells) EXPECT_NE(wall.truth->object[cell.cell], 0);
 }
 
 TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
-    Settings settings;
+    edges::Settings settings;
     settings.fillCells = 8;
-    const auto detection = detectEdges(std::make_shared<const Scan>(wallWith(inHole)), settings);
-    const auto rowsOf = [&](const ExportOptions& options) {
-        const auto files = exportFiles(ExportContent::FullCloud, *detection, "cloud.csv", "", options);
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(wallWith(inHole)), settings);
+    const auto rowsOf = [&](const exports::ExportOptions& options) {
+        const auto files = exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.csv", "", options);
         EXPECT_TRUE(files) << files.error().sentence();
         return files ? files->front().bytes : std::string();
     };
     const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
     const std::string plain = rowsOf({});
     EXPECT_EQ(plain.find("filled"), std::string::npos);
-    ExportOptions options;
+    exports::ExportOptions options;
     options.choices.filled = true;
     const std::string with = rowsOf(options);
     EXPECT_EQ(lines(with), lines(plain) + 6 * 7);
     EXPECT_NE(with.find("filled_sd_mm"), std::string::npos);
-    const auto record = nlohmann::json::parse(exportRecord(ExportContent::FullCloud, *detection, options));
+    const auto record = nlohmann::json::parse(exports::exportRecord(exports::ExportContent::FullCloud, *detection, options));
     EXPECT_EQ(record["filled"]["cells"], 6 * 7);
     EXPECT_EQ(record["filled"]["in_export"], true);
-    EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *detection, "cloud.xyz", "", options));
-    EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *detection, "cloud.foxglove.mcap", "", options));
+    EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.xyz", "", options));
+    EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.foxglove.mcap", "", options));
     // Opened again they are what they were: measured by nobody.
     for (const char* extension : {".csv", ".pcd", ".ply"}) {
-        const auto files = exportFiles(ExportContent::FullCloud, *detection, std::string("cloud") + extension, "", options);
+        const auto files =
+            exports::exportFiles(exports::ExportContent::FullCloud, *detection, std::string("cloud") + extension, "", options);
         ASSERT_TRUE(files) << files.error().sentence();
         const auto back = test::readBytes(files->front().bytes, extension);
         ASSERT_TRUE(back) << back.error().sentence();
@@ -200,14 +201,14 @@ TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
         // Beside its record, which holds the grid, too.
         const test::Folder folder;
         const auto path = folder / (std::string("cloud") + extension);
-        ASSERT_TRUE(exportWithProvenance(ExportContent::FullCloud, *detection, path, options));
-        const auto beside = openScan(path);
+        ASSERT_TRUE(exports::exportWithProvenance(exports::ExportContent::FullCloud, *detection, path, options));
+        const auto beside = files::openScan(path);
         ASSERT_TRUE(beside) << beside.error().sentence();
         EXPECT_EQ(beside->state, detection->scan->state) << extension;
         EXPECT_EQ(std::ranges::count_if(beside->warnings, isTold), 1);
     }
-    const auto without = detectEdges(detection->scan, Settings{});
-    EXPECT_FALSE(exportFiles(ExportContent::FullCloud, *without, "cloud.csv", "", options));
+    const auto without = edges::detectEdges(detection->scan, edges::Settings{});
+    EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *without, "cloud.csv", "", options));
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <fstream>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {

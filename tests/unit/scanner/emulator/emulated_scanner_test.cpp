@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {

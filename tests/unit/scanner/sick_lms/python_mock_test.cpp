@@ -5,6 +5,7 @@
 #include <boost/asio.hpp>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {

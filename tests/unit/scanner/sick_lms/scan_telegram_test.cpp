@@ -10,6 +10,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {

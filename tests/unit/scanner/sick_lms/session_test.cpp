@@ -7,6 +7,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {

@@ -9,6 +9,7 @@
 #include <random>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 // Rows that are whole stay as they are, once it is known how the lines interlace.
@@ -34,7 +35,7 @@ TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
             }
             assembler.push(telegram, hostNsOfLine(n));
             if (random() % 15 == 0) assembler.push(telegram, hostNsOfLine(n)); // twice
-            const SweepSoFar now{assembler.snapshot(), assembler.progress()};
+            const SweepState now{assembler.snapshot(), assembler.progress()};
             if (!now.scan || n < 20) continue;
             auto& before = last[now.progress.number];
             if (before && now.scan->lines() >= before->lines()) {

@@ -11,6 +11,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {
@@ -115,7 +116,7 @@ TEST(Irregularities, CountersThatRunAheadOfEveryClockAreDoubted) {
         EXPECT_TRUE(keepsAll(result, stream));
         EXPECT_EQ(result.progress.text(), "151/151 lines, COUNTERS IN DOUBT");
         EXPECT_GE(ever(result, Irregularity::CounterJump), 140) << which;
-        EXPECT_GE(result.progress.irregularEver.claimed(), 140 * 990);
+        EXPECT_GE(result.progress.irregularEver.implausibleLines(), 140 * 990);
         EXPECT_NE(result.told.find("jumped ahead"), std::string::npos) << result.told;
     }
 }
@@ -163,7 +164,7 @@ TEST(Irregularities, CountersThatRunBackwardOrStand) {
         const Result_ result = played(stream);
         EXPECT_TRUE(keepsAll(result, stream)) << step;
         EXPECT_EQ(result.lines, 80);
-        EXPECT_GE(ever(result, step == 0 ? Irregularity::CountersStand : Irregularity::CounterReset), 78) << result.told;
+        EXPECT_GE(ever(result, step == 0 ? Irregularity::CountersStopped : Irregularity::CounterReset), 78) << result.told;
         EXPECT_FALSE(result.told.empty());
     }
     // Standing counters of a scanner whose pace is known: the clock counts.
@@ -188,8 +189,8 @@ TEST(Irregularities, AClockThatRunsBackwardJumpsOrStands) {
         {[](int n) { return 77'000'000LL + 40'000LL * n - (n < 50 ? 0 : 3'600'000'000LL); }, Irregularity::ClockJump, 1},
         {[](int n) { return 77'000'000LL + 40'000LL * n + (n < 50 ? 0 : 3'600'000'000LL); }, Irregularity::ClockJump, 1},
         {[](int n) { return 77'000'000LL + 40'000LL * n + (n == 50 ? 60'000'000LL : 0); }, Irregularity::ClockJump, 2},
-        {[](int) { return 123'456LL; }, Irregularity::ClockStands, 99},
-        {[](int n) { return 77'000'000LL + 40'000LL * std::min(n, 50); }, Irregularity::ClockStands, 49},
+        {[](int) { return 123'456LL; }, Irregularity::ClockStopped, 99},
+        {[](int n) { return 77'000'000LL + 40'000LL * std::min(n, 50); }, Irregularity::ClockStopped, 49},
     };
     for (const bool lossy : {false, true}) {
         for (std::size_t c = 0; c < cases.size(); ++c) {

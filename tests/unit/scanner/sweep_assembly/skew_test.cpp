@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {
@@ -48,8 +49,8 @@ TEST(LineSkew, SurvivesEveryFormat) {
     const Folder folder;
     const Scan scan = skewedScan(Axis::Spin, 1.0);
     for (const char* name : {"a.json", "a.pcd", "a.ply", "a.csv", "a.xyz"}) {
-        ASSERT_TRUE(saveScan(scan, folder / name, {.choices = {.comments = true}})) << name;
-        const auto opened = openScan(folder / name);
+        ASSERT_TRUE(files::saveScan(scan, folder / name, {.choices = {.comments = true}})) << name;
+        const auto opened = files::openScan(folder / name);
         ASSERT_TRUE(opened) << opened.error().sentence();
         EXPECT_EQ(std::get<PolarGeometry>(opened->geometry), std::get<PolarGeometry>(scan.geometry)) << name;
     }

@@ -8,6 +8,7 @@
 #include <set>
 
 using namespace edgescan;
+using namespace edgescan::scanner;
 using namespace edgescan::test;
 
 namespace {
