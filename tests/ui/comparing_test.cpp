@@ -81,7 +81,7 @@ private slots:
         const Grid<std::uint8_t> maskA = *a.mask;
         QVERIFY(keepByKey(on));
         QVERIFY(on.viewer.changeLegend.isVisible());
-        QVERIFY(!on.viewer.views.edgesInstead());
+        QVERIFY(!on.viewer.views.scene().instead);
         edges::Settings other = on.viewer.engine.settings();
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
@@ -106,7 +106,7 @@ private slots:
         // The colours of the legend appear in the edge map, over the range image and in the cloud.
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)), kept);
-        QVERIFY(on.viewer.views.gray().overlay() == on.viewer.views.edgesInstead()->overlay);
+        QVERIFY(on.viewer.views.gray().overlay() == on.viewer.views.scene().instead->overImage);
         QVERIFY(on.viewer.views.cloud().edgeColours() == changeColours());
         QVERIFY(on.viewer.views.cloud().edgesByClass());
         QVERIFY2(!on.viewer.legend.isVisible(), "the legend of the edges tells of other colours");
@@ -117,12 +117,12 @@ private slots:
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         // With the settings of A the difference is empty; without A the picture is normal.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(!on.viewer.views.edgesInstead());
+        QVERIFY(!on.viewer.views.scene().instead);
         QVERIFY(on.viewer.legend.isVisible());
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(on.viewer.views.edgesInstead() != nullptr);
+        QVERIFY(on.viewer.views.scene().instead != nullptr);
         action(on, "Forget A")->trigger();
-        QVERIFY(!on.viewer.views.edgesInstead() && !on.viewer.changeLegend.isVisible() && on.viewer.legend.isVisible());
+        QVERIFY(!on.viewer.views.scene().instead && !on.viewer.changeLegend.isVisible() && on.viewer.legend.isVisible());
         QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
         QVERIFY(!on.viewer.views.cloud().edgesByClass());
     }
@@ -154,8 +154,8 @@ private slots:
         QVERIFY(!views.flipped());
         QVERIFY(views.gray().image() == b->gray);
         QVERIFY(cloud.scan() == b->detection->scan);
-        QVERIFY(views.edges().image() == views.edgesInstead()->map);
-        QVERIFY(cloud.faces() == views.edgesInstead()->points);
+        QVERIFY(views.edges().image() == views.scene().instead->map);
+        QVERIFY(cloud.faces() == on.viewer.comparing.comparison()->points);
         QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
         QVERIFY((cloud.camera().position - camera.position).norm() < 1e-9);
         // In a text field the key types a character.
@@ -242,7 +242,7 @@ private slots:
         on.viewer.comparing.compareWith(QString::fromStdString(placed_));
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }, 30000));
         QVERIFY2(on.viewer.notice.text().contains("has none"), qPrintable(on.viewer.notice.text()));
-        QVERIFY(!on.viewer.views.edgesInstead());
+        QVERIFY(!on.viewer.views.scene().instead);
         // A scan of another place, and a missing file.
         on.viewer.comparing.compareWith(QString::fromStdString(other_));
         QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }, 30000));

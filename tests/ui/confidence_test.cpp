@@ -88,12 +88,12 @@ private slots:
         std::size_t kept = 0;
         for (const std::uint32_t k : *detection.edges) kept += truth->percent[k] >= 70 ? 1 : 0;
         QCOMPARE(on.viewer.confidence.made()->shown(), kept);
-        QCOMPARE(on.viewer.views.edgesInstead()->cells.all->size(), kept);
+        QCOMPARE(on.viewer.views.scene().instead->cells.all->size(), kept);
         // The detection, and so every export, does not change.
         QCOMPARE(on.picture().detection->edges->size(), sum);
         // Off: the normal picture.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(!on.viewer.views.edgesInstead() && on.viewer.legend.isVisible() && !legend.isVisible());
+        QVERIFY(!on.viewer.views.scene().instead && on.viewer.legend.isVisible() && !legend.isVisible());
         QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
     }
 
@@ -112,13 +112,13 @@ private slots:
         QVERIFY(known(on));
         QVERIFY(on.viewer.confidence.made()->of == on.viewer.engine.picture());
         QVERIFY(on.viewer.changeLegend.isVisible() && !on.viewer.confidenceLegend.isVisible());
-        QCOMPARE(on.viewer.views.edgesInstead()->map, on.viewer.comparing.comparison()->map);
+        QCOMPARE(on.viewer.views.scene().instead->map, on.viewer.comparing.comparison()->map);
         // The difference is switched off: confidence appears again; and back.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(on.viewer.confidenceLegend.isVisible());
-        QCOMPARE(on.viewer.views.edgesInstead()->map, on.viewer.confidence.made()->images[0]);
+        QCOMPARE(on.viewer.views.scene().instead->map, on.viewer.confidence.made()->images[0]);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QCOMPARE(on.viewer.views.edgesInstead()->map, on.viewer.comparing.comparison()->map);
+        QCOMPARE(on.viewer.views.scene().instead->map, on.viewer.comparing.comparison()->map);
     }
 
     void theCardOfAnEdgeTellsItWithoutBeingAsked() {
@@ -149,7 +149,7 @@ private slots:
             };
             QTRY_VERIFY2_WITH_TIMEOUT(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()), 60000);
             // The views show the plain edges: the confidence picture is off.
-            QVERIFY(!on.viewer.views.edgesInstead() && !on.viewer.confidence.made());
+            QVERIFY(!on.viewer.views.scene().instead && !on.viewer.confidence.made());
             // The key shows the same value, without a second computation.
             QVERIFY(showByKey(on));
             QCOMPARE(int(*on.viewer.confidence.at(cell)), int(truth->percent[cell]));

@@ -5,7 +5,6 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
-#include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/memory.h"
@@ -59,32 +58,19 @@ Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& readi
     return earlierPicture(exactText(scan.path.string()), scan.reading, settings);
 }
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-                     Memory& memory, QUndoStack& undo)
-    : engine_(engine), views_(views), legend_(legend), rocks_(rocks), files_(files), notice_(notice), memory_(memory), undo_(undo),
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+                     QUndoStack& undo)
+    : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
-          this,
-          [](const Reading& reading) {
-              return Read{reading, pictureOf(reading)};
-          },
-          [this](const Read& read) { takeRead(read); },
+          Urgency::Soon, [](const Reading& reading) { return pictureOf(reading); },
+          [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
           [this](const QString& what) {
-              takeRead({{}, Error{what.toStdString(), "", "choose another scan"}});
+              takeRead({}, Error{what.toStdString(), "", "choose another scan"});
           }),
       comparer_(
-          this,
-          [this](const ComparisonAsked& asked) {
-              if (!asked.before) { // no scan is kept: drop its cached results
-                  last_ = nullptr;
-                  return Answer{asked, std::shared_ptr<const Comparison>()};
-              }
-              Answer answer{asked, compared(asked, last_.get())};
-              last_ = answer.made ? *answer.made : nullptr;
-              return answer;
-          },
-          [this](const Answer& answer) { take(answer); },
+          Urgency::Soon, [this](const ComparisonAsked& asked) { return compare(asked); },
+          [this](const ComparisonAsked&, const std::shared_ptr<const Compared>& made) { take(*made); },
           [this](const QString& what) {
-              working_ = false;
               comparison_ = nullptr;
               show();
               showLegend();
@@ -96,7 +82,6 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLeg
         emit rowsChanged();
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
-    connect(&rocks_, &Rocks::shownChanged, this, &Comparing::show);
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -142,7 +127,6 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<inspect::
     flip(false);
     pictureA_ = std::move(kept);
     earlier_ = std::move(from);
-    if (!pictureA_) comparer_.post({});
     comparison_ = nullptr;
     show();
     emit pictureAChanged(pictureA_ != nullptr);
@@ -169,12 +153,11 @@ void Comparing::setPart(const std::optional<inspect::EarlierScan>& part) {
 }
 
 void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
-    reading_ = true;
     const std::optional<inspect::EarlierScan> shown = engine_.picture() ? fromShown() : std::nullopt;
     const bool same = shown && !from.scan.identity.sha256.empty() && shown->scan.identity.sha256 == from.scan.identity.sha256 &&
                       shown->scan.identity.name == from.scan.identity.name && shown->scan.path == from.scan.path &&
                       readingFlags(shown->scan.reading) == readingFlags(from.scan.reading);
-    reader_.post({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
+    reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
 }
 
 void Comparing::askScan() {
@@ -183,11 +166,10 @@ void Comparing::askScan() {
     if (!path.isEmpty()) compareWith(path);
 }
 
-void Comparing::takeRead(const Read& read) {
-    reading_ = false;
-    if (!read.picture) return notice_.showError(read.picture.error());
-    const std::shared_ptr<const Picture>& picture = *read.picture;
-    inspect::EarlierScan from = read.asked.from;
+void Comparing::takeRead(const Reading& asked, const Read& read) {
+    if (!read) return notice_.showError(read.error());
+    const std::shared_ptr<const Picture>& picture = *read;
+    inspect::EarlierScan from = asked.from;
     const Scan& scan = *picture->detection->scan;
     const std::string& sha256 = from.scan.identity.sha256;
     if (!sha256.empty() && sha256 != scan.sha256) {
@@ -197,7 +179,7 @@ void Comparing::takeRead(const Read& read) {
         return;
     }
     from.scan.identity = inspect::notebookScan(scan);
-    if (!read.asked.asStep) return use(picture, from);
+    if (!asked.asStep) return use(picture, from);
     notice_.hide();
     push(stepName("Compare with Scan"), picture, from);
 }
@@ -221,23 +203,24 @@ void Comparing::followPicture() {
 }
 
 void Comparing::ask() {
-    working_ = comparable();
-    if (!working_) return;
-    comparer_.post({pictureA_, engine_.picture(), rows_});
+    if (pictureA_ && !comparable()) return comparer_.giveUp();
+    comparer_.ask({pictureA_, engine_.picture(), rows_});
 }
 
-void Comparing::take(const Answer& answer) {
-    if (!answer.asked.before) return;
-    const bool wanted =
-        comparable() && answer.asked.before == pictureA_ && answer.asked.now == engine_.picture() && answer.asked.rows == rows_;
-    if (!wanted) return; // a newer question is running, or there is no longer a question
-    working_ = false;
-    if (!answer.made) {
-        notice_.showError(answer.made.error());
+std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
+    std::shared_ptr<const Compared> made;
+    if (asked.before) made = std::make_shared<const Compared>(compared(asked, last_.get()));
+    last_ = made && *made ? **made : nullptr; // without A the cached results are dropped
+    return made;
+}
+
+void Comparing::take(const Compared& made) {
+    if (!made) {
+        notice_.showError(made.error());
         comparison_ = nullptr; // A stays: the next scan may match it
     } else {
-        const bool otherScans = !comparison_ || comparison_->asked.before != answer.asked.before;
-        comparison_ = *answer.made;
+        const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
+        comparison_ = *made;
         if (otherScans) {
             region_ = 0;
             QStringList warnings;
@@ -256,28 +239,21 @@ void Comparing::setDifferenceShown(bool on) {
 }
 
 void Comparing::show() {
-    std::shared_ptr<EdgesInstead> instead;
-    if (comparison_ && shown_) {
-        instead = std::make_shared<EdgesInstead>();
-        *instead = {comparison_->edges,
-                    changeColours(),
-                    comparison_->map,
-                    comparison_->overlay,
-                    rocks_.shown() ? nullptr : comparison_->points,
-                    false,
-                    tr("gained, lost and kept")};
-    }
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
-    const bool on = instead != nullptr;
-    if (on || views_.edgesInstead() == drawn_) views_.setEdgesInstead(instead); // do not replace what another controller shows there
-    drawn_ = std::move(instead);
-    emit differenceShown(on);
+    if (!comparison_ || !shown_) return views_.remove(OverlayName::Comparison);
+    Overlay overlay;
+    overlay.name = OverlayName::Comparison;
+    overlay.scan = comparison_->asked.now->detection->scan;
+    overlay.edges = std::make_shared<const OverlayEdges>(
+        OverlayEdges{comparison_->edges, changeColours(), comparison_->map, comparison_->overlay, false, tr("gained, lost and kept")});
+    overlay.points = OverlayPoints{comparison_->points, overlay.scan->beams(), 0, true};
+    views_.put(std::move(overlay));
 }
 
 void Comparing::showLegend() {
     legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), working_);
+    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), comparer_.behind());
 }
 
 void Comparing::flip(bool on) {
@@ -290,7 +266,6 @@ void Comparing::flip(bool on) {
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
-    rocks_.redraw();
     legend_.showFlipped(on);
     emit flipped(on);
 }

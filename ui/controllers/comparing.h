@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/inspect/session_file/viewer_state.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/change/comparison.h"
 
 #include <QObject>
@@ -19,15 +19,13 @@ class Files;
 class LinkedViews;
 class Memory;
 class NoticeBar;
-class Rocks;
 class Engine;
-struct EdgesInstead;
 
 /// GUI thread only. The objects passed to it must outlive it.
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Engine& engine, LinkedViews& views, Rocks& rocks, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
               QUndoStack& undo);
 
     /// A new picture is on the screen.
@@ -40,7 +38,7 @@ public:
     /// A, as it can be made again; empty: there is none, or it is of no file.
     [[nodiscard]] const std::optional<inspect::EarlierScan>& part() const { return earlier_; }
     void setPart(const std::optional<inspect::EarlierScan>& part);
-    /// Another scan becomes A. It is read on a separate thread, with the reading options of the scan on the screen, and its edges are found
+    /// Another scan becomes A. It is read off the GUI thread, with the reading options of the scan on the screen, and its edges are found
     /// with the current settings.
     void compareWith(const QString& path);
     void askScan();
@@ -55,7 +53,7 @@ public:
     /// The comparison of A with the picture on the screen; null while unknown or without A.
     [[nodiscard]] const std::shared_ptr<const Comparison>& comparison() const { return comparison_; }
     /// True if no scan is being read or compared.
-    [[nodiscard]] bool settled() const { return !reading_ && !working_; }
+    [[nodiscard]] bool settled() const { return !reader_.behind() && !comparer_.behind(); }
     /// All views zoom to the next changed region, the largest first.
     void nextRegion();
 
@@ -66,8 +64,6 @@ signals:
     void pictureAChanged(bool some);
     void rowsChanged();
     void flipped(bool on);
-    /// The views show a difference, or stopped showing it.
-    void differenceShown(bool on);
 
 private:
     struct Reading {
@@ -75,18 +71,13 @@ private:
         std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
         bool asStep = false;              ///< the result becomes an undo step
     };
-    struct Read {
-        Reading asked;
-        Result<std::shared_ptr<const Picture>> picture;
-    };
-    struct Answer {
-        ComparisonAsked asked;
-        Result<std::shared_ptr<const Comparison>> made;
-    };
-    [[nodiscard]] static Result<std::shared_ptr<const Picture>> pictureOf(const Reading& reading); // reading thread
+    using Read = Result<std::shared_ptr<const Picture>>;
+    using Compared = Result<std::shared_ptr<const Comparison>>;
+    [[nodiscard]] static Read pictureOf(const Reading& reading); // pool's thread
     void ask();
-    void take(const Answer& answer);
-    void takeRead(const Read& read);
+    [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
+    void take(const Compared& made);
+    void takeRead(const Reading& asked, const Read& read);
     void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
     void read(const inspect::EarlierScan& from, bool asStep);
     void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from);
@@ -98,7 +89,6 @@ private:
     Engine& engine_;
     LinkedViews& views_;
     ChangeLegend& legend_;
-    Rocks& rocks_;
     const Files& files_;
     NoticeBar& notice_;
     Memory& memory_;
@@ -107,13 +97,12 @@ private:
     std::optional<inspect::EarlierScan> earlier_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
-    std::shared_ptr<const EdgesInstead> drawn_; // as passed to the views
-    bool shown_ = true, working_ = false, reading_ = false;
+    bool shown_ = true;
     std::size_t region_ = 0;
     quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed
-    std::shared_ptr<const Comparison> last_; // used only by the comparing thread
-    Newest<Reading, Read> reader_;
-    Newest<ComparisonAsked, Answer> comparer_; // last member
+    std::shared_ptr<const Comparison> last_; // used only by compare()
+    Derived<Reading, Read> reader_;
+    Derived<ComparisonAsked, Compared> comparer_; // last
 };
 
 } // namespace edgescan::ui

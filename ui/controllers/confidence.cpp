@@ -12,39 +12,51 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kQuietMs = 250;                   // pause after the last change of a setting
-constexpr int kQuietCardMs = 1000;              // pause if only a card needs it: not urgent
-constexpr std::size_t kMostForCard = 4'000'000; // cells; for a larger scan it is computed only on request
+constexpr std::chrono::milliseconds kQuiet{250};      // since the last change
+constexpr std::chrono::milliseconds kQuietCard{1000}; // where a card alone asks: it has no hurry
+constexpr std::size_t kMostForCard = 4'000'000;       // cells; for a larger scan it is computed only on request
 constexpr const char* kLeast = "view/confidence-least";
 
 } // namespace
 
 Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory)
     : engine_(engine), views_(views), targets_(targets), legend_(legend), memory_(memory),
-      worker_(
-          this, [this](const Asked& asked) { return workOut(asked); }, [this](const Answer& answer) { take(answer); },
+      confidence_(
+          Urgency::Later, [this](const std::shared_ptr<const Picture>& picture, const Asker& asker) { return workOut(*picture, asker); },
+          [this](const std::shared_ptr<const Picture>&, const std::shared_ptr<const edges::EdgeConfidence>& known) {
+              known_ = known;
+              draw();
+              show();
+          },
+          [this](const QString& what) { failed(what); }),
+      drawn_(
+          Urgency::Now,
+          [](const Drawing& asked) { return confidencePicture(asked.picture, asked.known, asked.leastPercent, asked.colours); },
+          [this](const Drawing&, const std::shared_ptr<const ConfidencePicture>& made) {
+              made_ = made;
+              legend_.showMade(*made_);
+              show();
+          },
           [this](const QString& what) { failed(what); }) {
-    quiet_.setSingleShot(true);
-    connect(&quiet_, &QTimer::timeout, this, &Confidence::ask);
     legend_.setLeast(memory_.text(kLeast).toInt());
     connect(&legend_, &ConfidenceLegend::leastRequested, this, [this](int percent) {
         memory_.keep(kLeast, QString::number(percent));
-        if (made_) ask(); // only the images
+        draw();
         emit changed();
     });
     connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
+    connect(&views_, &LinkedViews::picturesChanged, this, [this] { legend_.setVisible(views_.scene().legend == OverlayName::Confidence); });
     connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
         legend_.setColours(bandColours(views_.edgeColours() != kUsualColours));
-        if (made_) ask();
+        draw();
     });
 }
-
-Confidence::~Confidence() { ++wanted_; } // cancels a running computation
 
 void Confidence::setOn(bool on) {
     if (on == on_) return;
     on_ = on;
     made_ = nullptr;
+    drawn_.giveUp();
     begin();
     show();
 }
@@ -52,11 +64,6 @@ void Confidence::setOn(bool on) {
 void Confidence::setLeast(int percent) { legend_.setLeast(percent); }
 
 int Confidence::least() const { return legend_.least(); }
-
-void Confidence::hideForComparison(bool toAnother) {
-    hiddenForComparison_ = toAnother;
-    show();
-}
 
 std::optional<int> Confidence::at(std::size_t cell) const {
     if (!made_ || cell >= made_->confidence->percent.size()) return std::nullopt;
@@ -72,11 +79,11 @@ bool Confidence::needed() const {
 
 /// The known values belong to another picture: until the new values are computed, its edges are shown normally.
 void Confidence::followPicture() {
-    ++wanted_;
-    quiet_.stop();
+    confidence_.giveUp();
+    drawn_.giveUp();
     made_ = nullptr;
     known_ = nullptr;
-    running_ = failed_ = false;
+    failed_ = false;
     followCard();
     begin();
     show();
@@ -97,58 +104,31 @@ void Confidence::begin() {
     if (on_ && !engine_.picture()) legend_.showNone(tr("open a scan first"));
     if (on_ && engine_.picture() && !possible()) legend_.showNone(tr("when the sweep has ended"));
     if (!needed() || !possible()) {
-        quiet_.stop();
-        if (running_) ++wanted_;
-        running_ = false;
-    } else if (known_ && on_ && !made_) {
-        ask();
-    } else if (!known_ && !running_) {
+        confidence_.giveUp();
+    } else if (known_) {
+        if (!made_) draw();
+    } else if (!confidence_.behind() || confidence_.waiting()) {
         if (on_) legend_.showWorking(0);
-        const int wait = on_ ? kQuietMs : kQuietCardMs;
-        if (!quiet_.isActive() || quiet_.interval() > wait) quiet_.start(wait);
+        failed_ = false;
+        if (on_ || !confidence_.waiting()) confidence_.ask(engine_.picture(), on_ ? kQuiet : kQuietCard);
     }
     updateCards();
 }
 
-void Confidence::ask() {
-    if (!needed() || !possible()) return;
-    running_ = true;
-    failed_ = false;
-    worker_.post({++wanted_, engine_.picture(), known_, on_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
+void Confidence::draw() {
+    if (on_ && known_) drawn_.ask({engine_.picture(), known_, legend_.least(), bandColours(views_.edgeColours() != kUsualColours)});
 }
 
-Confidence::Answer Confidence::workOut(const Asked& asked) {
-    Answer answer{asked.number, asked.known, nullptr};
-    if (!answer.known) {
-        const auto goOn = [&](double done) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, number = asked.number, done] {
-                    if (number == wanted_ && on_) legend_.showWorking(static_cast<int>(100 * done));
-                },
-                Qt::QueuedConnection);
-            return asked.number == wanted_;
-        };
-        auto found = edges::edgeConfidence(*asked.picture->detection, goOn);
-        if (!found) return answer;
-        answer.known = std::make_shared<const edges::EdgeConfidence>(std::move(*found));
-    }
-    if (asked.shown) answer.made = confidencePicture(asked.picture, answer.known, asked.leastPercent, asked.colours);
-    return answer;
-}
-
-void Confidence::take(const Answer& answer) {
-    if (!answer.known || answer.number != wanted_) return;
-    running_ = false;
-    known_ = answer.known;
-    if (on_ && !answer.made) return ask(); // it was switched on after the request
-    made_ = on_ ? answer.made : nullptr;
-    if (made_) legend_.showMade(*made_);
-    show();
+std::shared_ptr<const edges::EdgeConfidence> Confidence::workOut(const Picture& picture, const Asker& asker) {
+    auto found = edges::edgeConfidence(*picture.detection, [&](double done) {
+        return asker.show([this, done] {
+            if (on_) legend_.showWorking(static_cast<int>(100 * done));
+        });
+    });
+    return found ? std::make_shared<const edges::EdgeConfidence>(std::move(*found)) : nullptr;
 }
 
 void Confidence::failed(const QString& what) {
-    running_ = false;
     failed_ = true;
     legend_.showNone(tr("could not be worked out:\n%1").arg(what));
     updateCards();
@@ -164,17 +144,20 @@ void Confidence::updateCards() {
 }
 
 void Confidence::show() {
-    legend_.setVisible(on_ && !hiddenForComparison_);
-    std::shared_ptr<EdgesInstead> instead;
-    if (made_ && on_ && !hiddenForComparison_) {
-        instead = std::make_shared<EdgesInstead>();
-        *instead = {
-            made_->cells,       bandColours(views_.edgeColours() != kUsualColours), made_->images[0], made_->images[1], nullptr, true,
-            tr("by confidence")};
+    if (on_) {
+        Overlay overlay;
+        overlay.name = OverlayName::Confidence;
+        overlay.legend = true;
+        if (made_) {
+            overlay.scan = made_->of->detection->scan;
+            overlay.edges =
+                std::make_shared<const OverlayEdges>(OverlayEdges{made_->cells, bandColours(views_.edgeColours() != kUsualColours),
+                                                                  made_->images[0], made_->images[1], true, tr("by confidence")});
+        }
+        views_.put(std::move(overlay));
+    } else {
+        views_.remove(OverlayName::Confidence);
     }
-    // do not replace what another controller shows there
-    if (instead || views_.edgesInstead() == shown_) views_.setEdgesInstead(instead);
-    shown_ = std::move(instead);
     updateCards();
     emit changed();
 }

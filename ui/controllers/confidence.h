@@ -1,13 +1,11 @@
 // Edge confidence: computed while the operator changes nothing, shown instead of the plain edges and on the card of a target on an edge.
 #pragma once
 
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/confidence/confidence_picture.h"
 
 #include <QObject>
-#include <QTimer>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -18,14 +16,12 @@ class LinkedViews;
 class Memory;
 class Engine;
 class Targets;
-struct EdgesInstead;
 
 /// GUI thread only. The objects passed to it must outlive it. Hidden while a comparison is shown.
 class Confidence : public QObject {
     Q_OBJECT
 public:
     Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
-    ~Confidence() override;
 
     /// A new picture is on the screen.
     void followPicture();
@@ -36,8 +32,6 @@ public:
     [[nodiscard]] bool on() const { return on_; }
     /// For the picture on the screen; null until it is computed, and while it is off.
     [[nodiscard]] const std::shared_ptr<const ConfidencePicture>& made() const { return made_; }
-    /// true: a comparison uses the views; false: it has released them.
-    void hideForComparison(bool toAnother);
     /// Confidence of the edge at this cell, percent; empty if the cell is not an edge or the value is unknown.
     [[nodiscard]] std::optional<int> at(std::size_t cell) const;
 
@@ -46,24 +40,16 @@ signals:
     void changed();
 
 private:
-    struct Asked {
-        std::uint64_t number = 0;
+    struct Drawing {
         std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const edges::EdgeConfidence> known; // null: must be computed
-        bool shown = false;                                 // false: only a card needs it, nothing is drawn
+        std::shared_ptr<const edges::EdgeConfidence> known;
         int leastPercent = 0;
         EdgeColours colours;
     };
-    struct Answer {
-        std::uint64_t number = 0;
-        std::shared_ptr<const edges::EdgeConfidence> known; // null: cancelled
-        std::shared_ptr<const ConfidencePicture> made;
-    };
-    [[nodiscard]] Answer workOut(const Asked& asked); // worker's thread
+    [[nodiscard]] std::shared_ptr<const edges::EdgeConfidence> workOut(const Picture& picture, const Asker& asker); // pool's thread
     void followCard();
     void begin();
-    void ask();
-    void take(const Answer& answer);
+    void draw();
     void failed(const QString& what);
     void show();
     void updateCards();
@@ -75,15 +61,13 @@ private:
     Targets& targets_;
     ConfidenceLegend& legend_;
     Memory& memory_;
-    bool on_ = false, hiddenForComparison_ = false;
+    bool on_ = false;
     bool forCard_ = false; // the card shows a cell with an edge
-    bool running_ = false, failed_ = false;
+    bool failed_ = false;
     std::shared_ptr<const edges::EdgeConfidence> known_; // of the picture on the screen, for views and cards
     std::shared_ptr<const ConfidencePicture> made_;
-    std::shared_ptr<const EdgesInstead> shown_; // as passed to the views
-    QTimer quiet_;
-    std::atomic<std::uint64_t> wanted_{0};
-    Newest<Asked, Answer> worker_; // last member: its thread uses the members above
+    Derived<std::shared_ptr<const Picture>, edges::EdgeConfidence> confidence_;
+    Derived<Drawing, ConfidencePicture> drawn_; // last
 };
 
 } // namespace edgescan::ui

@@ -37,8 +37,11 @@ QImage smallMap(const edges::Detection& detection) {
 
 ContactSheets::ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent)
     : QObject(parent), engine_(engine), tuning_(tuning), notice_(notice),
-      worker_(
-          this, [this](const Question& question) { return run(question); }, [](const Answer& /*answer*/) {},
+      sheet_(
+          Urgency::Soon, [this](const Question& question, const Asker& asker) { return run(question, asker); },
+          [this](const Question& question, const std::shared_ptr<const std::vector<edges::SheetEntry>>& entries) {
+              take(question, *entries);
+          },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, what); }) {}
 
 void ContactSheets::show() {
@@ -46,44 +49,34 @@ void ContactSheets::show() {
     if (picture == nullptr) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
     if (card_ == nullptr) {
         card_ = new ContactCard(notice_.window());
-        connect(card_, &ContactCard::givenUp, this, [this] { wanted_ = 0; });
-        connect(card_, &ContactCard::chosen, this,
-                [this](int place) { tuning_.setParameter(asked_.parameter->key, asked_.values[static_cast<std::size_t>(place)]); });
+        connect(card_, &ContactCard::givenUp, this, [this] { sheet_.giveUp(); });
+        connect(card_, &ContactCard::chosen, this, [this](int place) {
+            tuning_.setParameter(sheet_.asked()->parameter->key, sheet_.asked()->values[static_cast<std::size_t>(place)]);
+        });
     }
     const edges::Parameter& parameter = tuning_.lastChanged();
     const edges::Settings& settings = engine_.settings();
-    asked_ = {++sheets_, picture->detection->scan, settings, &parameter, {}};
     double now = parameter.get(settings);
     if (std::isnan(now) && parameter.automatic != nullptr)
         now = edges::snapped(parameter, parameter.automatic(settings, edges::measuredOf(*picture->detection)));
-    asked_.values = edges::sheetValues(parameter, now, kPictures);
+    const std::vector<double> values = edges::sheetValues(parameter, now, kPictures);
     entries_.clear();
-    card_->begin(QObject::tr(parameter.label), static_cast<int>(asked_.values.size()));
-    wanted_ = sheets_;
-    worker_.post(asked_);
+    card_->begin(QObject::tr(parameter.label), static_cast<int>(values.size()));
+    sheet_.ask({picture->detection->scan, settings, &parameter, values});
 }
 
-ContactSheets::Answer ContactSheets::run(const Question& question) {
-    const auto made = [&](const edges::SheetEntry& entry, const edges::Detection& detection) {
-        if (wanted_ != question.number) return false;
-        QMetaObject::invokeMethod(
-            this, [this, number = question.number, entry, picture = smallMap(detection)] { add(number, entry, picture); },
-            Qt::QueuedConnection);
-        return true;
-    };
-    if (wanted_ != question.number) return {};
-    Answer answer{question.number, edges::contactSheet(question.scan, question.settings, *question.parameter, question.values, made)};
-    // In the queue of the pictures: after the last of them.
-    QMetaObject::invokeMethod(
-        this, [this, answer] { take(answer); }, Qt::QueuedConnection);
-    return answer;
+std::vector<edges::SheetEntry> ContactSheets::run(const Question& question, const Asker& asker) {
+    return edges::contactSheet(question.scan, question.settings, *question.parameter, question.values,
+                               [&](const edges::SheetEntry& entry, const edges::Detection& detection) {
+                                   return asker.waits() &&
+                                          asker.show([this, entry, picture = smallMap(detection)] { add(entry, picture); });
+                               });
 }
 
-void ContactSheets::add(std::uint64_t number, const edges::SheetEntry& entry, const QImage& picture) {
-    if (number != wanted_) return;
+void ContactSheets::add(const edges::SheetEntry& entry, const QImage& picture) {
     entries_.push_back(entry);
-    const edges::Parameter& p = *asked_.parameter;
-    edges::Settings with = asked_.settings;
+    const edges::Parameter& p = *sheet_.asked()->parameter;
+    edges::Settings with = sheet_.asked()->settings;
     p.set(with, entry.value);
     const QString value = p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit)
                                             : QObject::tr(edges::choiceLabel(p, with).c_str());
@@ -91,14 +84,14 @@ void ContactSheets::add(std::uint64_t number, const edges::SheetEntry& entry, co
     card_->add(picture, tr("%1 edge cells · %2").arg(count, value.trimmed()));
 }
 
-void ContactSheets::take(const Answer& answer) {
-    if (answer.number != wanted_ || answer.number == 0 || answer.entries.size() != asked_.values.size()) return;
-    entries_ = answer.entries;
+void ContactSheets::take(const Question& question, const std::vector<edges::SheetEntry>& entries) {
+    if (entries.size() != question.values.size()) return;
+    entries_ = entries;
     std::vector<bool> steady;
     for (const edges::SheetEntry& entry : entries_) steady.push_back(entry.steady);
-    const double now = asked_.parameter->get(asked_.settings);
-    const auto inUse = std::ranges::find(asked_.values, now);
-    card_->end(steady, inUse == asked_.values.end() ? -1 : static_cast<int>(inUse - asked_.values.begin()));
+    const double now = question.parameter->get(question.settings);
+    const auto inUse = std::ranges::find(question.values, now);
+    card_->end(steady, inUse == question.values.end() ? -1 : static_cast<int>(inUse - question.values.begin()));
 }
 
 } // namespace edgescan::ui

@@ -1,13 +1,12 @@
-// The contact sheet of the slider in use: computed on its own thread, picture by picture; a click adopts a value.
+// The contact sheet of the slider in use: computed off the GUI thread, picture by picture; a click adopts a value.
 #pragma once
 
 #include "core/edges/tuning/contact_sheet.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QImage>
 #include <QObject>
 
-#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -23,7 +22,6 @@ class ContactSheets : public QObject {
     Q_OBJECT
 public:
     ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, QObject* parent);
-    ~ContactSheets() override { wanted_ = 0; }
 
     /// Shows the sheet of the setting that was changed last, else of the method's main setting.
     void show();
@@ -33,29 +31,21 @@ public:
 
 private:
     struct Question {
-        std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
         edges::Settings settings;
         const edges::Parameter* parameter = nullptr;
         std::vector<double> values;
     };
-    struct Answer {
-        std::uint64_t number = 0;
-        std::vector<edges::SheetEntry> entries;
-    };
-    [[nodiscard]] Answer run(const Question& question); // worker's thread
-    void add(std::uint64_t number, const edges::SheetEntry& entry, const QImage& picture);
-    void take(const Answer& answer);
+    [[nodiscard]] std::vector<edges::SheetEntry> run(const Question& question, const Asker& asker); // pool's thread
+    void add(const edges::SheetEntry& entry, const QImage& picture);
+    void take(const Question& question, const std::vector<edges::SheetEntry>& entries);
 
     Engine& engine_;
     Tuning& tuning_;
     NoticeBar& notice_;
     ContactCard* card_ = nullptr;
-    Question asked_;
     std::vector<edges::SheetEntry> entries_;
-    std::uint64_t sheets_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the awaited sheet; 0: none
-    Newest<Question, Answer> worker_;      // last
+    Derived<Question, std::vector<edges::SheetEntry>> sheet_; // last
 };
 
 } // namespace edgescan::ui

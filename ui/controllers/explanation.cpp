@@ -60,13 +60,11 @@ std::optional<std::size_t> edgeBeside(const edges::Detection& detection, std::si
 
 Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
-      worker_(
-          this,
-          [](const Question& question) {
-              const edges::Detection& detection = *question.picture->detection;
-              return Answer{question.picture, std::make_shared<const edges::Why>(edges::whyCell(detection, question.cell))};
+      why_(
+          Urgency::Now, [](const Question& question) { return edges::whyCell(*question.picture->detection, question.cell); },
+          [this](const Question& question, const std::shared_ptr<const edges::Why>& why) {
+              show(*question.picture, question.picture == views_.shown(), *why);
           },
-          [this](const Answer& answer) { showAnswer(answer); },
           [this](const QString& what) {
               const QString sentence = tr("Why could not be worked out (%1).").arg(what);
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
@@ -89,7 +87,7 @@ void Explanation::explain(std::size_t cell) {
     }
     card_->offerNearestEdge(0);
     card_->showExplanation(tr("Working out why …"));
-    worker_.post({picture, cell});
+    why_.ask({picture, cell});
 }
 
 bool Explanation::closeCard() {
@@ -98,21 +96,19 @@ bool Explanation::closeCard() {
     return true;
 }
 
-void Explanation::showAnswer(const Answer& answer) {
+/// `still`: the picture is on the screen.
+void Explanation::show(const Picture& picture, bool still, const edges::Why& why) {
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
-    const auto& [picture, given] = answer;
-    const edges::Why& why = *given;
-    QString numbers = shownText(edges::whyNumbers(why, picture->detection->settings));
-    const bool still = picture == views_.shown();
+    QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings));
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
-    nearestEdge_ = edgeBeside(*picture->detection, why.probe.cell);
+    nearestEdge_ = edgeBeside(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));
     };
     card_->offerNearestEdge(still && nearestEdge_ ? away(*nearestEdge_) : 0);
-    card_->showExplanation(shownText(edges::whyVerdict(why, picture->detection->settings, edges::Naming::Labels)),
-                           profileOf(*picture->detection, why), numbers);
+    card_->showExplanation(shownText(edges::whyVerdict(why, picture.detection->settings, edges::Naming::Labels)),
+                           profileOf(*picture.detection, why), numbers);
     if (still)
         showTrail(why);
     else

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <memory>
 
@@ -35,18 +35,14 @@ private:
         std::shared_ptr<const Picture> picture;
         std::size_t cell = 0;
     };
-    struct Answer {
-        std::shared_ptr<const Picture> picture;
-        std::shared_ptr<const edges::Why> why;
-    };
-    void showAnswer(const Answer& answer);
+    void show(const Picture& picture, bool still, const edges::Why& why);
     void showTrail(const edges::Why& why);
 
     LinkedViews& views_;
     NoticeBar& notice_;
     WhyCard* card_ = nullptr;                // child of the window
     std::optional<std::size_t> nearestEdge_; // the edge nearest to the cell on the card, if that cell is not an edge
-    Newest<Question, Answer> worker_;
+    Derived<Question, edges::Why> why_;
 };
 
 } // namespace edgescan::ui

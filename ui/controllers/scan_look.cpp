@@ -18,14 +18,14 @@ constexpr const char* kColourBy = "view/colour-by";
 
 ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory)
     : engine_(engine), views_(views), plate_(plate), window_(window), memory_(memory),
-      worker_(
-          this,
+      colours_(
+          Urgency::Now,
           [](const Asked& asked) {
               auto histogram = asked.counted ? std::nullopt : std::optional(rangeHistogram(*asked.scan));
-              return Answer{asked.number, asked.cloud, std::move(histogram), cloudColours(*asked.scan, asked.cloud, asked.by)};
+              return Answer{std::move(histogram), cloudColours(*asked.scan, asked.cloud, asked.by)};
           },
-          // on failure the cloud stays gray
-          [this](const Answer& answer) { take(answer); }, [this](const QString&) { answered_ = posted_; }) {
+          [this](const Asked& asked, const std::shared_ptr<const Answer>& answer) { take(asked, *answer); },
+          [](const QString&) {}) { // gray is true as well
     by_ = colourOfKey(memory_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
     const QStringList kept = memory_.text(kLocked).split(' ');
     if (kept.size() == 2 && kept[1].toDouble() > kept[0].toDouble()) {
@@ -58,7 +58,6 @@ void ScanLook::setColourBy(ColourBy by) {
     if (by == by_) return;
     by_ = by;
     memory_.keep(kColourBy, QString(colourKey(by)));
-    asked_ = nullptr;
     followPicture();
     emit colourByChanged(by);
     emit changed();
@@ -75,17 +74,16 @@ void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locke
 void ScanLook::followPicture() {
     showWindow();
     const auto& picture = engine_.picture();
-    if (!picture || picture->cloud == asked_) return;
-    asked_ = picture->cloud;
-    worker_.post({++posted_, picture->detection->scan, picture->cloud, by_, picture->cloud == counted_});
+    if (!picture) return;
+    const Asked* asked = colours_.asked();
+    if (asked != nullptr && asked->cloud == picture->cloud && asked->by == by_) return;
+    colours_.ask({picture->detection->scan, picture->cloud, by_, picture->cloud == counted_});
 }
 
-void ScanLook::take(const Answer& answer) {
-    answered_ = answer.number;
-    if (answer.number != posted_) return;
+void ScanLook::take(const Asked& asked, const Answer& answer) {
     if (answer.histogram) {
         window_.showHistogram(*answer.histogram);
-        counted_ = answer.of;
+        counted_ = asked.cloud;
         showWindow();
     }
     views_.cloud().setColours(answer.colours.of, answer.colours.points);

@@ -1,8 +1,8 @@
 // The display of the scan itself: cloud colours by range, height or line, and the window of the range image.
 #pragma once
 
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/engine.h"
-#include "ui/engine/worker_bridge/newest.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_colours.h"
 
@@ -17,7 +17,7 @@ class LinkedViews;
 class Memory;
 class ScalePlate;
 
-/// GUI thread only; colours and histogram are computed on a separate thread. The objects passed to it must outlive it.
+/// GUI thread only; colours and histogram are computed off the GUI thread. The objects passed to it must outlive it.
 class ScanLook : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     void setColourBy(ColourBy by);
     [[nodiscard]] ColourBy colourBy() const { return by_; }
     /// True if the shown colours belong to the cloud on the screen.
-    [[nodiscard]] bool settled() const { return posted_ == answered_; }
+    [[nodiscard]] bool settled() const { return !colours_.behind(); }
     /// Locked: the window of the range image stays when another scan is opened.
     [[nodiscard]] bool rangeLocked() const { return window_.locked(); }
     /// Of the range image; empty: as the method scales the ranges.
@@ -43,19 +43,16 @@ signals:
 
 private:
     struct Asked {
-        int number = 0;
         std::shared_ptr<const Scan> scan;
         std::shared_ptr<const CloudGeometry> cloud;
         ColourBy by = ColourBy::Nothing;
         bool counted = false; ///< the histogram of this cloud is on the screen
     };
     struct Answer {
-        int number = 0;
-        std::shared_ptr<const CloudGeometry> of;
         std::optional<RangeHistogram> histogram; ///< empty: already on the screen
         CloudColours colours;
     };
-    void take(const Answer& answer);
+    void take(const Asked& asked, const Answer& answer);
     void showWindow();
 
     Engine& engine_;
@@ -64,10 +61,8 @@ private:
     RangeWindow& window_;
     Memory& memory_;
     ColourBy by_ = ColourBy::Nothing;
-    std::shared_ptr<const CloudGeometry> asked_;   // of the newest question
     std::shared_ptr<const CloudGeometry> counted_; // of the histogram
-    int posted_ = 0, answered_ = 0;
-    Newest<Asked, Answer> worker_; // last
+    Derived<Asked, Answer> colours_;               // last
 };
 
 } // namespace edgescan::ui

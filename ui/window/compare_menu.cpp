@@ -47,10 +47,9 @@ void addChangeLegend(MainWindow& w) {
     over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
     QObject::connect(&w.viewer().views.cloud(), &CloudView::edgesCovered, &w.viewer().changeLegend, &ChangeLegend::showCovered);
     const auto follow = [&w] {
-        w.viewer().legend.setVisible(w.viewer().engine.picture() != nullptr && w.viewer().views.edgesInstead() == nullptr);
+        w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().instead == nullptr);
     };
-    QObject::connect(&w.viewer().comparing, &Comparing::differenceShown, &w, follow);
-    QObject::connect(&w, &MainWindow::pictureShown, &w, follow);
+    QObject::connect(&w.viewer().views, &LinkedViews::picturesChanged, &w, follow);
 }
 
 Command confidenceCommand(Confidence& confidence) {
@@ -65,10 +64,6 @@ Command confidenceCommand(Confidence& confidence) {
 void addConfidenceLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
     over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().confidenceLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.viewer().comparing, &Comparing::differenceShown, &w.viewer().confidence, &Confidence::hideForComparison);
-    QObject::connect(&w.viewer().confidence, &Confidence::changed, &w, [&w] {
-        w.viewer().legend.setVisible(w.viewer().engine.picture() != nullptr && w.viewer().views.edgesInstead() == nullptr);
-    });
 }
 
 } // namespace edgescan::ui

@@ -21,11 +21,11 @@ QString rangeNote(MainWindow& window) {
 
 QString edgeNote(MainWindow& window) {
     const LinkedViews& views = window.viewer().views;
-    const EdgesInstead* instead = views.flipped() ? nullptr : views.edgesInstead().get();
+    const OverlayEdges* instead = views.scene().insteadNow();
     const edges::Detection& detection = *views.shown()->detection;
     const std::size_t all = detection.edges->size();
     // In a comparison the shown edges come from two scans.
-    const std::size_t shown = instead != nullptr && instead->overlayAsAsked && instead->cells.all ? instead->cells.all->size() : all;
+    const std::size_t shown = instead != nullptr && instead->overImageAsAsked && instead->cells.all ? instead->cells.all->size() : all;
     const QString edges =
         shown == all ? Pane::tr("%1 edges").arg(countText(all)) : Pane::tr("%1 of %2 edges").arg(countText(shown), countText(all));
     if (instead != nullptr) return edges + " · " + instead->words;

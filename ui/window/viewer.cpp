@@ -33,10 +33,9 @@ Viewer::Viewer(Memory& ofPerson)
       live(engine, livePanel, timeline, views, files, notice, memory), explanation(views, notice),
       rocks(engine, views, rocksPanel, rockTable, notice, memory, undo), targets(engine, views, rocks, targetsPanel, notice, memory, undo),
       measures(views, targets, notice), selection(engine, views, rocks, notice, undo),
-      comparing(engine, views, rocks, changeLegend, files, notice, memory, undo),
-      confidence(engine, views, targets, confidenceLegend, memory), markedEdges(engine, views, targets, undo, notice),
-      look(engine, views, scalePlate, rangeWindow, memory), report(engine, files, rocks, targets, comparing, notice, memory),
-      audit(memory.place(), engine, views, undo, notice) {
+      comparing(engine, views, changeLegend, files, notice, memory, undo), confidence(engine, views, targets, confidenceLegend, memory),
+      markedEdges(engine, views, targets, undo, notice), look(engine, views, scalePlate, rangeWindow, memory),
+      report(engine, files, rocks, targets, comparing, notice, memory), audit(memory.place(), engine, views, undo, notice) {
     followPictures();
 }
 
@@ -50,7 +49,7 @@ void Viewer::followPictures() {
     next(rocks, &Rocks::followPicture);
     next(targets, &Targets::followPicture);
     next(selection, &Selection::followPicture);
-    next(comparing, &Comparing::followPicture); // takes the edges of the views before confidence does
+    next(comparing, &Comparing::followPicture);
     next(confidence, &Confidence::followPicture);
     next(markedEdges, &MarkedEdges::followPicture);
     next(look, &ScanLook::followPicture);

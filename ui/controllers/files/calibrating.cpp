@@ -66,10 +66,17 @@ Result<inspect::CalibrationSource> sourceOf(const std::string& file) {
 
 Calibrating::Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent)
     : QObject(parent), engine_(engine), files_(files), notice_(notice), memory_(memory),
-      worker_(
-          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { take(answer); },
+      calibration_(
+          Urgency::Later,
+          [this](const Question& question, const Asker& asker) {
+              return run(question, [this, &asker](const char* stage, double fraction) {
+                  return asker.show([this, stage = QString::fromUtf8(stage), percent = static_cast<int>(100 * fraction)] {
+                      card_->showStage(stage, percent);
+                  });
+              });
+          },
+          [this](const Question&, const std::shared_ptr<const Answer>& answer) { take(answer); },
           [this](const QString& what) {
-              wanted_ = 0;
               if (card_ != nullptr) card_->refuse(tr("It failed (%1); close other programs or use a smaller scan.").arg(what));
           }) {
     connect(&engine_, &Engine::streamChanged, this, &Calibrating::followScreen);
@@ -109,14 +116,14 @@ void Calibrating::show() {
 // Another scan is on the screen: the result belongs to the previous one. The same scan with other reading options keeps the result.
 void Calibrating::followScreen() {
     if (card_ == nullptr || files_.path() == screenPath_) return;
-    wanted_ = 0;
+    calibration_.giveUp();
     found_.reset();
     card_->hide();
     screenPath_.clear();
 }
 
 void Calibrating::ask() {
-    wanted_ = 0;
+    calibration_.giveUp();
     found_.reset();
     saved_.clear();
     card_->setQuestion(QStringList{screenPath_} + others_, base_);
@@ -147,32 +154,21 @@ void Calibrating::setBase(const QString& path) {
 
 void Calibrating::start() {
     if (card_ == nullptr || !engine_.picture() || files_.path() != screenPath_) return;
-    Question question{++questions_, engine_.picture()->detection, others_, files_.options(), base_};
+    Question question{engine_.picture()->detection, others_, files_.options(), base_};
     question.reading.pose.clear(); // they belong only to the scan on the screen
     question.reading.calibration.clear();
     found_.reset();
     saved_.clear();
-    wanted_ = question.number;
     card_->begin();
-    worker_.post(question);
+    calibration_.ask(question);
 }
 
 void Calibrating::giveUp() {
-    wanted_ = 0;
+    calibration_.giveUp();
     card_->refuse(tr("given up"));
 }
 
-bool Calibrating::tell(std::uint64_t number, const char* stage, double fraction) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, number, stage = QString::fromUtf8(stage), percent = static_cast<int>(100 * fraction)] {
-            if (wanted_ == number) card_->showStage(stage, percent);
-        },
-        Qt::QueuedConnection);
-    return wanted_ == number;
-}
-
-Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question,
+Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question, const Progress& progress,
                                                                    std::vector<inspect::CalibrationSource>& sources) {
     const std::string& shown = question.shown->scan->path;
     const Result<inspect::CalibrationSource> first = sourceOf(shown);
@@ -180,7 +176,7 @@ Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Questio
     sources.push_back(*first);
     std::vector<std::shared_ptr<const Scan>> scans{question.shown->scan};
     ReadingOptions reading = question.reading;
-    reading.progress = [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); };
+    reading.progress = progress;
     for (const QString& path : question.others) {
         const std::string file = path.toStdString();
         Result<Scan> scan = files::openAsAsked(file, reading);
@@ -209,18 +205,17 @@ Calibrating::Seam Calibrating::seamOf(const edges::Detection& shown, const Assem
     return seam;
 }
 
-Calibrating::Answer Calibrating::run(const Question& question) {
+Calibrating::Answer Calibrating::run(const Question& question, const Progress& progress) {
     const BindInputs inputs;
-    Answer answer{question.number, std::nullopt, {}, {}, nullptr};
+    Answer answer;
     try {
         std::vector<inspect::CalibrationSource> sources;
-        const auto scans = read(question, sources);
+        const auto scans = read(question, progress, sources);
         if (!scans) {
             answer.found = scans.error();
             return answer;
         }
-        answer.found = inspect::calibrateFromSweeps(
-            *scans, [&](const char* stage, double fraction) { return tell(question.number, stage, fraction); });
+        answer.found = inspect::calibrateFromSweeps(*scans, progress);
         if (!*answer.found) return answer;
         std::string base;
         if (!question.base.isEmpty()) {
@@ -237,7 +232,7 @@ Calibrating::Answer Calibrating::run(const Question& question) {
             return answer;
         }
         answer.file = *file;
-        if (!tell(question.number, "pictures of the seam", 0.0)) return answer;
+        if (!progress("pictures of the seam", 0.0)) return answer;
         answer.seam = seamOf(*question.shown, (*answer.found)->errors);
         answer.inputs = inputs.claims();
     } catch (const std::bad_alloc&) {
@@ -246,14 +241,13 @@ Calibrating::Answer Calibrating::run(const Question& question) {
     return answer;
 }
 
-void Calibrating::take(const Answer& answer) {
-    if (answer.number != wanted_ || answer.number == 0) return;
-    wanted_ = 0;
-    if (!*answer.found) return card_->refuse(shownText(answer.found->error().sentence()));
-    found_ = std::make_shared<const Answer>(answer);
-    const Seam& seam = answer.seam;
-    CalibrationShown shown = calibrationWords(**answer.found);
-    shown.pictures = {seamWords(seam.lateEdges, seam.met), apartWords(**answer.found)};
+void Calibrating::take(const std::shared_ptr<const Answer>& answer) {
+    const Result<inspect::SelfCalibration>& calibration = *answer->found;
+    if (!calibration) return card_->refuse(shownText(calibration.error().sentence()));
+    found_ = answer;
+    const Seam& seam = answer->seam;
+    CalibrationShown shown = calibrationWords(*calibration);
+    shown.pictures = {seamWords(seam.lateEdges, seam.met), apartWords(*calibration)};
     shown.pictures[0].beforeImage = seam.edges[0];
     shown.pictures[0].afterImage = seam.edges[1];
     shown.pictures[0].busiest = seam.busiest;

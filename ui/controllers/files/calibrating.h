@@ -1,11 +1,11 @@
-// Scan > Calibrate: estimates the mounting errors from the scan on the screen and other scans of the same mounting, on its own thread. The
+// Scan > Calibrate: estimates the mounting errors from the scan on the screen and other scans of the same mounting, off the GUI thread. The
 // result is saved and applied only on the operator's request.
 #pragma once
 
 #include "core/base/inputs.h"
 #include "core/inspect/calibration/calibration_file.h"
 #include "core/scan/grid/reading_options.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 
 #include <QImage>
@@ -14,7 +14,6 @@
 #include <QStringList>
 
 #include <array>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,7 +31,6 @@ class Calibrating : public QObject {
     Q_OBJECT
 public:
     Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
-    ~Calibrating() override { wanted_ = 0; }
 
     /// Shows the card for the scan on the screen.
     void show();
@@ -56,7 +54,6 @@ signals:
 
 private:
     struct Question {
-        std::uint64_t number = 0;
         std::shared_ptr<const edges::Detection> shown; ///< with the edges of the shown picture
         QStringList others;
         ReadingOptions reading; ///< for the other scans
@@ -70,18 +67,17 @@ private:
         QPoint busiest;
     };
     struct Answer {
-        std::uint64_t number = 0;
         std::optional<Result<inspect::SelfCalibration>> found;
         std::string file; ///< the text to be saved
         Seam seam;
         std::shared_ptr<const InputClaims> inputs; ///< files that must not be overwritten
     };
-    [[nodiscard]] Answer run(const Question& question); // worker's thread
-    [[nodiscard]] Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question,
-                                                                        std::vector<inspect::CalibrationSource>& sources);
-    bool tell(std::uint64_t number, const char* stage, double fraction);
+    using Progress = std::function<bool(const char* stage, double fraction)>;
+    [[nodiscard]] static Answer run(const Question& question, const Progress& progress); // pool's thread
+    [[nodiscard]] static Result<std::vector<std::shared_ptr<const Scan>>> read(const Question& question, const Progress& progress,
+                                                                               std::vector<inspect::CalibrationSource>& sources);
     static Seam seamOf(const edges::Detection& shown, const AssemblyErrors& errors);
-    void take(const Answer& answer);
+    void take(const std::shared_ptr<const Answer>& answer);
     void ask();
     void askAdd();
     void askBase();
@@ -100,9 +96,7 @@ private:
     QString base_, saved_;
     std::shared_ptr<const Answer> found_;
     bool saving_ = false;
-    std::uint64_t questions_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is awaited; 0: none
-    Newest<Question, Answer> worker_;      // last
+    Derived<Question, Answer> calibration_; // last
 };
 
 } // namespace edgescan::ui

@@ -18,12 +18,12 @@ namespace edgescan::ui {
 
 Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
     : engine_(engine), files_(files), notice_(notice),
-      worker_(
-          this,
-          [](const Question& asked) {
-              return Answer{asked.scan, asked.scan ? files::openingCheck(*asked.scan, asked.options) : std::vector<files::OpeningPoint>()};
+      check_(
+          Urgency::Later, [](const Question& question) { return files::openingCheck(*question.scan, question.options); },
+          [this](const Question& question, const std::shared_ptr<const std::vector<files::OpeningPoint>>& points) {
+              take(question.scan, *points);
           },
-          [this](Answer answer) { take(std::move(answer)); }, [](const QString&) {}) { // the check failed: show no message
+          [](const QString&) {}) { // not known: nothing is said
     connect(&engine_, &Engine::streamChanged, this, &Opening::follow);
 }
 
@@ -35,14 +35,13 @@ void Opening::follow() {
     points_.reset();
     path_ = files_.path();
     if (card_ != nullptr && !sameFile) card_->hide();
-    if (path_.isEmpty() || picture->source.growth.growing) return;
-    worker_.post({picture->detection->scan, files_.options()});
+    if (path_.isEmpty() || picture->source.growth.growing) return check_.giveUp();
+    check_.ask({picture->detection->scan, files_.options()});
 }
 
-void Opening::take(Answer answer) {
-    const auto& picture = engine_.picture();
-    if (!picture || !answer.scan || picture->detection->scan != answer.scan || before_) return;
-    points_ = std::move(answer.points);
+void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points) {
+    if (engine_.picture()->detection->scan != scan || before_) return;
+    points_ = points;
     if (cardWanted_ || (card_ != nullptr && card_->isVisible())) fillCard();
     const bool displaced = files_.options().straighten || std::ranges::any_of(*points_, [](const files::OpeningPoint& point) {
                                return std::string_view(point.what) == files::kDisplacedPoint;

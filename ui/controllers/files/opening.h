@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/files/plausibility/opening_check.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
 #include <QString>
@@ -36,12 +36,8 @@ private:
         std::shared_ptr<const Scan> scan;
         ReadingOptions options;
     };
-    struct Answer {
-        std::shared_ptr<const Scan> scan;
-        std::vector<files::OpeningPoint> points;
-    };
     void follow();
-    void take(Answer answer);
+    void take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points);
     void fillCard();
     void preview(int point, int other);
     void adopt(int point, int other);
@@ -53,10 +49,10 @@ private:
     NoticeBar& notice_;
     OpeningCard* card_ = nullptr;
     std::optional<std::vector<files::OpeningPoint>> points_;
-    QString path_;                         // the file of points_
-    std::optional<ReadingOptions> before_; // set while a preview is on the screen
-    bool cardWanted_ = false;              // show the card as soon as the points are known
-    Newest<Question, Answer> worker_;      // last
+    QString path_;                                              // the file of points_
+    std::optional<ReadingOptions> before_;                      // set while a preview is on the screen
+    bool cardWanted_ = false;                                   // show the card as soon as the points are known
+    Derived<Question, std::vector<files::OpeningPoint>> check_; // last
 };
 
 } // namespace edgescan::ui

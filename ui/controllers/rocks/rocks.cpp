@@ -176,27 +176,19 @@ void Rocks::show() {
 }
 
 void Rocks::showFaces() {
-    const bool stale = picture_ && ofAnotherPicture();
-    const bool away = views_.flipped(); // another picture is shown by a flip: the rocks do not belong to it
-    const QString told = !on_ || !engine_.picture() ? QString()
-                                                    : (picture_ ? tr("%1 rocks · ").arg(picture_->study.rocks.size()) : QString()) +
-                                                          (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
-    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
-        view->setFaces(picture_ && !away ? picture_->faces : nullptr, stale);
-        view->setTitle(told);
+    if (!on_) return views_.remove(OverlayName::Rocks);
+    Overlay overlay;
+    overlay.name = OverlayName::Rocks;
+    overlay.points = OverlayPoints{nullptr, 0, kOutsideRocks, false};
+    if (picture_) {
+        overlay.faces = picture_->faces;
+        overlay.facesFaded = ofAnotherPicture();
+        overlay.points->colours = picture_->points;
+        overlay.points->beams = picture_->labels.beams;
+        overlay.caption = tr("%1 rocks · ").arg(picture_->study.rocks.size());
     }
-    CloudView& cloud = views_.cloud();
-    cloud.setCaption(told);
-    const std::size_t cells = cloud.geometryOfCloud() ? cloud.geometryOfCloud()->cells() : 0;
-    if (!picture_ || away || picture_->labels.beams != cloud.geometryOfCloud()->beams) {
-        cloud.setFaces(nullptr);
-    } else if (picture_->points->size() == cells) {
-        cloud.setFaces(picture_->points);
-    } else { // the number of lines changed since: the common cells are the same
-        auto fitted = std::make_shared<std::vector<std::uint32_t>>(*picture_->points);
-        fitted->resize(cells, kOutsideRocks);
-        cloud.setFaces(std::move(fitted));
-    }
+    if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
+    views_.put(std::move(overlay));
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {

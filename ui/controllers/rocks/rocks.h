@@ -93,11 +93,6 @@ public:
     /// csv, json, png (labels), dxf, geojson (outlines), ply, obj (hulls). Exports the rocks on the screen if behind() is false.
     void exportTo(const QString& path);
 
-    /// Draws everything in the views again after a flip to another picture.
-    void redraw() {
-        if (on_) show();
-    }
-
 signals:
     void shownChanged(bool on);
     /// Settings or edits changed.

@@ -20,6 +20,7 @@
 #include <QWidget>
 
 #include <system_error>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -40,12 +41,11 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
                    std::vector<StatePart> parts)
     : engine_(engine), files_(files), live_(live), notice_(notice), memory_(memory), undo_(undo), parts_(std::move(parts)),
       autosaves_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/sessions"),
-      worker_(
-          this, [this](const Job& job) { return write(job); }, [this](const Written& written) { take(written); },
-          [this](const QString& what) {
-              answered_ = posted_;
-              notice_.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what));
-          }) {
+      written_(
+          Urgency::Now, [this](const Job& job) { return write(job); },
+          [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
+          [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what)); },
+          Older::Delivered) {
     soon_.setSingleShot(true);
     soon_.setInterval(kSaveSoonMs);
     connect(&soon_, &QTimer::timeout, this, &Sessions::save);
@@ -63,7 +63,7 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
 }
 
 Sessions::~Sessions() {
-    if (soon_.isActive() || posted_ != answered_) {
+    if (soon_.isActive() || written_.behind()) {
         if (const auto last = job()) {
             for (const QString& path : {last->own, last->file}) {
                 if (!path.isEmpty())
@@ -122,15 +122,15 @@ std::optional<Sessions::Job> Sessions::job() {
     state->keptIn = file_.toStdString();
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
     const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && live_.scanner().recordingClosed();
-    return Job{std::move(*state), autosaves_.own(), file_, closed, ++posted_};
+    return Job{std::move(*state), autosaves_.own(), file_, closed};
 }
 
 void Sessions::save() {
-    if (auto next = job()) worker_.post(std::move(*next));
+    if (auto next = job()) written_.ask(std::move(*next));
 }
 
-Sessions::Written Sessions::write(const Job& job) {
-    Written written{job.number, {}};
+QString Sessions::write(const Job& job) {
+    QString trouble;
     std::string hash;
     if (job.closed) {
         std::string& known = hashes_[job.state.scan.path];
@@ -150,18 +150,15 @@ Sessions::Written Sessions::write(const Job& job) {
         if (done)
             lastTexts_[path] = std::move(text);
         else
-            written.trouble = exactText(done.error().sentence());
+            trouble = exactText(done.error().sentence());
     }
-    return written;
+    return trouble;
 }
 
-void Sessions::take(const Written& written) {
-    answered_ = written.number;
-    if (!written.trouble.isEmpty() && !failing_)
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(written.trouble));
-    failing_ = !written.trouble.isEmpty();
-    if (!toTell_ || answered_ < *toTell_) return;
-    toTell_.reset();
+void Sessions::take(const QString& trouble) {
+    if (!trouble.isEmpty() && !failing_) notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
+    failing_ = !trouble.isEmpty();
+    if (written_.behind() || !std::exchange(toTell_, false)) return;
     if (!failing_ && !file_.isEmpty()) notice_.showSaved(file_, tr("from now on saved as it changes"));
 }
 
@@ -175,7 +172,7 @@ void Sessions::saveAs(const QString& path) {
     file_ = QFileInfo(path).absoluteFilePath();
     filed_ = state->scan.identity;
     save();
-    toTell_ = posted_;
+    toTell_ = true;
     emit nameChanged();
 }
 

@@ -4,7 +4,7 @@
 #include "core/inspect/session_file/session_file.h"
 #include "ui/controllers/sessions/autosaves.h"
 #include "ui/controllers/sessions/parts.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
 #include <QStringList>
@@ -23,7 +23,7 @@ class Live;
 class Memory;
 class NoticeBar;
 
-/// GUI thread only. What it is given must outlive it; files are read and written on separate threads.
+/// GUI thread only. What it is given must outlive it; files are read and written by the pool.
 class Sessions : public QObject {
     Q_OBJECT
 public:
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const QString& path() const { return file_; }
     [[nodiscard]] const Autosaves& autosaves() const { return autosaves_; }
     /// No reading, waiting or writing is pending.
-    [[nodiscard]] bool settled() const { return !reading_ && !wanted_ && !soon_.isActive() && posted_ == answered_; }
+    [[nodiscard]] bool settled() const { return !reading_ && !wanted_ && !soon_.isActive() && !written_.behind(); }
 
 signals:
     void nameChanged();
@@ -61,11 +61,6 @@ private:
         inspect::ViewerState state;
         QString own, file;   ///< target paths; either may be empty
         bool closed = false; ///< the recording of the sweep is closed: its hash is known
-        std::uint64_t number = 0;
-    };
-    struct Written {
-        std::uint64_t number = 0;
-        QString trouble;
     };
     void changed();
     /// The state now. Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not
@@ -76,8 +71,8 @@ private:
     [[nodiscard]] bool isShown(const inspect::SessionScan& scan) const;
     void give(const inspect::ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
-    [[nodiscard]] Written write(const Job& job); // worker's thread
-    void take(const Written& written);
+    [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
+    void take(const QString& trouble);
     void save();
     void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();
@@ -100,12 +95,11 @@ private:
     bool reading_ = false;
     std::uint64_t readings_ = 0; // number of the newest reading
     QTimer soon_;
-    std::uint64_t posted_ = 0, answered_ = 0;
-    std::optional<std::uint64_t> toTell_; // the job that writes a file named by the operator: its completion is reported
+    bool toTell_ = false; // a file that the operator named is being written: a notice follows
     bool failing_ = false;
-    std::map<QString, std::string> lastTexts_;            // used by the worker's thread: by path
+    std::map<QString, std::string> lastTexts_;            // used only by write(): by path
     std::map<std::filesystem::path, std::string> hashes_; // the same: hashes of recordings
-    Newest<Job, Written> worker_;                         // last
+    Derived<Job, QString> written_;                       // last
 };
 
 } // namespace edgescan::ui

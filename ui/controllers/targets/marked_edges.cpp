@@ -18,10 +18,12 @@
 namespace edgescan::ui {
 MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : engine_(engine), views_(views), targets_(targets), undo_(undo), notice_(notice),
-      worker_(
-          this, [this](const Question& question) { return run(question); }, [this](const Answer& answer) { showAnswer(answer); },
+      found_(
+          Urgency::Later, [this](const Question& question, const Asker& asker) { return run(question, asker); },
+          [this](const Question& question, const std::shared_ptr<const std::vector<edges::EdgeProposal>>& proposals) {
+              take(question, *proposals);
+          },
           [this](const QString& what) {
-              working_ = false;
               card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
@@ -69,7 +71,7 @@ void MarkedEdges::change(const QString& what, const edges::EdgeMarks& after) {
 void MarkedEdges::use(const edges::EdgeMarks& marks) {
     marks_ = marks;
     if (marks_.empty()) {
-        wanted_ = 0;
+        found_.giveUp();
         putBack();
         proposals_.clear();
         if (card_ != nullptr) card_->hide();
@@ -98,27 +100,20 @@ void MarkedEdges::propose() {
     if (card_ == nullptr) makeCard();
     const edges::Settings before = before_.value_or(engine_.settings());
     putBack();
-    working_ = true;
-    wanted_ = ++questions_;
     card_->begin();
-    showStage(questions_, 0);
-    worker_.post({questions_, engine_.picture()->detection->scan, before, marks_});
+    showStage(0);
+    found_.ask({engine_.picture()->detection->scan, before, marks_});
 }
 
-// One question per method: the number of answers gives the progress.
-MarkedEdges::Answer MarkedEdges::run(const Question& question) {
+// One question per method: what it asks says how far the work is.
+std::vector<edges::EdgeProposal> MarkedEdges::run(const Question& question, const Asker& asker) {
     int method = 0;
-    const auto goOn = [&] {
-        QMetaObject::invokeMethod(
-            this, [this, number = question.number, method] { showStage(number, method); }, Qt::QueuedConnection);
-        ++method;
-        return wanted_ == question.number;
-    };
-    return {question, edges::edgeProposals(question.scan, question.settings, question.marks, goOn)};
+    return edges::edgeProposals(question.scan, question.settings, question.marks,
+                                [&] { return asker.show([this, method = method++] { showStage(method); }); });
 }
 
-void MarkedEdges::showStage(std::uint64_t number, int method) {
-    if (number != wanted_ || !card_->working()) return;
+void MarkedEdges::showStage(int method) {
+    if (!card_->working()) return;
     const auto methods = static_cast<int>(edges::methodTraits().size());
     card_->showStage(tr("Working out settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
                      methods);
@@ -142,19 +137,17 @@ void MarkedEdges::makeCard() {
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {
-        if (card_->working()) wanted_ = 0; // cancelled
+        if (card_->working()) found_.giveUp();
         putBack();
     });
 }
 
-void MarkedEdges::showAnswer(const Answer& answer) {
-    working_ = false;
-    if (answer.asked.number != wanted_) return;
-    if (marks_.empty() || engine_.picture()->detection->scan != answer.asked.scan) return card_->hide();
+void MarkedEdges::take(const Question& question, const std::vector<edges::EdgeProposal>& proposals) {
+    if (marks_.empty() || engine_.picture()->detection->scan != question.scan) return card_->hide();
     putBack();
-    proposals_ = answer.proposals;
+    proposals_ = proposals;
     QStringList rows;
-    for (const edges::EdgeProposal& proposal : proposals_) rows << shownText(edges::proposalText(proposal, answer.asked.marks));
+    for (const edges::EdgeProposal& proposal : proposals_) rows << shownText(edges::proposalText(proposal, question.marks));
     const auto fit = std::ranges::count_if(proposals_, &edges::EdgeProposal::meetsAllMarks);
     card_->showProposals(fit > 0 ? tr("%1 of %2 methods agree with all marks.").arg(fit).arg(proposals_.size())
                                  : tr("No setting separates these marks. Those that get most of them right come first."),

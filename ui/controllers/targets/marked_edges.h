@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/edges/tuning/marked_edges.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -33,11 +32,10 @@ public:
     void clear();
     /// Restores all marks as one undo step.
     void setPart(const edges::EdgeMarks& marks);
-    /// Finds settings that agree, on a separate thread, and shows them.
-    ~MarkedEdges() override { wanted_ = 0; }
+    /// Works out off the GUI thread which settings agree, and shows them.
     void propose();
     [[nodiscard]] const edges::EdgeMarks& part() const { return marks_; }
-    [[nodiscard]] bool settled() const { return !working_; }
+    [[nodiscard]] bool settled() const { return !found_.behind(); }
     /// Null before the first proposals.
     [[nodiscard]] ProposalsCard* card() const { return card_; }
 
@@ -46,21 +44,16 @@ signals:
 
 private:
     struct Question {
-        std::uint64_t number = 0;
         std::shared_ptr<const Scan> scan;
         edges::Settings settings;
         edges::EdgeMarks marks;
     };
-    struct Answer {
-        Question asked;
-        std::vector<edges::EdgeProposal> proposals;
-    };
     void change(const QString& what, const edges::EdgeMarks& after);
     void use(const edges::EdgeMarks& marks);
-    [[nodiscard]] Answer run(const Question& question); // worker's thread
+    [[nodiscard]] std::vector<edges::EdgeProposal> run(const Question& question, const Asker& asker); // pool's thread
     void makeCard();
-    void showStage(std::uint64_t number, int method);
-    void showAnswer(const Answer& answer);
+    void showStage(int method);
+    void take(const Question& question, const std::vector<edges::EdgeProposal>& proposals);
     void show();
     void putBack();
 
@@ -74,11 +67,8 @@ private:
     std::vector<edges::EdgeProposal> proposals_;
     std::optional<edges::Settings> before_; // set while a proposal is previewed
     edges::Settings previewed_;
-    std::uint64_t questions_ = 0;
-    std::atomic<std::uint64_t> wanted_{0}; // number of the question whose answer is awaited; 0: none
     ProposalsCard* card_ = nullptr;
-    bool working_ = false;
-    Newest<Question, Answer> worker_; // last
+    Derived<Question, std::vector<edges::EdgeProposal>> found_; // last
 };
 
 } // namespace edgescan::ui

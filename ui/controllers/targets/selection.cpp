@@ -43,15 +43,13 @@ std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected,
 
 Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), notice_(notice), undo_(undo),
-      worker_(
-          this,
-          [](const Question& question) {
-              return Answer{question.cloud, pointsInside(*question.cloud, question.view, question.corners), question.modifiers};
+      inside_(
+          Urgency::Now, [](const Question& question) { return pointsInside(*question.cloud, question.view, question.corners); },
+          [this](const Question& question, const std::shared_ptr<const inspect::CellSet>& cells) {
+              if (question.cloud == views_.cloud().geometryOfCloud()) combine(*cells, question.modifiers);
           },
-          [this](Answer answer) {
-              if (answer.cloud == views_.cloud().geometryOfCloud()) combine(std::move(answer.cells), answer.modifiers);
-          },
-          [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was selected (%1).").arg(what)); }) {
+          [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was selected (%1).").arg(what)); },
+          Older::Delivered) { // each of them was drawn
     connect(&views_, &LinkedViews::imageOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         const Scan& scan = *views_.shown()->detection->scan;
         std::vector<Eigen::Vector2d> way;
@@ -63,7 +61,7 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
         if (!cloud.geometryOfCloud()) return;
         QPolygonF pixels;
         for (const QPointF& corner : corners) pixels << corner * cloud.devicePixelRatioF();
-        worker_.post({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
+        inside_.ask({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
     });
     connect(&views_, &LinkedViews::picked, this, [this](std::size_t cell) {
         if (views_.tool() != Tool::Box && views_.tool() != Tool::Lasso) return;

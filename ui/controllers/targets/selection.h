@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/inspect/session_file/viewer_state.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/views/cloud/point_pick.h"
 
 #include <QObject>
@@ -71,11 +71,6 @@ private:
         QPolygonF corners;
         Qt::KeyboardModifiers modifiers;
     };
-    struct Answer {
-        std::shared_ptr<const CloudGeometry> cloud;
-        inspect::CellSet cells;
-        Qt::KeyboardModifiers modifiers;
-    };
     void combine(inspect::CellSet cells, Qt::KeyboardModifiers modifiers);
     void change(const QString& what, State after);
     void use(const State& state);
@@ -94,7 +89,7 @@ private:
     std::uint64_t stream_ = 0;
     std::shared_ptr<const Scan> shownOn_; // the views drop the selection with every new scan
     State state_;
-    Newest<Question, Answer> worker_; // last
+    Derived<Question, inspect::CellSet> inside_; // last
 };
 
 } // namespace edgescan::ui

@@ -15,9 +15,11 @@ constexpr std::uint64_t kMostNotebookBytes = std::uint64_t{1} << 20U;
 } // namespace
 
 TargetStore::TargetStore(const QString& folder)
-    : folder_(folder), worker_(
-                           this, [](const Texts& texts) { return write(texts); }, [this](const Written& written) { take(written); },
-                           [this](const QString& what) { emit failed(tr("The targets could not be kept (%1).").arg(what)); }) {}
+    : folder_(folder),
+      written_(
+          Urgency::Now, [](const Texts& texts) { return write(texts); },
+          [this](const Texts& texts, const std::shared_ptr<const std::string>& trouble) { take(texts, *trouble); },
+          [this](const QString& what) { emit failed(tr("The targets could not be kept (%1).").arg(what)); }, Older::Delivered) {}
 
 TargetStore::~TargetStore() {
     if (!waiting_.empty()) (void)write(waiting_); // written again if the worker had begun: the bytes are the same
@@ -56,24 +58,24 @@ void TargetStore::save(const inspect::Notebook& notebook, const inspect::Noteboo
     const std::string path = pathOf(scan).toStdString();
     if (path.empty() || refused_.contains(path)) return;
     waiting_[path] = inspect::notebookText(notebook, scan);
-    worker_.post(waiting_);
+    written_.ask(waiting_);
 }
 
-TargetStore::Written TargetStore::write(const Texts& texts) {
-    Written written{texts, {}};
+std::string TargetStore::write(const Texts& texts) {
+    std::string trouble;
     for (const auto& [path, text] : texts) {
         std::error_code failed;
         std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failed);
-        if (const auto done = writeWholeFile(path, text); !done) written.trouble = done.error().sentence();
+        if (const auto done = writeWholeFile(path, text); !done) trouble = done.error().sentence();
     }
-    return written;
+    return trouble;
 }
 
-void TargetStore::take(const Written& written) {
-    for (const auto& [path, text] : written.texts) {
+void TargetStore::take(const Texts& written, const std::string& trouble) {
+    for (const auto& [path, text] : written) {
         if (const auto waits = waiting_.find(path); waits != waiting_.end() && waits->second == text) waiting_.erase(waits);
     }
-    if (!written.trouble.empty()) emit failed(exactText(written.trouble));
+    if (!trouble.empty()) emit failed(exactText(trouble));
 }
 
 } // namespace edgescan::ui

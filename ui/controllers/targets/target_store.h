@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/inspect/measure/notebook.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
 
@@ -33,18 +33,14 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    using Texts = std::map<std::string, std::string>; // by path
-    struct Written {
-        Texts texts;
-        std::string trouble;
-    };
-    [[nodiscard]] static Written write(const Texts& texts);
-    void take(const Written& written);
+    using Texts = std::map<std::string, std::string>;           // by path
+    [[nodiscard]] static std::string write(const Texts& texts); // empty, or why not
+    void take(const Texts& written, const std::string& trouble);
 
     QString folder_;
-    std::set<std::string> refused_; // paths
-    Texts waiting_;                 // not written yet
-    Newest<Texts, Written> worker_; // last member: its thread is joined before the members above are destroyed
+    std::set<std::string> refused_;       // paths
+    Texts waiting_;                       // not written yet
+    Derived<Texts, std::string> written_; // last
 };
 
 } // namespace edgescan::ui

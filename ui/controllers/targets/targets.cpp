@@ -23,11 +23,13 @@ namespace edgescan::ui {
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
       store_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/targets"),
-      worker_(
-          this, [this](const Question& question) { return workOut(question); }, [this](KnownTargets known) { take(std::move(known)); },
+      worked_(
+          Urgency::Now, [this](const Question& question) { return workOut(question); },
+          [this](const Question&, const std::shared_ptr<const KnownTargets>& known) { take(*known); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
-          }) {
+          },
+          Older::Delivered) { // while a sweep grows
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::pinCleared, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
@@ -235,7 +237,7 @@ QString Targets::notebookFile() const {
 }
 
 void Targets::ask() {
-    if (engine_.picture()) worker_.post({engine_.picture(), notebook_});
+    if (engine_.picture()) worked_.ask({engine_.picture(), notebook_});
 }
 
 bool Targets::settled() const {
@@ -260,9 +262,9 @@ KnownTargets Targets::workOut(const Question& question) {
     return known;
 }
 
-void Targets::take(KnownTargets known) {
+void Targets::take(const KnownTargets& known) {
     if (!engine_.picture() || known.picture->detection->scan->beams() != engine_.picture()->detection->scan->beams()) return;
-    known_ = std::move(known);
+    known_ = known;
     // The first content of the card is stored with the target.
     bool more = false;
     for (inspect::PinnedTarget& target : notebook_.targets) {

@@ -5,7 +5,7 @@
 #include "core/inspect/session_file/viewer_state.h"
 #include "ui/base/cell_marks.h"
 #include "ui/controllers/targets/target_store.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 #include "ui/panels/targets/target_words.h"
 
@@ -103,14 +103,14 @@ private:
         std::shared_ptr<const Picture> picture;
         inspect::Notebook notebook;
     };
-    [[nodiscard]] KnownTargets workOut(const Question& question); // worker's thread
+    [[nodiscard]] KnownTargets workOut(const Question& question); // pool's thread
     void connectPanel();
     void followPin(std::optional<std::size_t> cell);
     void change(const QString& what, inspect::Notebook after);
     void use(const inspect::Notebook& notebook);
     void keep();
     void ask();
-    void take(KnownTargets known);
+    void take(const KnownTargets& known);
     void show();
     void showCard();
     void keepConfidence();
@@ -142,10 +142,10 @@ private:
     std::map<std::pair<int, std::uint32_t>, std::weak_ptr<const Picture>> pinnedOn_;
     bool using_ = false; // an undo step is running: signals of the views are ignored
 
-    // Used only by the worker's thread.
+    // Used only on the pool's threads, by one at a time.
     std::shared_ptr<const Scan> noiseScan_;
     RangeNoise noise_;
-    Newest<Question, KnownTargets> worker_; // last
+    Derived<Question, KnownTargets> worked_; // last
 };
 
 } // namespace edgescan::ui

@@ -62,7 +62,7 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
         else
             menu.addAction(tr("&Pin this cell"), this, [this, cell] { pin(cell); });
         QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
-        fly->setEnabled(shown_ && shown_->cloud->drawable(*cell));
+        fly->setEnabled(shown() && shown()->cloud->drawable(*cell));
         menu.addSeparator();
     }
     menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
@@ -96,8 +96,8 @@ void LinkedViews::setMarks(const CellMarks& marks) {
 
 /// All three views zoom to the content of the box; the box stays drawn until Esc.
 void LinkedViews::lookAtBox(const QRect& cells) {
-    if (!shown_) return;
-    const Scan& scan = *shown_->detection->scan;
+    if (!shown()) return;
+    const Scan& scan = *shown()->detection->scan;
     const QRect inside = cells.intersected(QRect(0, 0, scan.beams(), scan.lines()));
     if (inside.isEmpty()) return;
     for (ImageView* view : images_) view->setBox(inside);
@@ -107,7 +107,7 @@ void LinkedViews::lookAtBox(const QRect& cells) {
     for (int line = inside.top(); line <= inside.bottom(); ++line) {
         for (int beam = inside.left(); beam <= inside.right(); ++beam) {
             const std::size_t k = scan.rangeMm.index(line, beam);
-            edges += (*shown_->detection->mask)[k] != 0 ? 1 : 0;
+            edges += (*shown()->detection->mask)[k] != 0 ? 1 : 0;
             if (scan.state[k] != CellState::Valid) continue;
             const double range = static_cast<double>(scan.rangeMm[k]) / 1000.0;
             nearest = held.empty() ? range : std::min(nearest, range);
@@ -124,71 +124,66 @@ void LinkedViews::lookAtBox(const QRect& cells) {
 }
 
 void LinkedViews::followPicture() {
-    if (flipped_) flipTo(nullptr);
-    const std::shared_ptr<const Picture> last = std::exchange(shown_, engine_.picture());
-    const bool newScan = !last || last->detection->scan != shown_->detection->scan;
-    if (!last || last->source.stream != shown_->source.stream)
+    flipTo(nullptr);
+    const std::shared_ptr<const Picture> last = std::exchange(picture_, engine_.picture());
+    if (!last || last->source.stream != picture_->source.stream)
         showNewScan();
-    else if (newScan)
+    else if (last->detection->scan != picture_->detection->scan)
         showMoreLines(*last);
-    if (instead_ && (newScan || instead_->map->size() != shown_->edges->size())) instead_ = nullptr;
-    drawShown();
-}
-
-void LinkedViews::drawShown() {
-    showRanges();
-    setOverlay(overlay_);
-    showEdgeMap();
-    showEdgesOfCloud();
+    draw();
     hover(hovered_, nullptr);
 }
 
-void LinkedViews::showEdgesOfCloud() {
-    const EdgesInstead* instead = insteadNow();
-    const EdgeColours& colours = instead != nullptr ? instead->colours : colours_;
-    if (cloud_.edgeColours() != colours) cloud_.setEdgeColours(colours);
-    if (cloud_.edgesByClass() != (instead != nullptr || byClass_)) cloud_.setEdgesByClass(!cloud_.edgesByClass());
-    if (shown_) cloud_.setEdges(instead != nullptr ? instead->cells : shown_->edgeCells);
-    if (instead != nullptr && instead->points) cloud_.setFaces(instead->points, CloudView::EdgesOver::Always);
+void LinkedViews::put(Overlay overlay) {
+    const auto n = static_cast<std::size_t>(overlay.name);
+    overlays_[n] = std::move(overlay);
+    draw();
 }
 
-void LinkedViews::setEdgesInstead(std::shared_ptr<const EdgesInstead> instead) {
-    if (instead && (!shown_ || instead->map->size() != shown_->edges->size())) return;
-    const bool facesWere = instead_ && instead_->points && cloud_.faces() == instead_->points;
-    instead_ = std::move(instead);
-    if (facesWere && !(instead_ && instead_->points)) cloud_.setFaces(nullptr);
-    if (!shown_ || flipped_) return;
-    setOverlay(overlay_);
-    showEdgeMap();
-    showEdgesOfCloud();
+void LinkedViews::remove(OverlayName name) {
+    auto& overlay = overlays_[static_cast<std::size_t>(name)];
+    if (!overlay) return;
+    overlay.reset();
+    draw();
+}
+
+void LinkedViews::draw() {
+    if (picture_ && cloud_.scan() != shown()->detection->scan) return; // it is drawn when the cloud has its points
+    scene_ = sceneOf(state_, picture_, overlays_, scene_);
+    if (scene_.picture) applyScene();
+    emit picturesChanged();
+}
+
+void LinkedViews::applyScene() {
+    gray().setImage(scene_.gray);
+    gray().setOverlay(scene_.overGray, 1.0);
+    edges().setImage(scene_.edgeMap, Shrink::KeepBrightest);
+    for (ImageView* view : images_) {
+        view->setFaces(scene_.faces, scene_.facesFaded);
+        view->setTitle(scene_.caption);
+    }
+    if (cloud_.edgeColours() != scene_.colours) cloud_.setEdgeColours(scene_.colours);
+    if (cloud_.edgesByClass() != scene_.byClass) cloud_.setEdgesByClass(scene_.byClass);
+    cloud_.setEdges(scene_.cells);
+    cloud_.setFaces(scene_.points, scene_.edgesOverPoints ? CloudView::EdgesOver::Always : CloudView::EdgesOver::AsAsked);
+    cloud_.setCaption(scene_.caption);
 }
 
 void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
-    if (!shown_ || flipped_ == other) return;
-    if (!flipped_) own_ = shown_;
-    flipped_ = std::move(other);
-    shown_ = flipped_ ? flipped_ : std::exchange(own_, nullptr);
+    if (!picture_ || state_.flippedTo == other) return;
+    state_.flippedTo = std::move(other);
     // The cloud drops all overlays of the previous cloud; overlays of cells are valid for both clouds.
     const auto selection = cloud_.selection();
     const auto hidden = cloud_.hidden();
-    if (cloud_.scan() != shown_->detection->scan) {
-        cloud_.setCloud(shown_->detection->scan, shown_->cloud, CloudView::Camera::Keep);
+    const auto outline = cloud_.outline();
+    if (cloud_.scan() != shown()->detection->scan) {
+        cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
         if (hidden) cloud_.setHidden(hidden);
         cloud_.setSelection(selection);
-    } else if (flipped_) {
-        cloud_.setFaces(nullptr);
+        cloud_.setOutline(outline);
     }
-    drawShown();
-}
-
-void LinkedViews::showEdgeMap() {
-    if (!shown_) return;
-    const bool coloured = byClass_ && shown_->detection->classes;
-    if (insteadNow() != nullptr)
-        edges().setImage(instead_->map, Shrink::KeepBrightest);
-    else
-        edges().setImage(coloured ? std::make_shared<const QImage>(classPicture(*shown_, colours_)) : shown_->edges, Shrink::KeepBrightest);
-    emit picturesChanged();
+    draw();
+    hover(hovered_, nullptr);
 }
 
 void LinkedViews::showNewScan() {
@@ -198,11 +193,11 @@ void LinkedViews::showNewScan() {
     if (!windowKept_) setRangeWindow(std::nullopt);
     applyAspect();
     ViewPort& viewPort = *gray().viewPort();
-    if (viewPort.imageSize() != shown_->gray->size()) {
-        viewPort.setImageSize(shown_->gray->size());
+    if (viewPort.imageSize() != shown()->gray->size()) {
+        viewPort.setImageSize(shown()->gray->size());
         viewPort.fit();
     }
-    cloud_.setCloud(shown_->detection->scan, shown_->cloud);
+    cloud_.setCloud(shown()->detection->scan, shown()->cloud);
     noteFit();
     for (ImageView* view : images_) {
         view->setNote(QString());
@@ -214,44 +209,44 @@ void LinkedViews::showNewScan() {
 /// More lines of the same scan: the views stay where they are. A camera that the operator did not move is fitted again when the cloud has
 /// doubled.
 void LinkedViews::showMoreLines(const Picture& last) {
-    const Scan& scan = *shown_->detection->scan;
+    const Scan& scan = *shown()->detection->scan;
     const auto gone = [&](const std::optional<std::size_t>& cell) {
         return cell && (*cell >= scan.cells() || scan.beams() != last.detection->scan->beams());
     };
     if (gone(hovered_)) hovered_.reset();
     if (gone(pinned_)) pin(std::nullopt);
     const bool untouched = cloud_.camera() == fittedCamera_;
-    const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown_->source.growth.growing;
-    cloud_.setCloud(shown_->detection->scan, shown_->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
+    const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown()->source.growth.growing;
+    cloud_.setCloud(shown()->detection->scan, shown()->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
     if (doubled && untouched) noteFit();
 }
 
 void LinkedViews::noteFit() {
     fittedCamera_ = cloud_.camera();
-    fittedLines_ = shown_->detection->scan->lines();
+    fittedLines_ = shown()->detection->scan->lines();
 }
 
 std::optional<std::size_t> LinkedViews::cellAt(int line, int beam) const {
-    if (!shown_ || line >= shown_->detection->scan->lines()) return std::nullopt;
-    return shown_->detection->scan->rangeMm.index(line, beam);
+    if (!shown() || line >= shown()->detection->scan->lines()) return std::nullopt;
+    return shown()->detection->scan->rangeMm.index(line, beam);
 }
 
 QPoint LinkedViews::placeOf(std::size_t cell) const {
-    const auto beams = static_cast<std::size_t>(shown_->detection->scan->beams());
+    const auto beams = static_cast<std::size_t>(shown()->detection->scan->beams());
     return {static_cast<int>(cell % beams), static_cast<int>(cell / beams)};
 }
 
 void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
-    if (!shown_) return;
+    if (!shown()) return;
     hovered_ = cell;
     const auto mark = marked();
     for (ImageView* view : images_) view->setMarkedCell(mark && (pinned_ || view != from) ? std::optional(placeOf(*mark)) : std::nullopt);
     cloud_.setMarkedCell(mark ? std::optional(static_cast<std::uint32_t>(*mark)) : std::nullopt);
-    emit probed(mark ? std::optional(edges::probeCell(*shown_->detection, *mark)) : std::nullopt);
+    emit probed(mark ? std::optional(edges::probeCell(*shown()->detection, *mark)) : std::nullopt);
 }
 
 void LinkedViews::pin(std::optional<std::size_t> cell) {
-    if (cell && (!shown_ || *cell >= shown_->detection->scan->cells())) return; // a cell of a closed scan
+    if (cell && (!shown() || *cell >= shown()->detection->scan->cells())) return; // a cell of a closed scan
     const bool another = std::exchange(pinned_, cell) != cell;
     for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
     hover(hovered_, nullptr);
@@ -290,28 +285,19 @@ void LinkedViews::setStale(const QString& why) {
     cloud_.setStale(why);
 }
 
-void LinkedViews::setOverlay(bool on) {
-    overlay_ = on;
-    if (shown_ && insteadNow() != nullptr) return gray().setOverlay(on || !instead_->overlayAsAsked ? instead_->overlay : nullptr, 1.0);
-    if (!on || !shown_) return gray().setOverlay(nullptr, 1.0);
-    const bool asMade = !byClass_ && colours_ == kUsualColours;
-    gray().setOverlay(asMade ? shown_->overlay
-                             : std::make_shared<const QImage>(edgeOverlay(*shown_->detection, colours_, byClass_, shown_->gray->height())),
-                      1.0);
+void LinkedViews::setEdgesOverImage(bool on) {
+    state_.edgesOverImage = on;
+    draw();
 }
 
 void LinkedViews::setEdgesByClass(bool on) {
-    byClass_ = on;
-    showEdgesOfCloud();
-    showEdgeMap();
-    setOverlay(overlay_);
+    state_.byClass = on;
+    draw();
 }
 
 void LinkedViews::setEdgeColours(const EdgeColours& colours) {
-    colours_ = colours;
-    showEdgesOfCloud();
-    showEdgeMap();
-    setOverlay(overlay_);
+    state_.colours = colours;
+    draw();
     emit edgeColoursChanged();
 }
 
@@ -336,8 +322,8 @@ void LinkedViews::zoomBy(double factor) {
 /// As in medical viewers: a drag to the right widens the window, a drag downwards darkens the picture. One pixel is one gray level of the
 /// method's scale.
 void LinkedViews::changeRangeWindow(int window, int level) {
-    if (!shown_) return;
-    const edges::GrayScale& scale = shown_->detection->gray->scale;
+    if (!shown()) return;
+    const edges::GrayScale& scale = shown()->detection->gray->scale;
     const double perPixel = std::max(1e-3, (scale.farMm - scale.nearMm) / 1000.0 / 255.0);
     const RangeSpan now = rangesShown();
     const double centre = std::max(0.0, (now.nearM + now.farM) / 2 + level * perPixel);
@@ -346,27 +332,20 @@ void LinkedViews::changeRangeWindow(int window, int level) {
 }
 
 void LinkedViews::setRangeWindow(const std::optional<RangeSpan>& window) {
-    if (window_ == window) return;
-    window_ = window;
-    showRanges();
+    if (state_.window == window) return;
+    state_.window = window;
+    draw();
     emit rangeWindowChanged();
 }
 
 RangeSpan LinkedViews::rangesShown() const {
-    if (window_ || !shown_) return window_.value_or(RangeSpan{});
-    const edges::GrayScale& scale = shown_->detection->gray->scale;
+    if (state_.window || !shown()) return state_.window.value_or(RangeSpan{});
+    const edges::GrayScale& scale = shown()->detection->gray->scale;
     return {scale.nearMm / 1000.0, std::max(scale.farMm, scale.nearMm + 1.0) / 1000.0};
 }
 
-void LinkedViews::showRanges() {
-    if (!shown_) return;
-    gray().setImage(window_ ? std::make_shared<const QImage>(grayPicture(*shown_->detection, window_, shown_->gray->height()))
-                            : shown_->gray);
-    emit picturesChanged();
-}
-
 void LinkedViews::applyAspect() {
-    const auto* polar = shown_ ? std::get_if<PolarGeometry>(&shown_->detection->scan->geometry) : nullptr;
+    const auto* polar = shown() ? std::get_if<PolarGeometry>(&shown()->detection->scan->geometry) : nullptr;
     if (!trueAngles_ || polar == nullptr || polar->beamDeg.size() < 2 || polar->lineDeg.size() < 2) {
         gray().viewPort()->setSquarePixels();
         return;

@@ -3,6 +3,7 @@
 
 #include "core/edges/explain/probe.h"
 #include "ui/base/gestures.h"
+#include "ui/engine/linked_views/scene.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/camera_motion.h"
 
@@ -24,16 +25,6 @@ struct CellMarks;
 /// The meaning of a click or a drag over a view.
 enum class Tool { Pin, Measure, Box, Lasso };
 
-/// Drawn instead of the picture's edges, on the picture's grid.
-struct EdgesInstead {
-    EdgeCells cells; ///< by class, in these colours
-    EdgeColours colours;
-    std::shared_ptr<const QImage> map, overlay;               ///< of the edge map, and over the range image
-    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< colours of the points of the cloud; null: unchanged
-    bool overlayAsAsked = false;                              ///< over the range image only if edges are shown there
-    QString words{};                                          ///< the meaning of the colours, appended to the title of the edge map
-};
-
 /// GUI thread only. Engine and views must outlive it.
 class LinkedViews : public QObject {
     Q_OBJECT
@@ -43,7 +34,7 @@ public:
     /// A new picture is on the screen.
     void followPicture();
     /// The picture in all views; null before the first picture.
-    [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return shown_; }
+    [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return state_.flippedTo ? state_.flippedTo : picture_; }
     [[nodiscard]] ImageView& gray() { return *images_[0]; }
     [[nodiscard]] ImageView& edges() { return *images_[1]; }
     [[nodiscard]] CloudView& cloud() { return cloud_; }
@@ -70,18 +61,20 @@ public:
 
     void setNote(const QString& note);
     void setStale(const QString& why);
-    void setOverlay(bool on);
+    void setEdgesOverImage(bool on);
     void setEdgesByClass(bool on);
-    [[nodiscard]] bool edgesByClass() const { return byClass_; }
-    /// Valid until null is set, or the picture has another size.
-    void setEdgesInstead(std::shared_ptr<const EdgesInstead> instead);
-    [[nodiscard]] const std::shared_ptr<const EdgesInstead>& edgesInstead() const { return instead_; }
+    [[nodiscard]] bool edgesByClass() const { return state_.byClass; }
+    /// Replaces the overlay of this name.
+    void put(Overlay overlay);
+    void remove(OverlayName name);
+    /// What the views show.
+    [[nodiscard]] const Scene& scene() const { return scene_; }
     /// Shows another picture with the same number of lines and beams in all views, which keep their place. Null, or a new picture of the
     /// engine, ends it.
     void flipTo(std::shared_ptr<const Picture> other);
-    [[nodiscard]] bool flipped() const { return flipped_ != nullptr; }
+    [[nodiscard]] bool flipped() const { return state_.flippedTo != nullptr; }
     void setEdgeColours(const EdgeColours& colours);
-    [[nodiscard]] const EdgeColours& edgeColours() const { return colours_; }
+    [[nodiscard]] const EdgeColours& edgeColours() const { return state_.colours; }
     /// Width and height of a pixel follow the angles between beams and lines; off: square pixels.
     void setTrueAngles(bool on);
     void resetView();
@@ -90,7 +83,7 @@ public:
     /// The ranges drawn from black to white in the range image; empty: scaled by the method. Valid until another scan is opened, unless it
     /// is locked.
     void setRangeWindow(const std::optional<RangeSpan>& window);
-    [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const { return window_; }
+    [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const { return state_.window; }
     void keepRangeWindow(bool on) { windowKept_ = on; }
     /// The ranges shown at present, whether chosen by the operator or automatic.
     [[nodiscard]] RangeSpan rangesShown() const;
@@ -125,34 +118,28 @@ private:
     void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
     void click(std::size_t cell);
     void lookAtBox(const QRect& cells);
-    void showEdgeMap();
-    void showEdgesOfCloud();
-    void drawShown();
-    [[nodiscard]] const EdgesInstead* insteadNow() const { return flipped_ ? nullptr : instead_.get(); }
+    void draw();
+    void applyScene();
     void showNewScan();
     void showMoreLines(const Picture& last);
     void noteFit();
     void hover(std::optional<std::size_t> cell, const QObject* from);
     void changeRangeWindow(int window, int level);
-    void showRanges();
     void applyAspect();
 
     const Engine& engine_;
     std::array<ImageView*, 2> images_; // gray, edges
     CloudView& cloud_;
-    std::shared_ptr<const Picture> shown_;
+    std::shared_ptr<const Picture> picture_; // of the engine
+    SceneState state_;
+    Overlays overlays_;
+    Scene scene_;
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved the camera, and a growing cloud may be fitted again
     int fittedLines_ = 0;
-    std::optional<RangeSpan> window_;
     bool windowKept_ = false;
-    bool overlay_ = false;
-    bool byClass_ = false;
-    EdgeColours colours_ = kUsualColours;
-    std::shared_ptr<const EdgesInstead> instead_;
-    std::shared_ptr<const Picture> flipped_, own_; // the picture shown during a flip, and the picture that returns after it
     bool trueAngles_ = false;
     bool byClick_ = false; // the current pin comes from a click
 };

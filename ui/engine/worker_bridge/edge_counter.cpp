@@ -8,33 +8,30 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kQuietMs = 250; // while the operator drags a slider, the worker has the cores to itself
+constexpr std::chrono::milliseconds kQuiet{250}; // the processors are for the picture while a slider moves
 
 } // namespace
 
 EdgeCounter::EdgeCounter(QObject* parent)
     : QObject(parent),
-      worker_(
-          this,
+      curve_(
+          Urgency::Now,
           [](const std::shared_ptr<const edges::Detection>& detection) {
-              const std::vector<double> thresholds = edges::sliderValues(edges::sweptParameter(detection->settings.method));
-              return Counted{detection, edges::edgeCountCurve(edges::thresholdMapOf(*detection), thresholds)};
+              return edges::edgeCountCurve(edges::thresholdMapOf(*detection),
+                                           edges::sliderValues(edges::sweptParameter(detection->settings.method)));
           },
-          [this](const Counted& counted) {
-              if (counted.detection != asked_) return; // the newest answer follows
-              emit this->counted(QString::fromUtf8(edges::sweptParameter(asked_->settings.method).key), counted.curve);
+          [this](const std::shared_ptr<const edges::Detection>& detection, const std::shared_ptr<const edges::EdgeCountCurve>& curve) {
+              emit counted(QString::fromUtf8(edges::sweptParameter(detection->settings.method).key), *curve);
           },
-          [](const QString&) {}) {
-    quiet_.setSingleShot(true);
-    quiet_.setInterval(kQuietMs);
-    connect(&quiet_, &QTimer::timeout, this, [this] { worker_.post(asked_); });
-}
+          [](const QString&) {}) {}
 
 void EdgeCounter::want(const std::shared_ptr<const edges::Detection>& detection) {
-    if (asked_ && asked_->scan == detection->scan && edges::sameUpTo(edges::Stage::Edges, asked_->settings, detection->settings)) return;
-    asked_ = detection;
+    const auto* asked = curve_.asked();
+    if (asked != nullptr && (*asked)->scan == detection->scan &&
+        edges::sameUpTo(edges::Stage::Edges, (*asked)->settings, detection->settings))
+        return;
+    curve_.ask(detection, kQuiet);
     emit outdated();
-    quiet_.start();
 }
 
 } // namespace edgescan::ui

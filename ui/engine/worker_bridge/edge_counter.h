@@ -3,16 +3,15 @@
 
 #include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <memory>
 
 namespace edgescan::ui {
 
-/// GUI thread only; the count runs on its own thread, and only the newest detection is counted.
+/// GUI thread only; the count runs off the GUI thread, and only the newest detection is counted.
 class EdgeCounter : public QObject {
     Q_OBJECT
 public:
@@ -29,14 +28,7 @@ signals:
     void counted(const QString& parameter, const edgescan::edges::EdgeCountCurve& curve);
 
 private:
-    struct Counted {
-        std::shared_ptr<const edges::Detection> detection;
-        edges::EdgeCountCurve curve;
-    };
-
-    std::shared_ptr<const edges::Detection> asked_; // counted, being counted, or waiting for a pause
-    QTimer quiet_;
-    Newest<std::shared_ptr<const edges::Detection>, Counted> worker_;
+    Derived<std::shared_ptr<const edges::Detection>, edges::EdgeCountCurve> curve_;
 };
 
 } // namespace edgescan::ui

@@ -33,18 +33,19 @@ constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 
 Engine::Engine(QObject* parent)
     : QObject(parent),
-      worker_(
-          this, [this](const Asked& asked) { return run(asked); },
-          [this](std::shared_ptr<const Picture> newest) { takePicture(std::move(newest)); },
-          // The previous picture stays on the screen; OpenCV reports a lack of memory in its own words.
+      // While a slider moves, older pictures are shown as well; the picture before stays when it fails, and OpenCV reports a lack of memory
+      // in its own words.
+      pictures_(
+          Urgency::Now, [this](const Asked& asked) { return run(asked); },
+          [this](const Asked&, const std::shared_ptr<const Picture>& newest) { takePicture(newest); },
           [this](const QString& what) {
               emit failed(tr("the edges could not be computed (%1); close other programs or open a smaller scan.").arg(what));
-          }),
+          },
+          Older::Delivered),
       opener_(
-          this, [this](const Opening& opening) { return read(opening); }, [this](const Opened& opened) { takeOpened(opened); },
+          Urgency::Soon, [this](const Opening& opening, const Asker& asker) { return read(opening, asker); },
+          [this](const Opening& opening, const std::shared_ptr<const Opened>& opened) { takeOpened(opening.path, *opened); },
           [](const QString&) {}) {}
-
-Engine::~Engine() { cancel(); }
 
 void Engine::open(const QString& path, const ReadingOptions& options) {
     const std::string file = path.toStdString();
@@ -63,7 +64,11 @@ void Engine::openDemo(bool afterBlast) {
                  [afterBlast](const Progress& progress) { return demoScan(progress, afterBlast); });
 }
 
-void Engine::cancel() { wantedOpening_ = 0; }
+void Engine::cancel() {
+    if (!opening()) return;
+    opener_.giveUp();
+    endWork();
+}
 
 std::uint64_t Engine::newStream() {
     static std::atomic<std::uint64_t> last{0};
@@ -78,13 +83,13 @@ void Engine::follow(const std::shared_ptr<const Scan>& scan, const PictureSource
 void Engine::post(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
     asked_.scan = scan;
     asked_.source = source;
-    worker_.post(asked_);
+    pictures_.ask(asked_);
 }
 
 void Engine::setSettings(const edges::Settings& settings) {
     if (settings == asked_.settings) return;
     asked_.settings = settings;
-    if (asked_.scan) worker_.post(asked_);
+    if (asked_.scan) pictures_.ask(asked_);
     emit settingsChanged();
 }
 
@@ -130,56 +135,41 @@ void Engine::endWork() {
 }
 
 void Engine::startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read) {
-    wantedOpening_ = ++openings_;
-    opening_ = true;
     emit workStarted(title);
-    opener_.post({openings_, path, std::move(read)});
+    opener_.ask({path, std::move(read)});
 }
 
-Engine::Opened Engine::read(const Opening& opening) {
-    const auto wanted = [this, &opening] { return wantedOpening_ == opening.number; };
-    const Error givenUp{"cancelled", opening.path.toStdString(), ""};
-    if (!wanted()) return {opening.number, opening.path, givenUp, nullptr};
+Engine::Opened Engine::read(const Opening& opening, const Asker& asker) {
     std::string lastStage;
-    std::chrono::steady_clock::time_point lastTold;
+    std::chrono::steady_clock::time_point lastShown;
     const Progress progress = [&](const char* stage, double fraction) {
         const auto now = std::chrono::steady_clock::now();
-        if (stage != lastStage || now - lastTold >= kBetweenProgress) {
-            lastStage = stage;
-            lastTold = now;
-            const auto tell = [this, number = opening.number, stage = QString::fromUtf8(stage), fraction] {
-                if (number == wantedOpening_) emit workProgressed(stage, fraction);
-            };
-            QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-        }
-        return wanted();
+        if (stage == lastStage && now - lastShown < kBetweenProgress) return asker.waits();
+        lastStage = stage;
+        lastShown = now;
+        return asker.show([this, stage = QString::fromUtf8(stage), fraction] { emit workProgressed(stage, fraction); });
     };
     const BindInputs inputs;
     try {
         Result<Scan> scan = opening.read(progress);
-        if (!scan) return {opening.number, opening.path, scan.error(), nullptr};
-        return {opening.number, opening.path, std::make_shared<const Scan>(std::move(*scan)), inputs.claims()};
+        if (!scan) return {scan.error(), nullptr};
+        return {std::make_shared<const Scan>(std::move(*scan)), inputs.claims()};
     } catch (const std::bad_alloc&) {
-        return {opening.number, opening.path, outOfMemory(opening.path), nullptr};
+        return {outOfMemory(opening.path), nullptr};
     } catch (const std::exception& failure) {
-        return {opening.number, opening.path,
-                Error{"it could not be opened (" + std::string(failure.what()) + ")", opening.path.toStdString(),
+        return {Error{"it could not be opened (" + std::string(failure.what()) + ")", opening.path.toStdString(),
                       "close other programs or use a smaller scan"},
                 nullptr};
     }
 }
 
-void Engine::takeOpened(const Opened& opened) {
-    if (opened.number != openings_) return; // the newest one follows
-    opening_ = false;
-    if (opened.number == wantedOpening_) {
-        if (opened.scan) {
-            inputs_ = opened.inputs;
-            post(*opened.scan, {newStream(), {}});
-            emit this->opened(opened.path);
-        } else {
-            emit failed(shownText(opened.scan.error().sentence()));
-        }
+void Engine::takeOpened(const QString& path, const Opened& opened) {
+    if (opened.scan) {
+        inputs_ = opened.inputs;
+        post(*opened.scan, {newStream(), {}});
+        emit this->opened(path);
+    } else {
+        emit failed(shownText(opened.scan.error().sentence()));
     }
     endWork();
 }
@@ -209,11 +199,11 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
     }
 }
 
-void Engine::takePicture(std::shared_ptr<const Picture> newest) {
-    std::shared_ptr<const Picture> last = std::exchange(picture_, std::move(newest));
+void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
+    std::shared_ptr<const Picture> last = std::exchange(picture_, newest);
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
-    // The picture is no longer shown. The worker's thread frees it, because freeing so much memory after every line takes time.
+    // The picture is no longer shown. The pool's thread frees it, because freeing so much memory after every line takes time.
     if (!last || !last->source.growth.growing) return;
     const std::lock_guard lock(retiredMutex_);
     retired_.push_back(std::move(last));

@@ -8,13 +8,12 @@
 #include "core/edges/settings/settings.h"
 #include "core/exports/provenance/provenance.h"
 #include "core/files/open_save/open_scan.h"
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 
 #include <QObject>
 #include <QString>
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -27,17 +26,16 @@ class Engine : public QObject {
     Q_OBJECT
 public:
     explicit Engine(QObject* parent = nullptr);
-    ~Engine() override;
 
-    /// Reads the file on its own thread; cancels an opening that is still running (only the newest is kept).
+    /// Reads the file off the GUI thread; cancels an opening that is still running (only the newest is kept).
     void open(const QString& path, const ReadingOptions& options = {});
     /// Opens the demo draw-bell: simulated once, then stored in the cache folder.
     void openDemo(bool afterBlast = false);
     /// Cancels a running opening. A running save continues: it is short, and its result must be reported.
     void cancel();
-    [[nodiscard]] bool opening() const { return opening_; }
+    [[nodiscard]] bool opening() const { return opener_.behind(); }
     [[nodiscard]] bool saving() const { return savings_ > 0; }
-    [[nodiscard]] bool working() const { return opening_ || savings_ > 0; }
+    [[nodiscard]] bool working() const { return opening() || savings_ > 0; }
 
     /// Shows a growing scan of a scanner or a played recording; only the newest state is processed. A new stream resets the views; further
     /// scans of the same stream keep them. Cancels a running opening.
@@ -73,19 +71,16 @@ signals:
 private:
     using Progress = std::function<bool(const char* stage, double fraction)>;
     struct Opening {
-        std::uint64_t number = 0;
         QString path; // empty: the demo
         std::function<Result<Scan>(const Progress&)> read;
     };
     struct Opened {
-        std::uint64_t number = 0;
-        QString path;
         Result<std::shared_ptr<const Scan>> scan;
         std::shared_ptr<const InputClaims> inputs; // files that must not be overwritten while the scan is shown
     };
     void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
-    [[nodiscard]] Opened read(const Opening& opening); // opener's thread
-    void takeOpened(const Opened& opened);
+    [[nodiscard]] Opened read(const Opening& opening, const Asker& asker); // pool's thread
+    void takeOpened(const QString& path, const Opened& opened);
     void endWork();
     void post(const std::shared_ptr<const Scan>& scan, const PictureSource& source);
     /// The inputs of a picture.
@@ -94,20 +89,17 @@ private:
         edges::Settings settings;
         PictureSource source;
     };
-    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // worker's thread
-    void takePicture(std::shared_ptr<const Picture> newest);
+    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // pool's thread
+    void takePicture(const std::shared_ptr<const Picture>& newest);
 
     Asked asked_; // no scan: nothing was posted yet
     std::shared_ptr<const Picture> picture_;
-    bool opening_ = false; // until the last opening ended, cancelled or not
     int savings_ = 0;
-    std::shared_ptr<const InputClaims> inputs_;   // of the last opened scan
-    std::uint64_t openings_ = 0;                  // number of the newest opening
-    std::atomic<std::uint64_t> wantedOpening_{0}; // number of the opening whose result is awaited; 0: none
+    std::shared_ptr<const InputClaims> inputs_; // of the last opened scan
     std::mutex retiredMutex_;
-    std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the worker's thread
+    std::vector<std::shared_ptr<const Picture>> retired_; // pictures to be freed by the pool's thread
 
-    // Worker's thread only.
+    // Used only by run().
     edges::Pipeline pipeline_;
     edges::SteadyWindow window_;
     std::shared_ptr<const CloudGeometry> cloud_;
@@ -115,8 +107,8 @@ private:
     PictureSource lastSource_;              // of the last run
     std::shared_ptr<const Picture> lastMade_;
 
-    Newest<Asked, std::shared_ptr<const Picture>> worker_; // last members: their threads use all members above
-    Newest<Opening, Opened> opener_;
+    Derived<Asked, Picture> pictures_; // last, with the opener: they use all of the above
+    Derived<Opening, Opened> opener_;
 };
 
 } // namespace edgescan::ui

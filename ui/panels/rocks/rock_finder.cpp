@@ -1,27 +1,17 @@
-// Finds the rocks of a detection on its own thread.
+// Finds the rocks of a detection off the GUI thread.
 #include "ui/panels/rocks/rock_finder.h"
 
 namespace edgescan::ui {
 
 RockFinder::RockFinder(QObject* parent)
-    : QObject(parent), worker_(
-                           this, [this](const Asked& asked) { return run(asked); },
-                           [this](const Answer& answer) {
-                               behind_ = answer.number != asked_;
-                               emit found(answer.picture);
-                           },
-                           [this](const QString& what) {
-                               behind_ = false;
-                               emit failed(what);
-                           }) {}
+    : QObject(parent), rocks_(
+                           Urgency::Soon, [this](const RockQuestion& question) { return run(question); },
+                           [this](const RockQuestion&, const std::shared_ptr<const RockPicture>& picture) { emit found(picture); },
+                           [this](const QString& what) { emit failed(what); }, Older::Delivered) {}
 
-void RockFinder::ask(const RockQuestion& question) {
-    behind_ = true;
-    worker_.post({++asked_, question});
-}
+void RockFinder::ask(const RockQuestion& question) { rocks_.ask(question); }
 
-RockFinder::Answer RockFinder::run(const Asked& asked) {
-    const RockQuestion& question = asked.question;
+std::shared_ptr<const RockPicture> RockFinder::run(const RockQuestion& question) {
     try {
         if (detection_ != question.detection) {
             detection_ = nullptr;
@@ -35,7 +25,7 @@ RockFinder::Answer RockFinder::run(const Asked& asked) {
         last_ = nullptr;
         throw;
     }
-    return {asked.number, last_};
+    return last_;
 }
 
 } // namespace edgescan::ui

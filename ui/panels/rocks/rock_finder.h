@@ -1,7 +1,7 @@
-// Finds the rocks of a detection on its own thread.
+// Finds the rocks of a detection off the GUI thread.
 #pragma once
 
-#include "ui/engine/worker_bridge/newest.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/rocks/rock_picture.h"
 
 #include <QObject>
@@ -24,33 +24,22 @@ public:
     explicit RockFinder(QObject* parent = nullptr);
 
     void ask(const RockQuestion& question);
-    /// True while the newest question has no answer.
-    [[nodiscard]] bool behind() const { return behind_; }
+    /// What was asked last is not answered yet.
+    [[nodiscard]] bool behind() const { return rocks_.behind(); }
 
 signals:
     void found(const std::shared_ptr<const edgescan::ui::RockPicture>& picture);
     void failed(const QString& what);
 
 private:
-    struct Asked {
-        std::uint64_t number = 0;
-        RockQuestion question;
-    };
-    struct Answer {
-        std::uint64_t number = 0;
-        std::shared_ptr<const RockPicture> picture;
-    };
-    [[nodiscard]] Answer run(const Asked& asked); // worker's thread
+    [[nodiscard]] std::shared_ptr<const RockPicture> run(const RockQuestion& question); // pool's thread
 
-    std::uint64_t asked_ = 0;
-    bool behind_ = false;
-
-    // Used only by the worker's thread.
+    // Used only on the pool's threads, by one at a time.
     std::shared_ptr<const edges::Detection> detection_; // the detection of inputs_
     rocks::Inputs inputs_;
     std::shared_ptr<const RockPicture> last_;
 
-    Newest<Asked, Answer> worker_; // last member: its thread uses the members above
+    Derived<RockQuestion, RockPicture> rocks_; // last
 };
 
 } // namespace edgescan::ui

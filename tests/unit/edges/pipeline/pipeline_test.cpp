@@ -1,5 +1,5 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
-#include "core/base/worker.h"
+#include "core/base/work_pool.h"
 #include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -7,6 +7,7 @@
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "tests/support/scans.h"
+#include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
 
@@ -200,66 +201,23 @@ TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
     EXPECT_TRUE(sliders.jumps && sliders.convex && sliders.concave);
 }
 
-using EdgeWorker = Worker<Settings, std::shared_ptr<const Detection>>;
-
-void waitFor(const EdgeWorker& worker) {
-    while (worker.busy()) std::this_thread::yield();
-}
-
-TEST(Worker, ManyPostingsEndWithTheLastOne) {
-    std::atomic<int> ready{0};
+TEST(Pipeline, OnALaneManySettingsEndWithTheLast) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(200, 300, 2));
-    Pipeline pipeline;
-    EdgeWorker worker([&](const Settings& settings) { return pipeline.run(scan, settings); }, [&] { ++ready; });
+    std::shared_ptr<const Detection> detection;
+    std::atomic<bool> done{false};
     Settings settings = cannySettings();
+    WorkPool pool;
+    Pipeline pipeline;
+    Lane lane(pool, Urgency::Now);
     for (int i = 0; i < 200; ++i) {
         settings.lower = 5 + i;
-        worker.post(settings);
+        lane.post([&, settings] {
+            detection = pipeline.run(scan, settings);
+            done = settings.lower == 204;
+        });
     }
-    waitFor(worker);
-    const auto detection = worker.take();
-    ASSERT_TRUE(detection);
-    EXPECT_EQ((*detection)->settings.lower, 204);
-    EXPECT_EQ(*(*detection)->mask, *detectEdges(scan, settings)->mask);
-    EXPECT_FALSE(worker.take());
-    EXPECT_EQ(worker.takeFailure(), "");
-    while (ready.load() == 0) std::this_thread::yield(); // told after the result is there
-    EXPECT_LE(ready.load(), 201);
-}
-
-TEST(Worker, AFailureIsToldOnceAndTheNextRunWorks) {
-    const auto scan = std::make_shared<const Scan>(test::boxesScan(20, 20, 2));
-    Pipeline pipeline;
-    EdgeWorker worker(
-        [&](const Settings& settings) {
-            if (settings.lower == 1) throw std::runtime_error("no memory");
-            return pipeline.run(scan, settings);
-        },
-        [] {});
-    Settings settings = cannySettings();
-    settings.lower = 1;
-    worker.post(settings);
-    waitFor(worker);
-    EXPECT_FALSE(worker.take());
-    EXPECT_EQ(worker.takeFailure(), "no memory");
-    EXPECT_EQ(worker.takeFailure(), "");
-    settings.lower = 33;
-    worker.post(settings);
-    waitFor(worker);
-    EXPECT_EQ((*worker.take())->settings.lower, 33);
-}
-
-TEST(Worker, StoppingNeverHangs) {
-    const auto scan = std::make_shared<const Scan>(test::boxesScan(20, 20, 2));
-    for (int round = 0; round < 50; ++round) {
-        Pipeline pipeline;
-        EdgeWorker worker([&](const Settings& settings) { return pipeline.run(scan, settings); }, [] {});
-        EXPECT_FALSE(worker.busy());
-        worker.post(Settings{});
-        if (round % 2 == 0) continue; // destroyed with work under way
-        waitFor(worker);
-        EXPECT_TRUE(worker.take());
-    }
+    ASSERT_TRUE(test::waitUntil([&] { return done.load(); }));
+    EXPECT_EQ(*detection->mask, *detectEdges(scan, settings)->mask);
 }
 
 } // namespace

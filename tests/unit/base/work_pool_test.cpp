@@ -1,0 +1,112 @@
+// Lanes of a pool: one at a time, the newest wins, urgent work passes slow work, and nothing runs on when a lane is gone.
+#include "core/base/work_pool.h"
+#include "tests/support/wait_until.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+/// Work that begins, and ends when it may: at the end of the test at the latest.
+class Held {
+public:
+    Held(WorkPool& pool, Urgency urgency) : lane_(pool, urgency) {
+        lane_.post([this] {
+            began = true;
+            while (!mayEnd) std::this_thread::yield();
+        });
+    }
+    ~Held() { mayEnd = true; }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+
+    std::atomic<bool> began{false}, mayEnd{false};
+    [[nodiscard]] Lane& lane() { return lane_; }
+
+private:
+    Lane lane_;
+};
+
+} // namespace
+
+TEST(WorkPool, TheNewestOfManyPostsIsDone) {
+    WorkPool pool;
+    std::atomic<int> last{0};
+    Lane lane(pool, Urgency::Now);
+    std::vector<std::thread> posters;
+    for (int p = 0; p < 4; ++p) {
+        posters.emplace_back([&, p] {
+            for (int n = 0; n < 2000; ++n) lane.post([&last, value = 4 * n + p] { last = value; });
+        });
+    }
+    for (std::thread& poster : posters) poster.join();
+    lane.post([&] { last = -1; });
+    EXPECT_TRUE(waitUntil([&] { return last == -1; }));
+}
+
+TEST(WorkPool, ALaneRunsOneAtATimeAndWhatWaitsIsReplaced) {
+    WorkPool pool;
+    std::vector<int> ran; // without a lock: a lane orders what it runs
+    std::atomic<bool> done{false};
+    Held first(pool, Urgency::Soon);
+    ASSERT_TRUE(waitUntil([&] { return first.began.load(); }));
+    for (int n = 0; n < 10; ++n)
+        first.lane().post([&ran, &done, n] {
+            ran.push_back(n);
+            done = n == 9;
+        });
+    first.mayEnd = true;
+    ASSERT_TRUE(waitUntil([&] { return done.load(); }));
+    EXPECT_EQ(ran, std::vector<int>{9});
+}
+
+TEST(WorkPool, SlowWorkKeepsNoThreadFromWhatIsMoreUrgent) {
+    WorkPool pool;
+    Held minutes(pool, Urgency::Later);
+    ASSERT_TRUE(waitUntil([&] { return minutes.began.load(); }));
+    Held more(pool, Urgency::Later), seconds(pool, Urgency::Soon);
+    ASSERT_TRUE(waitUntil([&] { return seconds.began.load(); })) << "what takes minutes has one thread";
+    Held rocks(pool, Urgency::Soon);
+    std::atomic<bool> answered{false};
+    Lane picture(pool, Urgency::Now);
+    picture.post([&] { answered = true; });
+    EXPECT_TRUE(waitUntil([&] { return answered.load(); })) << "what takes seconds has two";
+    EXPECT_FALSE(more.began || rocks.began);
+    minutes.mayEnd = seconds.mayEnd = rocks.mayEnd = true;
+    EXPECT_TRUE(waitUntil([&] { return rocks.began && more.began; }));
+}
+
+TEST(WorkPool, ALaneThatGoesWaitsForItsWork) {
+    WorkPool pool;
+    for (int round = 0; round < 100; ++round) {
+        auto used = std::make_unique<std::atomic<int>>(0);
+        {
+            Lane lane(pool, Urgency::Later);
+            for (int n = 0; n < 3; ++n) lane.post([&count = *used] { ++count; });
+        }
+        const int after = *used;
+        EXPECT_LE(after, 3);
+        std::this_thread::yield();
+        EXPECT_EQ(*used, after);
+    }
+}
+
+TEST(WorkPool, WhatIsDroppedDoesNotStart) {
+    WorkPool pool;
+    std::atomic<bool> ran{false}, next{false};
+    Held first(pool, Urgency::Now);
+    ASSERT_TRUE(waitUntil([&] { return first.began.load(); }));
+    first.lane().post([&] { ran = true; });
+    first.lane().drop();
+    first.mayEnd = true;
+    first.lane().post([&] { next = true; });
+    EXPECT_TRUE(waitUntil([&] { return next.load(); }));
+    EXPECT_FALSE(ran);
+}

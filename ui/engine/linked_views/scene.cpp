@@ -1,0 +1,81 @@
+// The scene of a picture.
+#include "ui/engine/linked_views/scene.h"
+
+#include <ranges>
+
+namespace edgescan::ui {
+namespace {
+
+bool sameEdgeLook(const SceneState& a, const SceneState& b) { return a.byClass == b.byClass && a.colours == b.colours; }
+
+std::shared_ptr<const QImage> grayOf(const SceneState& state, const Picture& picture, const Scene* last) {
+    if (!state.window) return picture.gray;
+    if (last != nullptr && last->state.window == state.window) return last->gray;
+    return std::make_shared<const QImage>(grayPicture(*picture.detection, state.window, picture.gray->height()));
+}
+
+std::shared_ptr<const QImage> edgeMapOf(const SceneState& state, const Picture& picture, const OverlayEdges* instead, const Scene* last) {
+    if (instead != nullptr) return instead->map;
+    if (!state.byClass || !picture.detection->classes) return picture.edges;
+    if (last != nullptr && last->insteadNow() == nullptr && sameEdgeLook(last->state, state)) return last->edgeMap;
+    return std::make_shared<const QImage>(classPicture(picture, state.colours));
+}
+
+std::shared_ptr<const QImage> overGrayOf(const SceneState& state, const Picture& picture, const OverlayEdges* instead, const Scene* last) {
+    if (instead != nullptr) return state.edgesOverImage || !instead->overImageAsAsked ? instead->overImage : nullptr;
+    if (!state.edgesOverImage) return nullptr;
+    if (!state.byClass && state.colours == kUsualColours) return picture.overlay;
+    if (last != nullptr && last->insteadNow() == nullptr && last->overGray && sameEdgeLook(last->state, state)) return last->overGray;
+    return std::make_shared<const QImage>(edgeOverlay(*picture.detection, state.colours, state.byClass, picture.gray->height()));
+}
+
+/// Lines may have come or gone since the overlay was made: the cells of both are the same ones.
+void colourPoints(Scene& scene, const OverlayPoints& points, const Scene* last) {
+    const CloudGeometry& cloud = *scene.picture->cloud;
+    if (!points.colours || points.beams != cloud.beams) return;
+    scene.edgesOverPoints = points.belowEdges;
+    scene.pointsFrom = points.colours;
+    if (points.colours->size() == cloud.cells()) {
+        scene.points = points.colours;
+    } else if (last != nullptr && last->pointsFrom == points.colours) {
+        scene.points = last->points;
+    } else {
+        auto fitted = std::make_shared<std::vector<std::uint32_t>>(*points.colours);
+        fitted->resize(cloud.cells(), points.others);
+        scene.points = std::move(fitted);
+    }
+}
+
+} // namespace
+
+Scene sceneOf(const SceneState& state, const std::shared_ptr<const Picture>& picture, const Overlays& overlays, const Scene& last) {
+    Scene scene;
+    scene.state = state;
+    scene.picture = state.flippedTo ? state.flippedTo : picture;
+    const OverlayPoints* points = nullptr;
+    for (const auto& overlay : overlays | std::views::reverse) {
+        if (!overlay) continue;
+        if (overlay->legend && !scene.legend && !scene.instead) scene.legend = overlay->name;
+        if (!picture || (overlay->scan && overlay->scan != picture->detection->scan)) continue;
+        const bool onGrid = overlay->edges && overlay->edges->map->size() == picture->edges->size();
+        if (!scene.instead && onGrid) scene.instead = overlay->edges;
+        if (points == nullptr && overlay->points) points = &*overlay->points;
+        if (scene.caption.isEmpty()) scene.caption = overlay->caption;
+        if (scene.faces || !overlay->faces || scene.flipped()) continue;
+        scene.faces = overlay->faces;
+        scene.facesFaded = overlay->facesFaded;
+    }
+    if (!scene.picture) return scene;
+    const Scene* same = last.picture == scene.picture ? &last : nullptr;
+    const OverlayEdges* instead = scene.insteadNow();
+    scene.gray = grayOf(state, *scene.picture, same);
+    scene.edgeMap = edgeMapOf(state, *scene.picture, instead, same);
+    scene.overGray = overGrayOf(state, *scene.picture, instead, same);
+    scene.cells = instead != nullptr ? instead->cells : scene.picture->edgeCells;
+    scene.colours = instead != nullptr ? instead->colours : state.colours;
+    scene.byClass = instead != nullptr || state.byClass;
+    if (points != nullptr && !scene.flipped()) colourPoints(scene, *points, same);
+    return scene;
+}
+
+} // namespace edgescan::ui
