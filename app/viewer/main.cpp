@@ -46,13 +46,13 @@ void openWanted(ui::MainWindow& window, ui::Memory& memory, const CommandLine& w
     else if (!files.isEmpty())
         window.sessions().open(files, cli::readingOptions(wanted.read));
     else if (wanted.demo)
-        window.files().openDemo();
+        window.viewer().files.openDemo();
     else if (!understood.scanner) {
         window.sessions().offerToContinue();
         ui::showStart(window, memory);
     }
     if (const auto& scanner = understood.scanner)
-        window.live().connectTo(QString::fromStdString(scanner->host), scanner->port, understood.sweep);
+        window.viewer().live.connectTo(QString::fromStdString(scanner->host), scanner->port, understood.sweep);
 }
 
 int runViewer(QApplication& application, const CommandLine& wanted, const ParsedCommandLine& understood) {
@@ -60,7 +60,7 @@ int runViewer(QApplication& application, const CommandLine& wanted, const Parsed
     ui::useLanguage(wanted.language.empty() ? memory.text("language") : QString::fromStdString(wanted.language));
     ui::MainWindow window(memory);
     if (understood.settings) {
-        if (const auto preset = cli::presetOf(wanted.method)) window.tuning().startWith(*preset, *understood.settings);
+        if (const auto preset = cli::presetOf(wanted.method)) window.viewer().tuning.startWith(*preset, *understood.settings);
     }
     if (wanted.cab) window.cab().set(true);
     window.show();

@@ -16,9 +16,9 @@ void pinWhenShown(ui::MainWindow& window, const std::vector<PinnedPlace>& places
     *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, places, once] {
         QObject::disconnect(*once);
         for (const PinnedPlace& place : places) {
-            const Scan& scan = *window.engine().picture()->detection->scan;
+            const Scan& scan = *window.viewer().engine.picture()->detection->scan;
             if (scan.rangeMm.contains(place.line, place.beam))
-                window.views().pin(window.views().cellAt(place.line, place.beam));
+                window.viewer().views.pin(window.viewer().views.cellAt(place.line, place.beam));
             else
                 cli::printError(
                     Error{"the scan has no line " + std::to_string(place.line) + ", beam " + std::to_string(place.beam), "--pin",
@@ -31,7 +31,7 @@ void compareWhenShown(ui::MainWindow& window, const QString& before) {
     auto once = std::make_shared<QMetaObject::Connection>();
     *once = QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, before, once] {
         QObject::disconnect(*once);
-        window.comparing().compareWith(before);
+        window.viewer().comparing.compareWith(before);
     });
 }
 
@@ -39,15 +39,15 @@ void compareWhenShown(ui::MainWindow& window, const QString& before) {
 void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
     constexpr int kRestMs = 700;
     const auto write = [&window, wanted] {
-        while (!window.comparing().settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const Result<Done> written = window.exports().saveScreenshot(window.screenshot(), QString::fromStdString(wanted.path));
+        while (!window.viewer().comparing.settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        const Result<Done> written = window.viewer().exports.saveScreenshot(window.screenshot(), QString::fromStdString(wanted.path));
         if (!written) cli::printError(written.error());
-        const bool compared = wanted.before.empty() || window.comparing().pictureA();
+        const bool compared = wanted.before.empty() || window.viewer().comparing.pictureA();
         if (!compared) cli::printError(Error{"the earlier scan could not be opened", wanted.before, "the picture says why"});
         QApplication::exit(written && compared ? 0 : 1);
     };
     QObject::connect(&window, &ui::MainWindow::pictureShown, &window, [&window, write, wanted] {
-        const int shown = window.engine().picture()->detection->scan->lines();
+        const int shown = window.viewer().engine.picture()->detection->scan->lines();
         if (shown >= wanted.lines) {
             QTimer::singleShot(kRestMs, &window, write);
         } else if (!wanted.live) { // a file has no further lines
@@ -56,7 +56,7 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
             QApplication::exit(1);
         }
     });
-    QObject::connect(&window.engine(), &ui::Engine::failed, &window, [](const QString& sentence) {
+    QObject::connect(&window.viewer().engine, &ui::Engine::failed, &window, [](const QString& sentence) {
         cli::printError(sentence.toStdString());
         QApplication::exit(1);
     });

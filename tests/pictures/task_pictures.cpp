@@ -38,14 +38,14 @@ void click(ImageView& view, int line, int beam) {
 
 bool rocksShown(WindowFixture& on) {
     QTest::keyClick(&on.window, Qt::Key_K);
-    return eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); });
+    return eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
 }
 
 // The largest rock about the middle of the picture: the one that an operator asks about.
 const rocks::Rock& rockInTheMiddle(WindowFixture& on) {
-    const RockPicture& shown = *on.window.rocks().picture();
+    const RockPicture& shown = *on.viewer.rocks.picture();
     const auto away = [&](const rocks::Rock& rock) {
-        const QPoint at = on.window.views().placeOf(rock.cell);
+        const QPoint at = on.viewer.views.placeOf(rock.cell);
         return std::hypot(at.y() - shown.labels.lines * 0.5, at.x() - shown.labels.beams * 0.5);
     };
     const auto middle = 0.15 * shown.labels.beams;
@@ -59,7 +59,7 @@ const rocks::Rock& rockInTheMiddle(WindowFixture& on) {
 
 bool opened(WindowFixture& on, const Bell& bell) {
     if (!on.open(bell.before) || !on.activate()) return false;
-    QTest::mouseMove(&on.window.views().gray(), QPoint(on.window.views().gray().width() / 2, on.window.views().gray().height() / 2));
+    QTest::mouseMove(&on.viewer.views.gray(), QPoint(on.viewer.views.gray().width() / 2, on.viewer.views.gray().height() / 2));
     return true;
 }
 
@@ -73,15 +73,15 @@ bool tuned(WindowFixture& on, const Bell& bell) {
 
 bool picked(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell) || !rocksShown(on)) return false;
-    const QPoint at = on.window.views().placeOf(rockInTheMiddle(on).cell);
+    const QPoint at = on.viewer.views.placeOf(rockInTheMiddle(on).cell);
     QTest::keyClick(&on.window, Qt::Key_P);
-    click(on.window.views().gray(), at.y(), at.x());
-    return eventually([&] { return on.window.targets().settled(); });
+    click(on.viewer.views.gray(), at.y(), at.x());
+    return eventually([&] { return on.viewer.targets.settled(); });
 }
 
 // The first and the last beam of a rock in the line of one of its cells, less the cells at its border.
 std::pair<int, int> acrossRock(WindowFixture& on, std::uint32_t label, QPoint at) {
-    const Grid<std::uint32_t>& labels = on.window.rocks().picture()->labels;
+    const Grid<std::uint32_t>& labels = on.viewer.rocks.picture()->labels;
     int from = at.x(), to = at.x();
     while (from > 0 && labels.at(at.y(), from - 1) == label) --from;
     while (to + 1 < labels.beams && labels.at(at.y(), to + 1) == label) ++to;
@@ -91,21 +91,21 @@ std::pair<int, int> acrossRock(WindowFixture& on, std::uint32_t label, QPoint at
 bool measured(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell) || !rocksShown(on)) return false;
     const rocks::Rock& rock = rockInTheMiddle(on);
-    const QPoint at = on.window.views().placeOf(rock.cell);
+    const QPoint at = on.viewer.views.placeOf(rock.cell);
     const auto [from, to] = acrossRock(on, rock.label, at);
     QTest::keyClick(&on.window, Qt::Key_U);
-    click(on.window.views().gray(), at.y(), from);
-    click(on.window.views().gray(), at.y(), to);
+    click(on.viewer.views.gray(), at.y(), from);
+    click(on.viewer.views.gray(), at.y(), to);
     QTest::keyClick(&on.window, Qt::Key_P);
-    click(on.window.views().gray(), at.y(), at.x());
-    return eventually([&] { return on.window.targets().settled(); });
+    click(on.viewer.views.gray(), at.y(), at.x());
+    return eventually([&] { return on.viewer.targets.settled(); });
 }
 
 bool handedOver(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell) || !rocksShown(on)) return false;
-    const QPoint at = on.window.views().placeOf(rockInTheMiddle(on).cell);
+    const QPoint at = on.viewer.views.placeOf(rockInTheMiddle(on).cell);
     QTest::keyClick(&on.window, Qt::Key_L);
-    click(on.window.views().gray(), at.y(), at.x());
+    click(on.viewer.views.gray(), at.y(), at.x());
     QTest::keyClick(&on.window, Qt::Key_I);
     return on.settled();
 }
@@ -113,7 +113,7 @@ bool handedOver(WindowFixture& on, const Bell& bell) {
 bool compared(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell)) return false;
     QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-    return on.open(bell.after) && eventually([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); });
+    return on.open(bell.after) && eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); });
 }
 
 bool live(WindowFixture& on, const Bell& bell) {
@@ -131,9 +131,9 @@ bool live(WindowFixture& on, const Bell& bell) {
     sweep.degPerLine = 180.0 / scan->lines();
     sweep.firstLineDeg = -90;
     sweep.axis = Axis::Sweep;
-    on.window.live().connectTo("127.0.0.1", bell.scanner->port(), sweep);
+    on.viewer.live.connectTo("127.0.0.1", bell.scanner->port(), sweep);
     return eventually(
-        [&] { return on.window.engine().picture() && on.window.engine().picture()->detection->scan->lines() > scan->lines() / 2; });
+        [&] { return on.viewer.engine.picture() && on.viewer.engine.picture()->detection->scan->lines() > scan->lines() / 2; });
 }
 
 bool calibrated(WindowFixture& on, const Bell& bell) {

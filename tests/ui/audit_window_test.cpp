@@ -29,7 +29,7 @@ class AuditWindowTest : public QObject {
         return lines;
     }
     static bool written(WindowFixture& on) {
-        return eventually([&] { return on.window.audit().written(); });
+        return eventually([&] { return on.viewer.audit.written(); });
     }
 
 private slots:
@@ -45,15 +45,15 @@ private slots:
         {
             WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
             QVERIFY(on.showWith(scan_));
-            on.window.views().pin(45U * 90U + 20U);
+            on.viewer.views.pin(45U * 90U + 20U);
             edges::Settings settings;
             settings.sensitivity = 1.5;
             QVERIFY(on.use(settings));
-            QSignalSpy saved(&on.window.engine(), &Engine::saved);
-            on.window.engine().save(exports::ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
+            QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+            on.viewer.engine.save(exports::ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
             QVERIFY(saved.wait(kPatienceMs));
-            QSignalSpy reported(&on.window.report(), &ScanReport::ended);
-            on.window.report().writeTo(QString::fromStdString((place / "report.html").string()));
+            QSignalSpy reported(&on.viewer.report, &ScanReport::ended);
+            on.viewer.report.writeTo(QString::fromStdString((place / "report.html").string()));
             QVERIFY(reported.wait(kPatienceMs));
             QVERIFY(written(on));
         }
@@ -77,11 +77,11 @@ private slots:
         std::filesystem::create_symlink("/dev/full", place / "audit.jsonl");
         WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
         QVERIFY(on.showWith(scan_));
-        QVERIFY(eventually([&] { return on.window.notice().isVisible() && on.window.notice().text().contains("AUDIT LOG"); }));
-        QVERIFY(!on.window.audit().written());
+        QVERIFY(eventually([&] { return on.viewer.notice.isVisible() && on.viewer.notice.text().contains("AUDIT LOG"); }));
+        QVERIFY(!on.viewer.audit.written());
         // Space is free again: the lines of the meantime are written too.
         std::filesystem::remove(place / "audit.jsonl");
-        on.window.views().pin(5);
+        on.viewer.views.pin(5);
         QVERIFY(written(on));
         const std::vector<AuditLine> lines = linesOf(place / "audit.jsonl");
         QVERIFY(lines.size() >= 3);
@@ -92,7 +92,7 @@ private slots:
     void withoutMemoryThereIsNone() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
-        QVERIFY(on.window.audit().written());
+        QVERIFY(on.viewer.audit.written());
     }
 };
 

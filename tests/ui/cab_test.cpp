@@ -74,10 +74,10 @@ private slots:
         QVERIFY(on.open(scan_));
         QTRY_VERIFY(on.window.cab().corner().isVisible());
         // The caption of all rocks ends where the corner picture begins.
-        on.window.views().cloud().setCaption("what holds for all of them");
-        const auto* overlay = on.window.views().cloud().findChild<CloudOverlay*>();
+        on.viewer.views.cloud().setCaption("what holds for all of them");
+        const auto* overlay = on.viewer.views.cloud().findChild<CloudOverlay*>();
         QTRY_COMPARE(overlay->marks().caption, QString("what holds for all of them"));
-        QCOMPARE(on.window.views().cloud().width() - overlay->marks().captionRoom, on.window.cab().corner().x());
+        QCOMPARE(on.viewer.views.cloud().width() - overlay->marks().captionRoom, on.window.cab().corner().x());
         // The picture's text fits below it in every font.
         CornerPicture& corner = on.window.cab().corner();
         corner.setWords("Image de distance – toucher pour échanger l'image et le nuage");
@@ -134,8 +134,8 @@ private slots:
         for (const QSize size : {QSize(1280, 800), QSize(853, 533), QSize(1366, 768), QSize(1920, 1040)}) {
             on.window.cab().set(true);
             resizeTo(on.window, size);
-            on.window.notice().showNotice(NoticeBar::Kind::Done, "something was done");
-            on.window.notice().offer("Undo it", [] {});
+            on.viewer.notice.showNotice(NoticeBar::Kind::Done, "something was done");
+            on.viewer.notice.offer("Undo it", [] {});
             QApplication::processEvents();
             int seen = 0;
             const auto check = [&] {
@@ -163,7 +163,7 @@ private slots:
             QApplication::processEvents();
             check();
             press(on.window, "cab-tune");
-            QVERIFY(on.window.views().cloud().width() >= 0.45 * size.width());
+            QVERIFY(on.viewer.views.cloud().width() >= 0.45 * size.width());
             for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) {
                 QVERIFY(dock->isHidden());
                 QVERIFY(!dock->toggleViewAction()->isEnabled());
@@ -180,12 +180,12 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         resizeTo(on.window, QSize(1280, 800));
-        on.window.views().pin(on.window.views().cellAt(100, 120));
-        on.window.rocks().setShown(true);
-        on.window.comparing().keep();
-        QVERIFY(eventually([&] { return on.window.rocks().picture() != nullptr; }));
-        on.window.selection().select({100, 101, 102});
-        on.window.markedEdges().mark(on.window.views().cellAt(100, 120), true);
+        on.viewer.views.pin(on.viewer.views.cellAt(100, 120));
+        on.viewer.rocks.setShown(true);
+        on.viewer.comparing.keep();
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr; }));
+        on.viewer.selection.select({100, 101, 102});
+        on.viewer.markedEdges.mark(on.viewer.views.cellAt(100, 120), true);
         QSet<QString> dialogs;
         QStringList small;
         const auto measure = [&] {
@@ -248,17 +248,17 @@ private slots:
         QVERIFY(menu != nullptr);
         QVERIFY(menu->actionGeometry(menu->actions().front()).height() >= kGlovePx);
         QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions().front()).center());
-        QTRY_VERIFY(on.window.measures().kind() == inspect::MeasureKind::Distance);
+        QTRY_VERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Distance);
         QVERIFY(tool(on.window, "cab-measure")->isChecked() && !tool(on.window, "cab-pin")->isChecked());
         press(on.window, "cab-pin");
-        QVERIFY(!on.window.measures().kind());
+        QVERIFY(!on.viewer.measures.kind());
     }
 
     void onlyASecondOnLockedLeavesIt() {
         const QString ini = QString::fromStdString((folder_ / "cab.ini").string());
         WindowFixture on(ini);
         QVERIFY(on.showWith(scan_));
-        const int before = on.window.views().gray().width();
+        const int before = on.viewer.views.gray().width();
         auto* action = on.window.findChild<QAction*>("cab-mode");
         QVERIFY(action != nullptr && !action->isChecked());
         action->trigger();
@@ -268,7 +268,7 @@ private slots:
         QToolButton* locked = tool(on.window, "cab-locked");
         QTest::mouseClick(locked, Qt::LeftButton);
         QVERIFY(on.window.cab().on());
-        QVERIFY2(on.window.notice().text().contains("one second"), qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.text().contains("one second"), qPrintable(on.viewer.notice.text()));
         QElapsedTimer held;
         held.start();
         QTest::mousePress(locked, Qt::LeftButton);
@@ -277,8 +277,8 @@ private slots:
         QTest::mouseRelease(locked, Qt::LeftButton);
         QVERIFY(action->isEnabled() && !action->isChecked());
         QVERIFY(!on.memory.flag("view/cab", true));
-        QTRY_VERIFY(on.window.menuBar()->isVisible() && on.window.views().gray().isVisible());
-        QTRY_VERIFY(std::abs(on.window.views().gray().width() - before) <= 4);
+        QTRY_VERIFY(on.window.menuBar()->isVisible() && on.viewer.views.gray().isVisible());
+        QTRY_VERIFY(std::abs(on.viewer.views.gray().width() - before) <= 4);
         QVERIFY(on.window.findChild<QDockWidget*>("dock-edges")->isVisible());
     }
 
@@ -303,22 +303,22 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         QVERIFY(on.window.findChild<StateBadge*>("cab-origin")->isVisible());
-        QCOMPARE(on.window.findChild<StateBadge*>("cab-origin")->accessibleName(), on.window.origin().accessibleName());
-        CloudView& cloud = on.window.views().cloud();
+        QCOMPARE(on.window.findChild<StateBadge*>("cab-origin")->accessibleName(), on.viewer.origin.accessibleName());
+        CloudView& cloud = on.viewer.views.cloud();
         QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, pointOnCloud(cloud)); // a tap, as most screens report it
-        QTRY_COMPARE(on.window.targets().notebook().targets.size(), std::size_t(1));
+        QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         NumbersSide& side = on.window.cab().frame().side();
         QTRY_VERIFY2(side.distanceShown().endsWith(" m"), qPrintable(side.distanceShown()));
         auto* large = side.findChild<QLabel*>("cab-distance");
         QVERIFY(large->isVisible() && QFontInfo(large->font()).pixelSize() >= 40);
-        const inspect::CellTarget& known = on.window.targets().known().targets.begin()->second;
+        const inspect::CellTarget& known = on.viewer.targets.known().targets.begin()->second;
         QCOMPARE(side.distanceShown(), QString("%1 m").arg(known.distanceM, 0, 'f', 3));
         // The second number belongs to the rock, once rocks are shown.
         QCOMPARE(side.sizeShown(), QString("–"));
         press(on.window, "cab-rocks");
-        QTRY_VERIFY(on.window.rocks().picture() != nullptr && !on.window.rocks().behind());
+        QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) QVERIFY(dock->isHidden());
-        const rocks::Rock* rock = on.window.rocks().picture()->rockAt(known.probe.line * 240 + known.probe.beam);
+        const rocks::Rock* rock = on.viewer.rocks.picture()->rockAt(known.probe.line * 240 + known.probe.beam);
         const QString size = rock == nullptr
                                  ? QString("–")
                                  : QString("%1 × %2 m").arg(rock->longestCaliperM, 0, 'f', 2).arg(rock->shortestCaliperM, 0, 'f', 2);
@@ -327,7 +327,7 @@ private slots:
         QToolButton* undo = tool(on.window, "cab-undo");
         QVERIFY(undo->isVisible() && undo->isEnabled());
         QTest::mouseClick(undo, Qt::LeftButton);
-        QTRY_VERIFY(on.window.targets().notebook().targets.empty());
+        QTRY_VERIFY(on.viewer.targets.notebook().targets.empty());
         QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->isVisible());
     }
 
@@ -336,26 +336,26 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         Stepper* stepper = on.window.cab().frame().side().mainStepper();
-        const edges::Settings before = on.window.engine().settings();
+        const edges::Settings before = on.viewer.engine.settings();
         QTest::mouseClick(stepper->more(), Qt::LeftButton);
-        QVERIFY(on.window.engine().settings().sensitivity > before.sensitivity);
-        QCOMPARE(on.window.undoStack().count(), 1);
-        const double one = on.window.engine().settings().sensitivity;
+        QVERIFY(on.viewer.engine.settings().sensitivity > before.sensitivity);
+        QCOMPARE(on.viewer.undo.count(), 1);
+        const double one = on.viewer.engine.settings().sensitivity;
         QTest::mousePress(stepper->less(), Qt::LeftButton);
-        QTRY_VERIFY(on.window.engine().settings().sensitivity < one - 3.5 * (one - before.sensitivity));
+        QTRY_VERIFY(on.viewer.engine.settings().sensitivity < one - 3.5 * (one - before.sensitivity));
         QTest::mouseRelease(stepper->less(), Qt::LeftButton);
-        QCOMPARE(on.window.undoStack().count(), 2);
+        QCOMPARE(on.viewer.undo.count(), 2);
         QVERIFY(on.settled());
-        QTRY_COMPARE(stepper->value(), QString::number(on.window.engine().settings().sensitivity, 'f', 2) + " x");
+        QTRY_COMPARE(stepper->value(), QString::number(on.viewer.engine.settings().sensitivity, 'f', 2) + " x");
         press(on.window, "cab-undo");
-        QCOMPARE(on.window.engine().settings().sensitivity, one);
+        QCOMPARE(on.viewer.engine.settings().sensitivity, one);
         // Choices and automatic values have steps too.
         press(on.window, "cab-tune");
         Stepper* method = on.window.cab().frame().side().stepper("method");
         QVERIFY(method != nullptr && method->isVisible());
         const QString was = method->value();
         QTest::mouseClick(method->more(), Qt::LeftButton);
-        if (on.window.engine().settings().method == before.method) QTest::mouseClick(method->less(), Qt::LeftButton);
+        if (on.viewer.engine.settings().method == before.method) QTest::mouseClick(method->less(), Qt::LeftButton);
         QTRY_VERIFY(method->value() != was);
     }
 
@@ -364,14 +364,14 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         resizeTo(on.window, {1280, 800});
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         const QPoint a = cloud.rect().center();
         const CameraPose start = cloud.camera();
         QTest::touchEvent(&cloud, touch_).press(0, a, &cloud);
         for (int n = 1; n <= 5; ++n) QTest::touchEvent(&cloud, touch_).move(0, a + QPoint(12 * n, 0), &cloud);
         QTest::touchEvent(&cloud, touch_).release(0, a + QPoint(60, 0), &cloud);
         QTRY_VERIFY((cloud.camera().forward() - start.forward()).norm() > 0.05);
-        QVERIFY(on.window.targets().notebook().targets.empty()); // not a tap
+        QVERIFY(on.viewer.targets.notebook().targets.empty()); // not a tap
 
         const CameraPose turned = cloud.camera();
         const QPoint left = a - QPoint(60, 0);
@@ -394,13 +394,13 @@ private slots:
         const Eigen::Vector3d by = cloud.camera().position - near.position;
         QVERIFY2(by.dot(near.up) > 0.01, "the picture went down, the camera up");
         QVERIFY(std::abs(by.dot(near.forward())) < 0.2 * by.norm());
-        QVERIFY(on.window.targets().notebook().targets.empty());
+        QVERIFY(on.viewer.targets.notebook().targets.empty());
     }
 
     void twoFingersZoomAnImageRoundTheirMiddle() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
-        ImageView& gray = on.window.views().gray(); // touch works outside cab mode too
+        ImageView& gray = on.viewer.views.gray(); // touch works outside cab mode too
         const QPoint middle = gray.rect().center() + QPoint(20, 10);
         const double zoom = gray.viewPort()->zoom();
         const QPointF cell = gray.viewPort()->toCell(middle, gray.size());
@@ -416,11 +416,11 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         const QPoint at = pointOnCloud(cloud);
         QTest::touchEvent(&cloud, touch_).press(0, at, &cloud);
         QTest::touchEvent(&cloud, touch_).release(0, at, &cloud);
-        QTRY_COMPARE(on.window.targets().notebook().targets.size(), std::size_t(1));
+        QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
 
         bool asked = false, low = false;
         const auto look = [&] {
@@ -442,7 +442,7 @@ private slots:
         QTest::mousePress(&cloud, Qt::LeftButton, Qt::NoModifier, at);
         QTRY_VERIFY(asked);
         QTest::mouseRelease(&cloud, Qt::LeftButton, Qt::NoModifier, at);
-        QCOMPARE(on.window.targets().notebook().targets.size(), std::size_t(1)); // opening the menu sets no target
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1)); // opening the menu sets no target
     }
 
     void aTapSwapsCloudAndImage() {
@@ -450,18 +450,18 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         CornerPicture& corner = on.window.cab().corner();
-        QVERIFY(corner.isVisible() && corner.width() >= kGlovePx && !on.window.views().gray().isVisible());
+        QVERIFY(corner.isVisible() && corner.width() >= kGlovePx && !on.viewer.views.gray().isVisible());
         QTest::mouseClick(&corner, Qt::LeftButton);
-        QTRY_VERIFY(on.window.views().gray().isVisible() && !on.window.views().cloud().isVisible());
+        QTRY_VERIFY(on.viewer.views.gray().isVisible() && !on.viewer.views.cloud().isVisible());
         auto* back = on.window.findChild<CornerPicture*>("cab-back");
         QVERIFY(back->isVisible() && back->height() >= kGlovePx);
         QTest::mouseClick(back, Qt::LeftButton);
-        QTRY_VERIFY(on.window.views().cloud().isVisible() && !on.window.views().gray().isVisible());
+        QTRY_VERIFY(on.viewer.views.cloud().isVisible() && !on.viewer.views.gray().isVisible());
         press(on.window, "cab-images"); // the edge map
         QTest::mouseClick(&corner, Qt::LeftButton);
-        QTRY_VERIFY(on.window.views().edges().isVisible());
+        QTRY_VERIFY(on.viewer.views.edges().isVisible());
         on.window.cab().set(false); // cab mode can be left from there too
-        QTRY_VERIFY(on.window.views().cloud().isVisible() && on.window.views().gray().isVisible());
+        QTRY_VERIFY(on.viewer.views.cloud().isVisible() && on.viewer.views.gray().isVisible());
         QVERIFY(!back->isVisible() && !corner.isVisible());
     }
 };

@@ -56,7 +56,7 @@ QAction* calibrateAction(MainWindow& window) {
 /// The window with the card open.
 struct Bench : WindowFixture {
     explicit Bench(const std::string& path, const ReadingOptions& options = {}) {
-        window.files().open({QString::fromStdString(path)}, options);
+        window.viewer().files.open({QString::fromStdString(path)}, options);
         calibrating = window.findChild<Calibrating*>();
         ready = show() && settled() && activate();
         if (!ready) return;
@@ -159,12 +159,12 @@ private slots:
         const Placement& after = *on.picture().detection->scan->placement;
         QVERIFY(std::abs(after.mount.sensorInMover.translationM.x() - 0.001 * found.errors.t1Mm()) < 1e-6);
         QVERIFY(after.source.find("new.json") != std::string::npos);
-        QVERIFY(on.window.origin().toolTip().contains("new.json"));
+        QVERIFY(on.viewer.origin.toolTip().contains("new.json"));
         QVERIFY(on.calibrating->found() != nullptr); // the same scan: the result stays
-        on.window.undoStack().undo();
+        on.viewer.undo.undo();
         QVERIFY(on.settled());
         QCOMPARE(on.picture().detection->scan->placement->mount, before);
-        QVERIFY(!on.window.origin().toolTip().contains("new.json"));
+        QVERIFY(!on.viewer.origin.toolTip().contains("new.json"));
     }
 
     void theSeamIsShownBeforeAndAfterAndTheTwoMoveTogether() {
@@ -206,7 +206,7 @@ private slots:
         on.calibrating->saveTo(QString::fromStdString(other_)); // an input
         QTRY_VERIFY(!on.calibrating->saving());
         QCOMPARE(saved.count(), 0);
-        QVERIFY(on.window.notice().text().contains("other.json"));
+        QVERIFY(on.viewer.notice.text().contains("other.json"));
         on.calibrating->saveTo(QString::fromStdString(path("both.json")));
         QTRY_COMPARE(saved.count(), 1);
         const auto file = nlohmann::json::parse(test::fileText(path("both.json")));
@@ -215,7 +215,7 @@ private slots:
         // Without a pose the calibration cannot be applied, and the card says so.
         QVERIFY(!on.part<QPushButton>("calibration-apply")->isEnabled());
         QVERIFY(on.part<QPushButton>("calibration-apply")->toolTip().contains("without a pose"));
-        QVERIFY(on.window.files().options().calibration.empty());
+        QVERIFY(on.viewer.files.options().calibration.empty());
     }
 
     void aTurnThatTellsNothingIsRefusedWithTheReason() {
@@ -250,11 +250,11 @@ private slots:
         WindowFixture on;
         QVERIFY(on.show());
         calibrateAction(on.window)->trigger();
-        QCOMPARE(on.window.notice().text(), QString("Open a scan first."));
-        on.window.files().openDemo();
+        QCOMPARE(on.viewer.notice.text(), QString("Open a scan first."));
+        on.viewer.files.openDemo();
         QVERIFY(on.settled());
         calibrateAction(on.window)->trigger();
-        QVERIFY(on.window.notice().text().contains("comes from no file"));
+        QVERIFY(on.viewer.notice.text().contains("comes from no file"));
     }
 };
 

@@ -29,7 +29,7 @@ class ComparingTest : public QObject {
 
     static bool known(WindowFixture& on) {
         return on.settled() && eventually([&] {
-                   const Comparing& comparing = on.window.comparing();
+                   const Comparing& comparing = on.viewer.comparing;
                    return comparing.settled() && (!comparing.pictureA() || comparing.comparison() != nullptr);
                });
     }
@@ -45,7 +45,7 @@ class ComparingTest : public QObject {
     }
     static bool keepByKey(WindowFixture& on) {
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        return on.window.comparing().pictureA() == on.window.engine().picture();
+        return on.viewer.comparing.pictureA() == on.viewer.engine.picture();
     }
     // Pixels of the edge map by colour.
     static std::size_t painted(const ImageView& view, const QColor& colour) {
@@ -78,9 +78,9 @@ private slots:
         const edges::Detection& a = *on.picture().detection;
         const Grid<std::uint8_t> maskA = *a.mask;
         QVERIFY(keepByKey(on));
-        QVERIFY(on.window.changeLegend().isVisible());
-        QVERIFY(!on.window.views().scene().instead);
-        edges::Settings other = on.window.engine().settings();
+        QVERIFY(on.viewer.changeLegend.isVisible());
+        QVERIFY(!on.viewer.views.scene().instead);
+        edges::Settings other = on.viewer.engine.settings();
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
@@ -93,7 +93,7 @@ private slots:
             lost += maskA[k] != 0 && maskB[k] == 0 && state[k] == CellState::Valid ? 1 : 0;
         }
         QVERIFY(kept > 0 && gained > 0 && lost > 0);
-        const ChangeLegend& legend = on.window.changeLegend();
+        const ChangeLegend& legend = on.viewer.changeLegend;
         QCOMPARE(numberIn(legend.counted(ChangeRow::Unchanged)), kept);
         QVERIFY(numberIn(legend.counted(ChangeRow::Gained)) >= gained);
         QVERIFY(numberIn(legend.counted(ChangeRow::Lost)) >= lost);
@@ -102,49 +102,49 @@ private slots:
         // A comparison within one scan has no changed surfaces.
         QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible());
         // The colours of the legend appear in the edge map, over the range image and in the cloud.
-        QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
-        QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Unchanged)), kept);
-        QVERIFY(on.window.views().gray().overlay() == on.window.views().scene().instead->overImage);
-        QVERIFY(on.window.views().cloud().edgeColours() == changeColours());
-        QVERIFY(on.window.views().cloud().edgesByClass());
-        QVERIFY2(!on.window.legend().isVisible(), "the legend of the edges tells of other colours");
+        QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
+        QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)), kept);
+        QVERIFY(on.viewer.views.gray().overlay() == on.viewer.views.scene().instead->overImage);
+        QVERIFY(on.viewer.views.cloud().edgeColours() == changeColours());
+        QVERIFY(on.viewer.views.cloud().edgesByClass());
+        QVERIFY2(!on.viewer.legend.isVisible(), "the legend of the edges tells of other colours");
         // A row of the legend is a switch.
         QTest::mouseClick(legend.row(ChangeRow::Unchanged), Qt::LeftButton, Qt::NoModifier,
                           QPoint(8, legend.row(ChangeRow::Unchanged)->height() / 2));
-        QVERIFY(eventually([&] { return painted(on.window.views().edges(), changeColour(ChangeRow::Unchanged)) == 0; }));
-        QCOMPARE(painted(on.window.views().edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
+        QVERIFY(eventually([&] { return painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)) == 0; }));
+        QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         // With the settings of A the difference is empty; without A the picture is normal.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(!on.window.views().scene().instead);
-        QVERIFY(on.window.legend().isVisible());
+        QVERIFY(!on.viewer.views.scene().instead);
+        QVERIFY(on.viewer.legend.isVisible());
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(on.window.views().scene().instead != nullptr);
+        QVERIFY(on.viewer.views.scene().instead != nullptr);
         action(on, "Forget A")->trigger();
-        QVERIFY(!on.window.views().scene().instead && !on.window.changeLegend().isVisible() && on.window.legend().isVisible());
-        QVERIFY(on.window.views().edges().image() == on.picture().edges);
-        QVERIFY(!on.window.views().cloud().edgesByClass());
+        QVERIFY(!on.viewer.views.scene().instead && !on.viewer.changeLegend.isVisible() && on.viewer.legend.isVisible());
+        QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
+        QVERIFY(!on.viewer.views.cloud().edgesByClass());
     }
 
     void aKeyFlipsImagesAndCloudTogetherWhileItIsHeld() {
         WindowFixture on;
         QVERIFY(showWith(on, before_));
         QVERIFY(keepByKey(on));
-        const std::shared_ptr<const Picture> a = on.window.engine().picture();
+        const std::shared_ptr<const Picture> a = on.viewer.engine.picture();
         QVERIFY(on.open(after_));
         QVERIFY(known(on));
-        const std::shared_ptr<const Picture> b = on.window.engine().picture();
-        LinkedViews& views = on.window.views();
+        const std::shared_ptr<const Picture> b = on.viewer.engine.picture();
+        LinkedViews& views = on.viewer.views;
         CloudView& cloud = views.cloud();
         // A view with some cells hidden and some selected.
         cloud.zoomToCells({20000, 20001, 20200});
-        on.window.selection().select({20000, 20001});
+        on.viewer.selection.select({20000, 20001});
         const CameraPose camera = cloud.camera();
         const QPointF port = views.gray().viewPort()->toPixel(QPointF(3, 5), views.gray().size());
         QTest::keyPress(&views.gray(), Qt::Key_Backslash);
         QVERIFY(views.flipped());
         QVERIFY(views.gray().image() == a->gray && views.edges().image() == a->edges);
         QVERIFY(cloud.scan() == a->detection->scan);
-        QVERIFY2(on.window.changeLegend().titleText().contains("On the screen: A"), qPrintable(on.window.changeLegend().titleText()));
+        QVERIFY2(on.viewer.changeLegend.titleText().contains("On the screen: A"), qPrintable(on.viewer.changeLegend.titleText()));
         QVERIFY((cloud.camera().position + cloud.geometryOfCloud()->originM - camera.position - b->cloud->originM).norm() < 1e-9);
         QCOMPARE(views.gray().viewPort()->toPixel(QPointF(3, 5), views.gray().size()), port);
         QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
@@ -153,7 +153,7 @@ private slots:
         QVERIFY(views.gray().image() == b->gray);
         QVERIFY(cloud.scan() == b->detection->scan);
         QVERIFY(views.edges().image() == views.scene().instead->map);
-        QVERIFY(cloud.faces() == on.window.comparing().comparison()->points);
+        QVERIFY(cloud.faces() == on.viewer.comparing.comparison()->points);
         QVERIFY(cloud.selection() != nullptr && cloud.selection()->size() == 2);
         QVERIFY((cloud.camera().position - camera.position).norm() < 1e-9);
         // In a text field the key types a character.
@@ -163,11 +163,11 @@ private slots:
         QVERIFY(!views.flipped());
         QTest::keyRelease(box, Qt::Key_Backslash);
         views.gray().setFocus();
-        QVERIFY2(on.window.engine().picture() == b, "flipping opens nothing");
+        QVERIFY2(on.viewer.engine.picture() == b, "flipping opens nothing");
         // A new picture ends a flip even while the key is pressed.
         QTest::keyPress(&views.gray(), Qt::Key_Backslash);
         QVERIFY(views.flipped());
-        edges::Settings other = on.window.engine().settings();
+        edges::Settings other = on.viewer.engine.settings();
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(!views.flipped() && known(on));
@@ -184,42 +184,42 @@ private slots:
         QVERIFY(keepByKey(on));
         QVERIFY(on.open(after_));
         QVERIFY(known(on));
-        const Comparison& comparison = *on.window.comparing().comparison();
-        const ChangeLegend& legend = on.window.changeLegend();
+        const Comparison& comparison = *on.viewer.comparing.comparison();
+        const ChangeLegend& legend = on.viewer.changeLegend;
         QVERIFY(comparison.change.ranges.nearer > 100 && comparison.change.ranges.farther > 100);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Nearer)), comparison.change.ranges.nearer);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Farther)), comparison.change.ranges.farther);
         // Neither scan has a pose: reported here and above the views.
         QVERIFY2(legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));
-        QVERIFY2(on.window.notice().text().contains("without a pose"), qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.text().contains("without a pose"), qPrintable(on.viewer.notice.text()));
         // Changed points have their own colour, others are dimmed; edges are drawn over them.
-        const auto& points = *on.window.views().cloud().faces();
+        const auto& points = *on.viewer.views.cloud().faces();
         const auto dimmed = static_cast<std::size_t>(std::ranges::count(points, 0xff545454U));
         QCOMPARE(points.size() - dimmed, comparison.change.ranges.nearer + comparison.change.ranges.farther);
         // The regions one after the other, the largest first.
-        const CameraPose camera = on.window.views().cloud().camera();
+        const CameraPose camera = on.viewer.views.cloud().camera();
         const std::size_t nearer = comparison.change.ranges.nearer;
         QTest::mouseClick(legend.next(), Qt::LeftButton);
         QVERIFY2(legend.regionText().startsWith("region 1 of "), qPrintable(legend.regionText()));
         QVERIFY(legend.regionText().contains("±"));
-        QVERIFY((on.window.views().cloud().camera().position - camera.position).norm() > 0.01);
+        QVERIFY((on.viewer.views.cloud().camera().position - camera.position).norm() > 0.01);
         QTest::keyClick(&on.window, Qt::Key_N, Qt::ShiftModifier);
         QVERIFY2(legend.regionText().startsWith("region 2 of "), qPrintable(legend.regionText()));
         // At this size both legends fit. A picture with another setting keeps the known surfaces.
-        QTRY_VERIFY(on.window.views().cloud().rect().contains(on.window.changeLegend().geometry()));
-        edges::Settings other = on.window.engine().settings();
+        QTRY_VERIFY(on.viewer.views.cloud().rect().contains(on.viewer.changeLegend.geometry()));
+        edges::Settings other = on.viewer.engine.settings();
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
-        QCOMPARE(on.window.comparing().comparison()->change.ranges.nearer, nearer);
+        QCOMPARE(on.viewer.comparing.comparison()->change.ranges.nearer, nearer);
         // A changed slider is not a blast: A is computed with the current settings.
-        const auto earlier = edges::detectEdges(on.window.comparing().pictureA()->detection->scan, other);
+        const auto earlier = edges::detectEdges(on.viewer.comparing.pictureA()->detection->scan, other);
         const auto expected =
             inspect::sceneChange({on.picture().detection->scan, on.picture().detection->mask}, {earlier->scan, earlier->mask});
         QVERIFY(expected);
-        QCOMPARE(on.window.comparing().comparison()->change.edges.lost, expected->edges.lost);
+        QCOMPARE(on.viewer.comparing.comparison()->change.edges.lost, expected->edges.lost);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Lost)), expected->edges.lost);
-        QVERIFY(on.window.comparing().pictureA()->asked != other);
+        QVERIFY(on.viewer.comparing.pictureA()->asked != other);
         // Rocks over the cloud hide the change there; the legend says so.
         const auto* covered = legend.findChild<QLabel*>("change-covered");
         QVERIFY(covered->isHidden());
@@ -232,34 +232,34 @@ private slots:
     void anEarlierFileIsReadBesideAndWhatDoesNotFitIsRefused() {
         WindowFixture on;
         QVERIFY(showWith(on, after_));
-        on.window.comparing().compareWith(QString::fromStdString(before_));
+        on.viewer.comparing.compareWith(QString::fromStdString(before_));
         QVERIFY(known(on));
-        QVERIFY(on.window.comparing().comparison() != nullptr);
+        QVERIFY(on.viewer.comparing.comparison() != nullptr);
         QVERIFY(QString::fromStdString(on.picture().detection->scan->path).endsWith("after.json"));
         // Only one scan has a pose: refused, no comparison.
-        on.window.comparing().compareWith(QString::fromStdString(placed_));
-        QVERIFY(eventually([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }));
-        QVERIFY2(on.window.notice().text().contains("has none"), qPrintable(on.window.notice().text()));
-        QVERIFY(!on.window.views().scene().instead);
+        on.viewer.comparing.compareWith(QString::fromStdString(placed_));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));
+        QVERIFY2(on.viewer.notice.text().contains("has none"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(!on.viewer.views.scene().instead);
         // A scan of another place, and a missing file.
-        on.window.comparing().compareWith(QString::fromStdString(other_));
-        QVERIFY(eventually([&] { return on.window.comparing().settled() && !on.window.comparing().comparison(); }));
-        QCOMPARE(on.window.notice().kind(), NoticeBar::Kind::Error);
-        on.window.comparing().compareWith("/nowhere/at/all.json");
-        QVERIFY(eventually([&] { return on.window.comparing().settled(); }));
-        QVERIFY2(on.window.notice().text().contains("nowhere"), qPrintable(on.window.notice().text()));
+        on.viewer.comparing.compareWith(QString::fromStdString(other_));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));
+        QCOMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);
+        on.viewer.comparing.compareWith("/nowhere/at/all.json");
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled(); }));
+        QVERIFY2(on.viewer.notice.text().contains("nowhere"), qPrintable(on.viewer.notice.text()));
     }
 
     void withoutAnythingKeptTheKeysSaySo() {
         WindowFixture on;
         QVERIFY(on.show() && on.activate());
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        QVERIFY2(on.window.notice().text().contains("open a scan first"), qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.text().contains("open a scan first"), qPrintable(on.viewer.notice.text()));
         QVERIFY(on.open(before_));
-        QTest::keyPress(&on.window.views().gray(), Qt::Key_Backslash);
-        QVERIFY2(on.window.notice().text().contains("Nothing is kept as A"), qPrintable(on.window.notice().text()));
-        QTest::keyRelease(&on.window.views().gray(), Qt::Key_Backslash);
-        QVERIFY(!on.window.views().flipped());
+        QTest::keyPress(&on.viewer.views.gray(), Qt::Key_Backslash);
+        QVERIFY2(on.viewer.notice.text().contains("Nothing is kept as A"), qPrintable(on.viewer.notice.text()));
+        QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
+        QVERIFY(!on.viewer.views.flipped());
     }
 
     // The full grid: both clouds stay in the graphics memory. Measures the CPU time of this thread, which does not depend on the load.
@@ -278,16 +278,16 @@ private slots:
         QVERIFY(on.open(save(true)));
         QVERIFY(known(on));
         std::vector<double> times, waits;
-        const CloudView& cloud = on.window.views().cloud();
+        const CloudView& cloud = on.viewer.views.cloud();
         for (int n = 0; n < 8; ++n) {
             for (const auto press : {true, false}) { // waits until the cloud is drawn
                 QElapsedTimer timer;
                 timer.start();
                 const double before = edges::threadCpuMilliseconds();
                 const int frames = cloud.framesDrawn();
-                press ? QTest::keyPress(&on.window.views().gray(), Qt::Key_Backslash)
-                      : QTest::keyRelease(&on.window.views().gray(), Qt::Key_Backslash);
-                QCOMPARE(on.window.views().flipped(), press);
+                press ? QTest::keyPress(&on.viewer.views.gray(), Qt::Key_Backslash)
+                      : QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
+                QCOMPARE(on.viewer.views.flipped(), press);
                 QVERIFY(eventually([&] { return cloud.framesDrawn() > frames; }));
                 if (n == 0) continue; // the first flip uploads a cloud
                 times.push_back(edges::threadCpuMilliseconds() - before);

@@ -25,7 +25,7 @@ class ConfidenceTest : public QObject {
     std::string scan_;
 
     static bool known(WindowFixture& on) {
-        return on.settled() && eventually([&] { return on.window.confidence().made() != nullptr; });
+        return on.settled() && eventually([&] { return on.viewer.confidence.made() != nullptr; });
     }
     static bool showByKey(WindowFixture& on) {
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
@@ -50,14 +50,14 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(scan_) && on.activate());
-        QVERIFY(!on.window.confidenceLegend().isVisible());
+        QVERIFY(!on.viewer.confidenceLegend.isVisible());
         QVERIFY(showByKey(on));
-        const ConfidencePicture& made = *on.window.confidence().made();
+        const ConfidencePicture& made = *on.viewer.confidence.made();
         const edges::Detection& detection = *on.picture().detection;
         const auto truth = edges::edgeConfidence(detection);
         QVERIFY(truth && truth->percent == made.confidence->percent);
-        const ConfidenceLegend& legend = on.window.confidenceLegend();
-        QVERIFY(legend.isVisible() && !on.window.legend().isVisible());
+        const ConfidenceLegend& legend = on.viewer.confidenceLegend;
+        QVERIFY(legend.isVisible() && !on.viewer.legend.isVisible());
         QVERIFY2(legend.words().contains(QString::number(truth->settings)), qPrintable(legend.words()));
         // The counts of the legend equal those of the cells, and each edge is in one band.
         std::array<std::size_t, kBands> counts{};
@@ -70,31 +70,31 @@ private slots:
         QCOMPARE(sum, detection.edges->size());
         QVERIFY2(counts[0] > 0 && counts[0] < sum, "all edges are alike");
         // Each edge cell has the colour of its band in the edge map, and its size in the cloud.
-        const QImage& map = *on.window.views().edges().image();
+        const QImage& map = *on.viewer.views.edges().image();
         for (const std::uint32_t k : *detection.edges) {
-            const QPoint at = on.window.views().placeOf(k);
+            const QPoint at = on.viewer.views.placeOf(k);
             const QColor colour = bandColours(false)[edges::confidenceBand(truth->percent[k])];
             const QRgb pixel = map.pixel(at);
             QVERIFY(pixel == colour.rgba() || pixel == colour.darker(250).rgba());
         }
-        QVERIFY(on.window.views().cloud().edgeColours() == bandColours(false));
+        QVERIFY(on.viewer.views.cloud().edgeColours() == bandColours(false));
         QVERIFY(made.cells.sizes[0] > made.cells.sizes[2] && made.cells.sizes[2] > made.cells.sizes[4]);
         // With the keyboard: edges that fewer than 70 % of the settings find are hidden.
         QSlider* slider = legend.slider();
         slider->setFocus();
         for (int n = 0; n < 7; ++n) QTest::keyClick(slider, Qt::Key_PageUp);
         QCOMPARE(slider->value(), 70);
-        QVERIFY(eventually([&] { return on.window.confidence().made()->leastPercent == 70; }));
+        QVERIFY(eventually([&] { return on.viewer.confidence.made()->leastPercent == 70; }));
         std::size_t kept = 0;
         for (const std::uint32_t k : *detection.edges) kept += truth->percent[k] >= 70 ? 1 : 0;
-        QCOMPARE(on.window.confidence().made()->shown(), kept);
-        QCOMPARE(on.window.views().scene().instead->cells.all->size(), kept);
+        QCOMPARE(on.viewer.confidence.made()->shown(), kept);
+        QCOMPARE(on.viewer.views.scene().instead->cells.all->size(), kept);
         // The detection, and so every export, does not change.
         QCOMPARE(on.picture().detection->edges->size(), sum);
         // Off: the normal picture.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(!on.window.views().scene().instead && on.window.legend().isVisible() && !legend.isVisible());
-        QVERIFY(on.window.views().edges().image() == on.picture().edges);
+        QVERIFY(!on.viewer.views.scene().instead && on.viewer.legend.isVisible() && !legend.isVisible());
+        QVERIFY(on.viewer.views.edges().image() == on.picture().edges);
     }
 
     void anotherPictureIsWorkedOutAnewAndAbHasPrecedence() {
@@ -102,23 +102,23 @@ private slots:
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(scan_) && on.activate());
         QVERIFY(showByKey(on));
-        const auto first = on.window.confidence().made();
+        const auto first = on.viewer.confidence.made();
         QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-        edges::Settings other = on.window.engine().settings();
+        edges::Settings other = on.viewer.engine.settings();
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
-        QVERIFY2(on.window.confidence().made() != first, "what was known of the picture before is still shown");
-        QVERIFY(eventually([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); }));
+        QVERIFY2(on.viewer.confidence.made() != first, "what was known of the picture before is still shown");
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }));
         QVERIFY(known(on));
-        QVERIFY(on.window.confidence().made()->of == on.window.engine().picture());
-        QVERIFY(on.window.changeLegend().isVisible() && !on.window.confidenceLegend().isVisible());
-        QCOMPARE(on.window.views().scene().instead->map, on.window.comparing().comparison()->map);
+        QVERIFY(on.viewer.confidence.made()->of == on.viewer.engine.picture());
+        QVERIFY(on.viewer.changeLegend.isVisible() && !on.viewer.confidenceLegend.isVisible());
+        QCOMPARE(on.viewer.views.scene().instead->map, on.viewer.comparing.comparison()->map);
         // The difference is switched off: confidence appears again; and back.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QVERIFY(on.window.confidenceLegend().isVisible());
-        QCOMPARE(on.window.views().scene().instead->map, on.window.confidence().made()->images[0]);
+        QVERIFY(on.viewer.confidenceLegend.isVisible());
+        QCOMPARE(on.viewer.views.scene().instead->map, on.viewer.confidence.made()->images[0]);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
-        QCOMPARE(on.window.views().scene().instead->map, on.window.comparing().comparison()->map);
+        QCOMPARE(on.viewer.views.scene().instead->map, on.viewer.comparing.comparison()->map);
     }
 
     void theCardOfAnEdgeTellsItWithoutBeingAsked() {
@@ -134,14 +134,14 @@ private slots:
             const auto doubtful = std::ranges::find_if(*first.edges, [&](std::uint32_t k) { return truth->percent[k] < 90; });
             QVERIFY(doubtful != first.edges->end());
             const std::uint32_t cell = *doubtful;
-            const QPoint at = on.window.views().placeOf(cell);
-            ImageView& edges = on.window.views().edges();
+            const QPoint at = on.viewer.views.placeOf(cell);
+            ImageView& edges = on.viewer.views.edges();
             edges.viewPort()->zoomAt(QPointF(at) + QPointF(0.5, 0.5), 8.0);
             QTest::mouseClick(&edges, Qt::LeftButton, Qt::NoModifier,
                               edges.viewPort()->toPixel(QPointF(at) + QPointF(0.5, 0.5), edges.size()).toPoint());
-            QVERIFY(on.window.targets().active() != nullptr);
-            QCOMPARE(on.window.targets().active()->cell, cell);
-            const auto card = [&] { return on.window.targetsPanel().card().text(); };
+            QVERIFY(on.viewer.targets.active() != nullptr);
+            QCOMPARE(on.viewer.targets.active()->cell, cell);
+            const auto card = [&] { return on.viewer.targetsPanel.card().text(); };
             QTRY_VERIFY(card().contains("Edge: "));
             QVERIFY2(card().contains(QString::fromUtf8("Confidence: …")), qPrintable(card()));
             const auto figure = [](const edges::EdgeConfidence& of, std::uint32_t k) {
@@ -149,10 +149,10 @@ private slots:
             };
             QTRY_VERIFY2(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()));
             // The views show the plain edges: the confidence picture is off.
-            QVERIFY(!on.window.views().scene().instead && !on.window.confidence().made());
+            QVERIFY(!on.viewer.views.scene().instead && !on.viewer.confidence.made());
             // The key shows the same value, without a second computation.
             QVERIFY(showByKey(on));
-            QCOMPARE(int(*on.window.confidence().at(cell)), int(truth->percent[cell]));
+            QCOMPARE(int(*on.viewer.confidence.at(cell)), int(truth->percent[cell]));
             QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
             // A key of the slider changes the setting: the former value stays on the card, first next to the dots, then next to the new
             // value.
@@ -169,10 +169,10 @@ private slots:
             QVERIFY(then->percent[cell] == truth->percent[cell] || card().contains(now + "\nwas " + figure(*truth, cell)));
             // A cell that is not an edge has no such row.
             const auto plain = std::ranges::find(second.mask->cells, 0) - second.mask->cells.begin();
-            on.window.views().pinByClick(static_cast<std::size_t>(plain));
-            QTRY_VERIFY(on.window.targets().active()->cell != cell && card().contains("Edge: none"));
+            on.viewer.views.pinByClick(static_cast<std::size_t>(plain));
+            QTRY_VERIFY(on.viewer.targets.active()->cell != cell && card().contains("Edge: none"));
             QVERIFY2(!card().contains("Confidence"), qPrintable(card()));
-            QTRY_VERIFY(on.window.targets().settled());
+            QTRY_VERIFY(on.viewer.targets.settled());
             text = figure(*truth, cell).toStdString();
         }
         // The file of the targets stores the value from the picture on which the target was set.
@@ -189,7 +189,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_) && on.activate());
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(eventually([&] { return on.window.confidenceLegend().words().contains('%'); }));
+        QVERIFY(eventually([&] { return on.viewer.confidenceLegend.words().contains('%'); }));
     }
 
     void bandsStandOutFromTheCloud() {

@@ -25,14 +25,14 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_) && on.activate());
         auto* sheets = on.window.findChild<ContactSheets*>();
-        on.window.views().cloud().setFocus();
+        on.viewer.views.cloud().setFocus();
         QTest::keyClick(&on.window, Qt::Key_S, Qt::ShiftModifier);
         QTRY_VERIFY(sheets->card() != nullptr && sheets->card()->isVisible());
         QTRY_VERIFY(!sheets->card()->working());
         const std::vector<QToolButton*> pictures = sheets->card()->pictures();
         QVERIFY(pictures.size() >= 6);
         QCOMPARE(sheets->entries().size(), pictures.size());
-        const double before = on.window.engine().settings().sensitivity;
+        const double before = on.viewer.engine.settings().sensitivity;
         int inUse = 0, steady = 0;
         for (std::size_t n = 0; n < pictures.size(); ++n) {
             inUse += pictures[n]->text().contains("now") ? 1 : 0;
@@ -44,24 +44,24 @@ private slots:
         // The picture of a value equals the window after adopting this value.
         const std::size_t last = pictures.size() - 1;
         QTest::mouseClick(pictures[last], Qt::LeftButton);
-        QCOMPARE(on.window.engine().settings().sensitivity, sheets->entries()[last].value);
+        QCOMPARE(on.viewer.engine.settings().sensitivity, sheets->entries()[last].value);
         QVERIFY(on.settled());
         QCOMPARE(on.picture().detection->edges->size(), sheets->entries()[last].edges);
-        on.window.undoStack().undo();
-        QCOMPARE(on.window.engine().settings().sensitivity, before);
+        on.viewer.undo.undo();
+        QCOMPARE(on.viewer.engine.settings().sensitivity, before);
     }
 
     void theSliderThatWasTurnedLastIsTheOneOfTheSheet() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
-        on.window.tuning().setParameter("crease", 40);
+        on.viewer.tuning.setParameter("crease", 40);
         QVERIFY(on.settled());
-        QCOMPARE(QString(on.window.tuning().lastChanged().key), QString("crease"));
+        QCOMPARE(QString(on.viewer.tuning.lastChanged().key), QString("crease"));
         auto* sheets = on.window.findChild<ContactSheets*>();
         sheets->show();
         QTRY_VERIFY(!sheets->card()->working());
         QTest::mouseClick(sheets->card()->pictures().front(), Qt::LeftButton);
-        QVERIFY(on.window.engine().settings().creaseDeg < 40);
+        QVERIFY(on.viewer.engine.settings().creaseDeg < 40);
     }
 
     // On a screen of 1280 x 720 (1920 x 1080 at 150 %) the sheet is completely visible.

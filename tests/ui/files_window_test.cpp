@@ -51,22 +51,22 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        const auto before = window.engine().picture();
+        const auto before = window.viewer().engine.picture();
         const QString path = QString::fromStdString(folder_.path().string()) + "/" + name;
         if (!content.startsWith('\x01')) {
             QFile file(path);
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(content);
         }
-        QSignalSpy failures(&window.engine(), &Engine::failed);
-        window.files().open({path});
+        QSignalSpy failures(&window.viewer().engine, &Engine::failed);
+        window.viewer().files.open({path});
         QVERIFY(eventually([&] { return failures.count() == 1; }));
-        QVERIFY(window.notice().isVisible());
-        QCOMPARE(window.notice().kind(), NoticeBar::Kind::Error);
-        QVERIFY2(window.notice().text().contains(name.section('.', 0, 0)), qPrintable(window.notice().text()));
+        QVERIFY(window.viewer().notice.isVisible());
+        QCOMPARE(window.viewer().notice.kind(), NoticeBar::Kind::Error);
+        QVERIFY2(window.viewer().notice.text().contains(name.section('.', 0, 0)), qPrintable(window.viewer().notice.text()));
         QVERIFY(on.settled());
-        QCOMPARE(window.engine().picture(), before);
-        QCOMPARE(window.views().edges().image(), before->edges);
+        QCOMPARE(window.viewer().engine.picture(), before);
+        QCOMPARE(window.viewer().views.edges().image(), before->edges);
         QCOMPARE(window.windowTitle(), QString::fromStdString(before->detection->scan->name) + " - EdgeScan");
     }
 
@@ -82,20 +82,20 @@ private slots:
         MainWindow& window = on.window;
         window.resize(1300, 800);
         QVERIFY(on.showWith(path));
-        QVERIFY2(window.notice().text().contains("degrees ahead of even ones"), qPrintable(window.notice().text()));
+        QVERIFY2(window.viewer().notice.text().contains("degrees ahead of even ones"), qPrintable(window.viewer().notice.text()));
         auto* straighten = window.findChild<QAction*>("straighten-beams");
         QVERIFY(straighten != nullptr && !straighten->isChecked());
-        const auto skew = [&] { return std::get<PolarGeometry>(window.engine().picture()->detection->scan->geometry).lineSkewDeg; };
+        const auto skew = [&] { return std::get<PolarGeometry>(window.viewer().engine.picture()->detection->scan->geometry).lineSkewDeg; };
         const auto tilted = [&] { return !skew().empty() && std::abs(skew()[1] - skew()[0]) > 0.2; };
         QVERIFY(!tilted());
         // The button in the notice corrects it ...
-        auto* offered = window.notice().findChild<QToolButton*>("notice-action");
+        auto* offered = window.viewer().notice.findChild<QToolButton*>("notice-action");
         QVERIFY(offered != nullptr && offered->isVisible());
         QTest::mouseClick(offered, Qt::LeftButton);
         QVERIFY(on.settled());
         QVERIFY(eventually(tilted));
         QVERIFY(straighten->isChecked());
-        QVERIFY2(window.notice().text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.notice().text()));
+        QVERIFY2(window.viewer().notice.text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.viewer().notice.text()));
         // ... and the menu undoes the correction.
         straighten->trigger();
         QVERIFY(eventually([&] { return !tilted(); }));
@@ -119,20 +119,20 @@ private slots:
             {Export::EdgeImage, "mask.png", "--mask"},   {Export::GrayImage, "gray.png", "--gray"},
             {Export::RangeImage, "range.png", "--range"}};
         for (const auto& [what, name, flag] : exports) {
-            QSignalSpy saved(&window.engine(), &Engine::saved);
+            QSignalSpy saved(&window.viewer().engine, &Engine::saved);
             const std::string path = (folder_ / name).string();
-            window.engine().save(what, QString::fromStdString(path));
-            QVERIFY(eventually([&] { return saved.count() == 1 && !window.engine().working(); }));
+            window.viewer().engine.save(what, QString::fromStdString(path));
+            QVERIFY(eventually([&] { return saved.count() == 1 && !window.viewer().engine.working(); }));
             const std::string other = (folder_ / (std::string("cli-") + name)).string();
             QCOMPARE(test::runCli("detect '" + real_ + "' " + flag + " " + other).code, 0);
             QVERIFY2(test::fileText(path) == test::fileText(other), name);
             QVERIFY(!test::fileText(path).empty());
         }
         // A failed export names the path and leaves no file.
-        QSignalSpy failures(&window.engine(), &Engine::failed);
-        window.engine().save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
+        QSignalSpy failures(&window.viewer().engine, &Engine::failed);
+        window.viewer().engine.save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
         QVERIFY(eventually([&] { return failures.count() == 1; }));
-        QVERIFY(window.notice().text().contains("/nonexistent-folder/e.pcd"));
+        QVERIFY(window.viewer().notice.text().contains("/nonexistent-folder/e.pcd"));
     }
 
     void aSmallerScanUnderTheMouseIsShown() {
@@ -143,12 +143,12 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(large));
-        emit window.views().gray().hovered(1499, 1499);
-        emit window.views().gray().clicked(1499, 1499);
-        QVERIFY(!window.statusLine().probeShown().isEmpty());
-        window.files().open({QString::fromStdString(small)});
-        QVERIFY(eventually([&] { return window.engine().picture()->detection->scan->lines() == 4; }));
-        QVERIFY(window.statusLine().probeShown().isEmpty());
+        emit window.viewer().views.gray().hovered(1499, 1499);
+        emit window.viewer().views.gray().clicked(1499, 1499);
+        QVERIFY(!window.viewer().statusLine.probeShown().isEmpty());
+        window.viewer().files.open({QString::fromStdString(small)});
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->detection->scan->lines() == 4; }));
+        QVERIFY(window.viewer().statusLine.probeShown().isEmpty());
     }
 
     void aSeriesGoesOnBehindABadFile() {
@@ -159,15 +159,15 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.files().open({QString::fromStdString(real_), QString::fromStdString(bad), QString::fromStdString(second)});
+        window.viewer().files.open({QString::fromStdString(real_), QString::fromStdString(bad), QString::fromStdString(second)});
         QVERIFY(on.settled());
         QVERIFY(window.windowTitle().contains("(1 of 3)"));
         QVERIFY(on.activate());
-        QSignalSpy failures(&window.engine(), &Engine::failed);
+        QSignalSpy failures(&window.viewer().engine, &Engine::failed);
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(eventually([&] { return failures.count() == 1 && !window.engine().working(); }));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.viewer().engine.working(); }));
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(eventually([&] { return window.engine().picture()->detection->scan->lines() == 30; }));
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->detection->scan->lines() == 30; }));
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
     }
 
@@ -177,12 +177,12 @@ private slots:
         QVERIFY(on.showWith(real_));
         for (const exports::ExportKind& kind : exports::exportKinds()) {
             if (kind.needs == exports::ExportKind::Needs::Rocks) continue; // rocks_window_test.cpp
-            QSignalSpy saved(&window.engine(), &Engine::saved);
+            QSignalSpy saved(&window.viewer().engine, &Engine::saved);
             const std::string name = std::string(kind.key) + (kind.files.empty() ? ".pcd" : kind.files.front().extension);
-            window.engine().save(kind.content, QString::fromStdString((folder_ / name).string()));
-            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.engine().working(); }, 10000));
+            window.viewer().engine.save(kind.content, QString::fromStdString((folder_ / name).string()));
+            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.viewer().engine.working(); }, 10000));
             const QString counted = QString("%1 %2").arg(saved.front()[2].toLongLong()).arg(exports::countedThings(kind));
-            QVERIFY2(window.notice().text().contains(counted), qPrintable(window.notice().text()));
+            QVERIFY2(window.viewer().notice.text().contains(counted), qPrintable(window.viewer().notice.text()));
         }
     }
 
@@ -190,10 +190,10 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        QSignalSpy failures(&window.engine(), &Engine::failed);
-        window.engine().save(exports::ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
-        window.files().open({QString::fromStdString(real_)});
-        QVERIFY(eventually([&] { return failures.count() == 1 && !window.engine().working(); }));
+        QSignalSpy failures(&window.viewer().engine, &Engine::failed);
+        window.viewer().engine.save(exports::ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
+        window.viewer().files.open({QString::fromStdString(real_)});
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.viewer().engine.working(); }));
     }
 
     void aDroppedFileIsOpened() {
@@ -208,27 +208,27 @@ private slots:
         QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&window, &drop);
         QVERIFY(on.settled());
-        QCOMPARE(QString::fromStdString(window.engine().picture()->detection->scan->path), QString::fromStdString(real_));
+        QCOMPARE(QString::fromStdString(window.viewer().engine.picture()->detection->scan->path), QString::fromStdString(real_));
     }
 
     void openingCanBeCancelledAndTheNewestWins() {
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.showWith(real_));
-        const auto before = window.engine().picture();
+        const auto before = window.viewer().engine.picture();
         qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string())); // an empty cache: the demo must be simulated
-        QSignalSpy progress(&window.engine(), &Engine::workProgressed);
-        window.files().openDemo();
+        QSignalSpy progress(&window.viewer().engine, &Engine::workProgressed);
+        window.viewer().files.openDemo();
         QTRY_VERIFY(progress.count() > 0);
-        QVERIFY(window.engine().working());
+        QVERIFY(window.viewer().engine.working());
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(eventually([&] { return !window.engine().working(); }));
-        QCOMPARE(window.engine().picture(), before);
+        QVERIFY(eventually([&] { return !window.viewer().engine.working(); }));
+        QCOMPARE(window.viewer().engine.picture(), before);
         // Two openings in a row: the second one is shown.
-        window.files().openDemo();
-        window.files().open({QString::fromStdString(real_)});
-        QVERIFY(eventually([&] { return window.engine().picture() != before && !window.engine().working(); }));
-        QCOMPARE(QString::fromStdString(window.engine().picture()->detection->scan->path), QString::fromStdString(real_));
+        window.viewer().files.openDemo();
+        window.viewer().files.open({QString::fromStdString(real_)});
+        QVERIFY(eventually([&] { return window.viewer().engine.picture() != before && !window.viewer().engine.working(); }));
+        QCOMPARE(QString::fromStdString(window.viewer().engine.picture()->detection->scan->path), QString::fromStdString(real_));
     }
 };
 

@@ -26,8 +26,8 @@ private slots:
         window.resize(1500, 950);
         QVERIFY(on.showWith(path));
         const Grid<std::uint8_t> before = *on.picture().detection->mask;
-        QVERIFY(window.legend().filled()->isHidden());
-        QVERIFY(!window.statusLine().countsShown().contains("filled"));
+        QVERIFY(window.viewer().legend.filled()->isHidden());
+        QVERIFY(!window.viewer().statusLine.countsShown().contains("filled"));
 
         QTest::keyClick(on.slider("fill"), Qt::Key_End);
         QVERIFY(on.settled());
@@ -35,9 +35,9 @@ private slots:
         const GapFilling& filling = *on.picture().detection->filled;
         QVERIFY(filling.cells.size() > 50);
         QCOMPARE(*on.picture().detection->mask, before);
-        QVERIFY(!window.legend().filled()->isHidden());
-        QVERIFY(window.legend().filled()->text().contains(QString::number(filling.cells.size())));
-        QVERIFY(window.statusLine().countsShown().contains(QString(" %1 filled").arg(filling.cells.size())));
+        QVERIFY(!window.viewer().legend.filled()->isHidden());
+        QVERIFY(window.viewer().legend.filled()->text().contains(QString::number(filling.cells.size())));
+        QVERIFY(window.viewer().statusLine.countsShown().contains(QString(" %1 filled").arg(filling.cells.size())));
         for (const auto& image : {on.picture().gray, on.picture().edges}) {
             const FilledCell& cell = filling.cells.front();
             const QRgb seen = image->pixel(static_cast<int>(cell.cell % 160), static_cast<int>(cell.cell / 160));
@@ -61,7 +61,7 @@ private slots:
         QTest::keyClick(on.slider("fill"), Qt::Key_Home);
         QVERIFY(on.settled());
         QTRY_VERIFY(on.picture().detection->filled == nullptr);
-        QVERIFY(window.legend().filled()->isHidden());
+        QVERIFY(window.viewer().legend.filled()->isHidden());
     }
 };
 

@@ -93,16 +93,16 @@ QSet<QString> everyTextIn(const QWidget& window) {
 bool laidOut(WindowFixture& on, const std::string& scan) {
     on.window.resize(1920, 1080);
     if (!on.showWith(scan)) return false;
-    on.window.rocks().setShown(true);
-    on.window.comparing().keep();
-    on.window.confidence().setOn(true);
-    on.window.views().pin(on.window.views().cellAt(20, 30));
-    on.window.live().panel().show();
-    edges::Settings other = on.window.engine().settings();
+    on.viewer.rocks.setShown(true);
+    on.viewer.comparing.keep();
+    on.viewer.confidence.setOn(true);
+    on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+    on.viewer.live.panel().show();
+    edges::Settings other = on.viewer.engine.settings();
     other.sensitivity = 1.4;
     return on.use(other) && eventually([&] {
-               return on.window.targets().settled() && on.window.rocks().picture() != nullptr && on.window.confidence().made() != nullptr &&
-                      on.window.comparing().settled();
+               return on.viewer.targets.settled() && on.viewer.rocks.picture() != nullptr && on.viewer.confidence.made() != nullptr &&
+                      on.viewer.comparing.settled();
            });
 }
 
@@ -230,7 +230,7 @@ private slots:
             QVERIFY(spanish != nullptr && !spanish->isChecked());
             QVERIFY(on.window.findChild<QAction*>("language-en")->isChecked());
             spanish->trigger();
-            QVERIFY(on.window.notice().isVisible());
+            QVERIFY(on.viewer.notice.isVisible());
             QCOMPARE(on.memory.text("language"), QString("es"));
         }
         const Memory memory(ini);
@@ -248,27 +248,27 @@ private slots:
         {
             WindowFixture on(ini);
             QVERIFY(on.showWith(scan_));
-            on.window.views().pin(on.window.views().cellAt(20, 30));
-            QVERIFY(eventually([&] { return on.window.targets().settled(); }));
-            const auto& kept = on.window.targets().notebook().targets.front().asPinned;
+            on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+            QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+            const auto& kept = on.viewer.targets.notebook().targets.front().asPinned;
             QVERIFY(kept.size() > 3);
             QCOMPARE(kept.front().first, std::string("Distance"));
             QVERIFY(std::ranges::any_of(kept, [](const auto& row) { return row.first == "Resolves"; }));
             // The audit log uses the language of the sources too; the menu uses the window's language.
-            on.window.markedEdges().mark(on.window.views().cellAt(20, 30), true);
-            const QUndoStack& undo = on.window.undoStack();
+            on.viewer.markedEdges.mark(on.viewer.views.cellAt(20, 30), true);
+            const QUndoStack& undo = on.viewer.undo;
             QCOMPARE(undo.text(undo.index() - 1), QString("Mark of an Edge"));
             QCOMPARE(undo.undoText(), QString("Marque d’arête"));
-            on.window.tuning().setParameter("classes", edges::kClassConvex);
+            on.viewer.tuning.setParameter("classes", edges::kClassConvex);
             QVERIFY(undo.text(undo.index() - 1) != undo.undoText());
         }
         QVERIFY(useLanguage("es", kTexts));
         WindowFixture on(ini);
         QVERIFY(on.showWith(scan_));
-        QVERIFY(eventually([&] { return on.window.targets().settled() && !on.window.targets().notebook().targets.empty(); }));
-        on.window.views().pin(on.window.views().cellAt(20, 30));
-        QVERIFY(eventually([&] { return on.window.targets().settled(); }));
-        const QString card = on.window.targetsPanel().card().text();
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && !on.viewer.targets.notebook().targets.empty(); }));
+        on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+        const QString card = on.viewer.targetsPanel.card().text();
         QVERIFY2(!card.contains("antes:"), qPrintable(card));
     }
 

@@ -91,17 +91,17 @@ private slots:
         for (const QSize size :
              {QSize(853, 533), QSize(1024, 700), QSize(1280, 800), QSize(1366, 768), QSize(1600, 900), QSize(1920, 1040)}) {
             resizeTo(window, size);
-            const CloudView& cloud = window.views().cloud();
+            const CloudView& cloud = window.viewer().views.cloud();
             const QByteArray at = QString("%1: cloud %2 images %3 panel %4")
                                       .arg(size.width())
                                       .arg(cloud.width())
-                                      .arg(window.views().gray().width())
+                                      .arg(window.viewer().views.gray().width())
                                       .arg(dock(window)->isHidden() ? 0 : dock(window)->width())
                                       .toUtf8();
             QVERIFY2(cloud.width() >= 0.54 * size.width(), at.constData());
             // The images are one above the other; three panes in a row never occur.
-            QCOMPARE(window.views().gray().mapTo(&window, QPoint()).x(), window.views().edges().mapTo(&window, QPoint()).x());
-            QVERIFY2(window.views().gray().width() >= 140, at.constData());
+            QCOMPARE(window.viewer().views.gray().mapTo(&window, QPoint()).x(), window.viewer().views.edges().mapTo(&window, QPoint()).x());
+            QVERIFY2(window.viewer().views.gray().width() >= 140, at.constData());
             QCOMPARE(dock(window)->isHidden(), size.width() < 1100);
             if (!dock(window)->isHidden()) QVERIFY2(dock(window)->width() <= 0.225 * size.width(), at.constData());
             QCOMPARE(window.findChild<DockRail*>()->isVisible(), size.width() < 1100);
@@ -112,7 +112,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(bare_));
         resizeTo(on.window, {1280, 800});
-        auto* scroll = on.window.panel().findChild<QScrollArea*>();
+        auto* scroll = on.viewer.panel.findChild<QScrollArea*>();
         const int width = dock(on.window)->width();
         for (const edges::MethodTraits& method : edges::methodTraits()) {
             edges::Settings settings = edges::cannySettings();
@@ -138,10 +138,10 @@ private slots:
             WindowFixture on(ini);
             QVERIFY(on.showWith(bare_));
             resizeTo(on.window, {1280, 800});
-            const int before = on.window.views().cloud().width();
+            const int before = on.viewer.views.cloud().width();
             QTest::mouseClick(dock(on.window)->findChild<QToolButton*>("fold"), Qt::LeftButton);
             QTRY_VERIFY(dock(on.window)->isHidden());
-            QTRY_VERIFY(on.window.views().cloud().width() > before + 150);
+            QTRY_VERIFY(on.viewer.views.cloud().width() > before + 150);
             resizeTo(on.window, {1500, 800});
             QVERIFY(dock(on.window)->isHidden());
             auto* rail = on.window.findChild<QToolButton*>("rail-dock-edges");

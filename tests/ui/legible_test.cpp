@@ -40,11 +40,11 @@ private slots:
         auto* probe = on.window.findChild<QLabel*>("probe");
         const Scan& scan = *on.picture().detection->scan;
         const auto valid = std::ranges::find(scan.state.cells, CellState::Valid) - scan.state.cells.begin();
-        const QPoint cell = on.window.views().placeOf(static_cast<std::size_t>(valid));
+        const QPoint cell = on.viewer.views.placeOf(static_cast<std::size_t>(valid));
         for (const int width : {853, 1280, 1366, 1600, 1920}) {
             resizeTo(on.window, {width, 800});
-            on.window.views().clearPin();
-            emit on.window.views().gray().clicked(cell.y(), cell.x());
+            on.viewer.views.clearPin();
+            emit on.viewer.views.gray().clicked(cell.y(), cell.x());
             QApplication::processEvents();
             const QString text = probe->text();
             QVERIFY2(
@@ -55,7 +55,7 @@ private slots:
             // Complete, and without overlap.
             QList<QRect> places{QRect(probe->mapTo(&on.window, QPoint()), probe->size())};
             bool spec = false;
-            for (const QLabel* label : on.window.statusLine().findChildren<QLabel*>()) {
+            for (const QLabel* label : on.viewer.statusLine.findChildren<QLabel*>()) {
                 if (label == probe || !label->isVisible()) continue;
                 spec = spec || label->text().contains("OUT OF SPEC");
                 const QRect place(label->mapTo(&on.window, QPoint()), label->size());
@@ -79,15 +79,15 @@ private slots:
             QVERIFY(on.showWith(bare_));
             const Scan& scan = *on.picture().detection->scan;
             const auto valid = std::ranges::find(scan.state.cells, CellState::Valid) - scan.state.cells.begin();
-            const QPoint cell = on.window.views().placeOf(static_cast<std::size_t>(valid));
+            const QPoint cell = on.viewer.views.placeOf(static_cast<std::size_t>(valid));
             auto* probe = on.window.findChild<QLabel*>("probe");
             for (const int width : {1280, 1366, 1920}) {
                 resizeTo(on.window, {width, 800});
-                on.window.views().clearPin();
-                emit on.window.views().gray().clicked(cell.y(), cell.x());
+                on.viewer.views.clearPin();
+                emit on.viewer.views.gray().clicked(cell.y(), cell.x());
                 QApplication::processEvents();
                 QVERIFY2(!probe->text().contains("…"), qPrintable(QString("%1 %2: %3").arg(code).arg(width).arg(probe->text())));
-                QCOMPARE(probe->toolTip(), on.window.statusLine().probeShown());
+                QCOMPARE(probe->toolTip(), on.viewer.statusLine.probeShown());
                 QVERIFY(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(probe->text()));
                 QVERIFY2(on.window.findChild<QLabel*>("counts")->isVisible(), code);
             }
@@ -104,7 +104,7 @@ private slots:
             for (const int width : {853, 1280, 1920, 2560}) {
                 resizeTo(on.window, {width, 800});
                 withWords = 0;
-                for (const auto* button : on.window.tools().findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+                for (const auto* button : on.viewer.tools.findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
                     if (button->objectName() == "qt_toolbar_ext_button") {
                         QVERIFY2(!button->isVisible(), qPrintable(QString("%1: there is no room at %2").arg(code).arg(width)));
                         continue;
@@ -121,18 +121,18 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(bare_) && on.activate());
         const auto pressed = [&](const char* text) {
-            for (auto* button : on.window.tools().findChildren<QToolButton*>()) {
+            for (auto* button : on.viewer.tools.findChildren<QToolButton*>()) {
                 if (button->text() == text) QTest::mouseClick(button, Qt::LeftButton);
             }
         };
         pressed("Rocks");
-        QVERIFY(on.window.rocks().shown());
+        QVERIFY(on.viewer.rocks.shown());
         auto* measure = on.window.findChild<QToolButton*>("tool-measure");
         QVERIFY(!measure->isChecked());
-        on.window.measures().start(inspect::MeasureKind::Distance);
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
         QVERIFY(measure->isChecked());
         pressed("Pin");
-        QVERIFY(!measure->isChecked() && on.window.views().tool() == Tool::Pin);
+        QVERIFY(!measure->isChecked() && on.viewer.views.tool() == Tool::Pin);
     }
 
     // Three panels, one above the other, with the cards of a rock and a target: content that does not fit scrolls, and no widget is
@@ -142,13 +142,12 @@ private slots:
         QVERIFY(on.showWith(placed_));
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }));
-        on.window.views().pin(on.window.views().cellAt(60, 80));
-        QVERIFY(eventually([&] { return on.window.targets().settled(); }));
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
+        on.viewer.views.pin(on.viewer.views.cellAt(60, 80));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080)}) {
             resizeTo(on.window, size);
-            for (const QWidget* panel :
-                 {static_cast<QWidget*>(&on.window.rocksPanel()), static_cast<QWidget*>(&on.window.targetsPanel())}) {
+            for (const QWidget* panel : {static_cast<QWidget*>(&on.viewer.rocksPanel), static_cast<QWidget*>(&on.viewer.targetsPanel)}) {
                 if (!panel->isVisible()) continue;
                 int labels = 0;
                 for (const QLabel* label : panel->findChildren<QLabel*>()) {

@@ -45,9 +45,11 @@ class LiveMannersTest : public QObject {
         return made ? std::move(*made) : nullptr;
     }
     static void press(MainWindow& window, const char* name) {
-        QTest::mouseClick(window.live().panel().findChild<QPushButton*>(name), Qt::LeftButton);
+        QTest::mouseClick(window.viewer().live.panel().findChild<QPushButton*>(name), Qt::LeftButton);
     }
-    static int lines(MainWindow& window) { return window.engine().picture() ? window.engine().picture()->detection->scan->lines() : 0; }
+    static int lines(MainWindow& window) {
+        return window.viewer().engine.picture() ? window.viewer().engine.picture()->detection->scan->lines() : 0;
+    }
 
 private slots:
     void initTestCase() {
@@ -67,24 +69,24 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
-        const StateBadge& badge = window.live().panel().strip().badge();
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const StateBadge& badge = window.viewer().live.panel().strip().badge();
         QTRY_VERIFY(lines(window) > 5 && badge.text() == "LIVE");
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("HELD"));
         QVERIFY(badge.sign() != StateBadge::Sign::Good);
         // The badge of the picture agrees, with the time of its newest line.
         const QRegularExpression time("^HELD · [0-9]{4}-[0-9]{2}-[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2} UTC$");
-        QVERIFY2(time.match(window.origin().text()).hasMatch(), qPrintable(window.origin().text()));
-        QVERIFY(window.origin().sign() == StateBadge::Sign::Waiting);
+        QVERIFY2(time.match(window.viewer().origin.text()).hasMatch(), qPrintable(window.viewer().origin.text()));
+        QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Waiting);
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("LIVE"));
-        QVERIFY2(window.origin().text().startsWith("LIVE · "), qPrintable(window.origin().text()));
-        QVERIFY(window.origin().sign() == StateBadge::Sign::Good);
-        window.files().open({QString::fromStdString(bell_)});
+        QVERIFY2(window.viewer().origin.text().startsWith("LIVE · "), qPrintable(window.viewer().origin.text()));
+        QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Good);
+        window.viewer().files.open({QString::fromStdString(bell_)});
         QTRY_VERIFY(on.picture().detection->scan->path == bell_);
         QTRY_VERIFY2(badge.text().contains("another picture") && badge.sign() != StateBadge::Sign::Good, qPrintable(badge.text()));
-        QVERIFY2(window.origin().text().startsWith("FILE bell"), qPrintable(window.origin().text()));
+        QVERIFY2(window.viewer().origin.text().startsWith("FILE bell"), qPrintable(window.viewer().origin.text()));
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("LIVE"));
         QVERIFY(on.picture().detection->scan->path != bell_);
@@ -96,10 +98,10 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         for (int n = 0; n < 3; ++n) {
-            QTRY_VERIFY(!window.live().scanner().following()); // held at the end of a sweep
-            QTRY_VERIFY(!window.engine().behind());
+            QTRY_VERIFY(!window.viewer().live.scanner().following()); // held at the end of a sweep
+            QTRY_VERIFY(!window.viewer().engine.behind());
             const QString name = QString::fromStdString(on.picture().detection->scan->name);
             QVERIFY2(window.windowTitle().startsWith(name + " "), qPrintable(window.windowTitle() + " for " + name));
             press(window, "live-follow");
@@ -113,27 +115,27 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         QTRY_VERIFY(lines(window) > 5);
         QVERIFY(on.activate());
         press(window, "live-connect"); // Stop
-        QVERIFY(!window.live().scanner().connected());
-        QTRY_VERIFY(!window.engine().behind());
+        QVERIFY(!window.viewer().live.scanner().connected());
+        QTRY_VERIFY(!window.viewer().engine.behind());
         for (const bool byKey : {false, true}) {
             QWidget* at = window.focusWidget() != nullptr ? window.focusWidget() : &window;
             QTest::keyClick(at, Qt::Key_Space);
             QTest::keyClick(at, Qt::Key_Return);
-            QVERIFY2(!window.live().scanner().connected(), byKey ? "after a key" : "after a click");
+            QVERIFY2(!window.viewer().live.scanner().connected(), byKey ? "after a key" : "after a click");
             if (byKey) break;
             // With the keyboard: the pressed button has another meaning by now.
-            auto* button = window.live().panel().findChild<QPushButton*>("live-connect");
+            auto* button = window.viewer().live.panel().findChild<QPushButton*>("live-connect");
             button->setFocus(Qt::TabFocusReason);
             QTest::keyClick(button, Qt::Key_Space); // Connect
-            QVERIFY(window.live().scanner().connected());
+            QVERIFY(window.viewer().live.scanner().connected());
             QVERIFY(!button->hasFocus());
             button->setFocus(Qt::TabFocusReason);
             QTest::keyClick(button, Qt::Key_Space); // Stop
-            QVERIFY(!window.live().scanner().connected());
+            QVERIFY(!window.viewer().live.scanner().connected());
         }
     }
 
@@ -143,9 +145,9 @@ private slots:
         const QString folder = QString::fromStdString((folder_ / "recordings").string());
         WindowFixture on;
         MainWindow& window = on.window;
-        window.live().setRecordingFolder(folder);
+        window.viewer().live.setRecordingFolder(folder);
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         press(window, "live-record");
         QTRY_VERIFY(lines(window) > 10);
         int asked = 0;
@@ -163,10 +165,10 @@ private slots:
         };
         QVERIFY(!close("no"));
         QCOMPARE(asked, 1);
-        QVERIFY(window.isVisible() && window.live().scanner().recording());
+        QVERIFY(window.isVisible() && window.viewer().live.scanner().recording());
         QVERIFY(close("end-and-close"));
         QCOMPARE(asked, 2);
-        QVERIFY(!window.live().scanner().recording());
+        QVERIFY(!window.viewer().live.scanner().recording());
         const QStringList files = QDir(folder).entryList({"sweep_*.mcap"});
         QCOMPARE(files.size(), 1);
         QTRY_VERIFY(bool(files::openScan(QDir(folder).filePath(files.front()).toStdString())));
@@ -178,8 +180,8 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
-        const HealthStrip& strip = window.live().panel().strip();
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const HealthStrip& strip = window.viewer().live.panel().strip();
         QTRY_VERIFY(strip.shown().end.starts_with("ends in "));
         emulated.reset();
         QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);
@@ -192,12 +194,12 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep(Axis::Spin));
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep(Axis::Spin));
         QTRY_VERIFY(lines(window) > 10);
         const auto axis = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry).axis; };
         QVERIFY(axis() == Axis::Spin);
         const int before = lines(window);
-        auto* button = window.live().panel().findChild<QToolButton*>("live-sweep");
+        auto* button = window.viewer().live.panel().findChild<QToolButton*>("live-sweep");
         QVERIFY(button->isEnabled());
         const Meanwhile hand([&] {
             auto* menu = button->menu();
@@ -208,7 +210,7 @@ private slots:
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_VERIFY(axis() == Axis::Sweep);
         QVERIFY2(lines(window) >= before, "the lines that are there go to their new places");
-        QVERIFY(window.live().scanner().connected());
+        QVERIFY(window.viewer().live.scanner().connected());
     }
 
     // A recording with wrong mounting values: corrected on opening, and during scrubbing too.
@@ -224,24 +226,24 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.files().open({QString::fromStdString(path)});
+        window.viewer().files.open({QString::fromStdString(path)});
         const auto geometry = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry); };
-        Timeline& timeline = window.live().timeline();
-        QTRY_VERIFY(timeline.active() && !window.engine().behind());
+        Timeline& timeline = window.viewer().live.timeline();
+        QTRY_VERIFY(timeline.active() && !window.viewer().engine.behind());
         QVERIFY(geometry().axis == Axis::Spin);
-        ReadingOptions options = window.files().options();
+        ReadingOptions options = window.viewer().files.options();
         options.axis = Axis::Sweep;
         options.lineStartDeg = -80.0;
         options.lineStepDeg = 1.25;
-        window.files().readAgain(options, "mounting");
-        QTRY_VERIFY(!window.engine().opening() && timeline.active() && geometry().axis == Axis::Sweep);
+        window.viewer().files.readAgain(options, "mounting");
+        QTRY_VERIFY(!window.viewer().engine.opening() && timeline.active() && geometry().axis == Axis::Sweep);
         QCOMPARE(geometry().lineDeg.at(1), -78.75);
         timeline.goTo(40);
         QTRY_VERIFY(lines(window) == 40);
         QVERIFY(geometry().axis == Axis::Sweep);
         QCOMPARE(geometry().lineDeg.at(1), -78.75);
-        window.undoStack().undo();
-        QTRY_VERIFY(!window.engine().opening() && geometry().axis == Axis::Spin);
+        window.viewer().undo.undo();
+        QTRY_VERIFY(!window.viewer().engine.opening() && geometry().axis == Axis::Spin);
     }
 };
 

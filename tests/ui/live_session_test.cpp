@@ -32,16 +32,16 @@ class LiveSessionTest : public QObject {
         return made ? std::move(*made) : nullptr;
     }
     static int lines(WindowFixture& on) {
-        const auto& picture = on.window.engine().picture();
+        const auto& picture = on.viewer.engine.picture();
         return picture ? picture->detection->scan->lines() : 0;
     }
     static void clickCell(WindowFixture& on, int line, int beam) {
-        ImageView& view = on.window.views().gray();
+        ImageView& view = on.viewer.views.gray();
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier,
                           view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint());
     }
     static void press(WindowFixture& on, const char* name) {
-        QTest::mouseClick(on.window.live().panel().findChild<QPushButton*>(name), Qt::LeftButton);
+        QTest::mouseClick(on.viewer.live.panel().findChild<QPushButton*>(name), Qt::LeftButton);
     }
     [[nodiscard]] static std::optional<std::filesystem::path> savedIn(const std::filesystem::path& sessions) {
         std::error_code none;
@@ -57,16 +57,16 @@ class LiveSessionTest : public QObject {
         return read ? std::optional(read->state) : std::nullopt;
     }
     bool connectAndRecord(WindowFixture& on, const scanner::EmulatedScanner& scanner, const std::filesystem::path& home) {
-        on.window.live().setRecordingFolder(QString::fromStdString((home / "recordings").string()));
+        on.viewer.live.setRecordingFolder(QString::fromStdString((home / "recordings").string()));
         if (!on.show() || !on.activate()) return false;
         scanner::SweepSettings sweep;
         sweep.expectedLines = kLines;
         sweep.degPerLine = 180.0 / kLines;
         sweep.firstLineDeg = -90;
         sweep.axis = Axis::Sweep;
-        on.window.live().connectTo("127.0.0.1", scanner.port(), sweep);
+        on.viewer.live.connectTo("127.0.0.1", scanner.port(), sweep);
         press(on, "live-record"); // before the first line arrives
-        return on.window.live().scanner().recording() && eventually([&] { return lines(on) >= 50; });
+        return on.viewer.live.scanner().recording() && eventually([&] { return lines(on) >= 50; });
     }
 
 private slots:
@@ -103,7 +103,7 @@ private slots:
                 const auto now = saved(home / "sessions");
                 return now && now->scan.identity.sha256.size() == 64;
             }));
-            on.window.live().scanner().disconnectScanner();
+            on.viewer.live.scanner().disconnectScanner();
         }
         WindowFixture on(QString::fromStdString((folder_ / "later.ini").string()));
         QVERIFY(on.show());
@@ -111,14 +111,14 @@ private slots:
         QVERIFY(session);
         on.window.sessions().openSession(QString::fromStdString(session->string()));
         QVERIFY(on.settled());
-        QVERIFY2(eventually([&] { return on.window.targets().notebook().targets.size() == 2; }), qPrintable(on.window.notice().text()));
+        QVERIFY2(eventually([&] { return on.viewer.targets.notebook().targets.size() == 2; }), qPrintable(on.viewer.notice.text()));
         // The recording next to the copied session, not the one that continued; line and beam are those of the click.
-        QVERIFY2(on.window.files().path().startsWith(QString::fromStdString(left.string())), qPrintable(on.window.files().path()));
+        QVERIFY2(on.viewer.files.path().startsWith(QString::fromStdString(left.string())), qPrintable(on.viewer.files.path()));
         QVERIFY(lines(on) >= 41 && lines(on) < kLines);
-        const auto& targets = on.window.targets().notebook().targets;
+        const auto& targets = on.viewer.targets.notebook().targets;
         QCOMPARE(int(targets[0].cell), 20 * kBeams + 150);
         QCOMPARE(int(targets[1].cell), 40 * kBeams + 200);
-        QVERIFY(on.window.live().timeline().labelShown().startsWith("RECORDED"));
+        QVERIFY(on.viewer.live.timeline().labelShown().startsWith("RECORDED"));
         const Scan& scan = *on.picture().detection->scan;
         QVERIFY(std::ranges::any_of(scan.warnings, [](const std::string& warning) { return warning.starts_with("INCOMPLETE"); }));
         for (int n = 0; n < 41 * kBeams; ++n)
@@ -146,16 +146,16 @@ private slots:
             session = home / "sessions" / (std::string("other") + inspect::kSessionEnding);
             QVERIFY(bool(writeWholeFile(session, inspect::sessionText(other, session.parent_path(), ""))));
             press(on, "live-record");
-            QVERIFY(eventually([&] { return on.window.live().scanner().recordingClosed(); }));
-            on.window.live().scanner().disconnectScanner();
+            QVERIFY(eventually([&] { return on.viewer.live.scanner().recordingClosed(); }));
+            on.viewer.live.scanner().disconnectScanner();
         }
         WindowFixture on;
         QVERIFY(on.show());
         on.window.sessions().openSession(QString::fromStdString(session.string()));
         QVERIFY(on.settled());
-        QVERIFY2(eventually([&] { return on.window.notice().text().contains("is not the scan of this session"); }),
-                 qPrintable(on.window.notice().text()));
-        QVERIFY(on.window.targets().notebook().targets.empty());
+        QVERIFY2(eventually([&] { return on.viewer.notice.text().contains("is not the scan of this session"); }),
+                 qPrintable(on.viewer.notice.text()));
+        QVERIFY(on.viewer.targets.notebook().targets.empty());
     }
 };
 

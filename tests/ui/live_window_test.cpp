@@ -56,22 +56,22 @@ class LiveWindowTest : public QObject {
     }
 
     static int linesShown(MainWindow& window) {
-        const auto& picture = window.engine().picture();
+        const auto& picture = window.viewer().engine.picture();
         return picture ? picture->detection->scan->lines() : 0;
     }
     static bool waitForLines(MainWindow& window, int lines) {
         return eventually([&] { return linesShown(window) >= lines; });
     }
     static bool waitForBadge(MainWindow& window, StateBadge::Sign sign) {
-        return eventually([&] { return window.live().panel().strip().badge().sign() == sign; });
+        return eventually([&] { return window.viewer().live.panel().strip().badge().sign() == sign; });
     }
-    static std::string shownMask(MainWindow& window) { return exports::maskSha256(*window.engine().picture()->detection->mask); }
+    static std::string shownMask(MainWindow& window) { return exports::maskSha256(*window.viewer().engine.picture()->detection->mask); }
     [[nodiscard]] static std::string maskOf(const std::string& file) {
         const auto run = test::runCli("detect " + file + " --json -");
         return run.code == 0 ? nlohmann::json::parse(run.out)["edge_mask_sha256"].get<std::string>() : run.err;
     }
     static void press(MainWindow& window, const char* name) {
-        QTest::mouseClick(window.live().panel().findChild<QPushButton*>(name), Qt::LeftButton);
+        QTest::mouseClick(window.viewer().live.panel().findChild<QPushButton*>(name), Qt::LeftButton);
     }
     // The visible pixels of an image view, with texts and stale overlay.
     static QImage seen(QWidget& view) { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
@@ -96,16 +96,16 @@ private slots:
             QVERIFY(scanner);
             WindowFixture on;
             QVERIFY(on.show());
-            on.window.live().connectTo("127.0.0.1", scanner->port(), sweep());
+            on.viewer.live.connectTo("127.0.0.1", scanner->port(), sweep());
             QVERIFY(waitForLines(on.window, 20));
-            const HealthStrip& strip = on.window.live().panel().strip();
+            const HealthStrip& strip = on.viewer.live.panel().strip();
             const auto isShown = [&] {
                 return QString::fromStdString(strip.shown().lines).contains(each.lines) &&
                        QString::fromStdString(strip.shown().remark) == each.remark;
             };
             QVERIFY2(eventually(isShown), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
-            QCOMPARE(on.window.statusLine().recordedShown(), QString()); // the picture is live
-            on.window.live().scanner().disconnectScanner();
+            QCOMPARE(on.viewer.statusLine.recordedShown(), QString()); // the picture is live
+            on.viewer.live.scanner().disconnectScanner();
         }
     }
 
@@ -129,16 +129,16 @@ private slots:
         // Like an operator.
         QVERIFY(on.activate());
         QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
-        auto* host = window.live().panel().findChild<QLineEdit*>("live-host");
+        auto* host = window.viewer().live.panel().findChild<QLineEdit*>("live-host");
         QTRY_VERIFY(host->isVisible());
         host->setText("127.0.0.1");
-        window.live().panel().findChild<QSpinBox*>("live-port")->setValue(served.port());
-        window.live().panel().setSweep(sweep());
+        window.viewer().live.panel().findChild<QSpinBox*>("live-port")->setValue(served.port());
+        window.viewer().live.panel().setSweep(sweep());
         std::set<int> lines;
         std::set<std::pair<double, double>> windows;
         std::set<std::string> growingSizes;
         connect(&window, &MainWindow::pictureShown, this, [&] {
-            const Picture& picture = *window.engine().picture();
+            const Picture& picture = *window.viewer().engine.picture();
             lines.insert(picture.detection->scan->lines());
             if (!picture.source.growth.growing) return;
             windows.insert({picture.detection->settings.nearMm, picture.detection->settings.farMm});
@@ -147,49 +147,50 @@ private slots:
         press(window, "live-connect");
         QVERIFY(waitForLines(window, 20));
         QVERIFY(waitForBadge(window, StateBadge::Sign::Good));
-        QVERIFY2(window.live().panel().scannerShown().contains("SN 18110550"), qPrintable(window.live().panel().scannerShown()));
-        QVERIFY(window.live().panel().findChild<QLabel*>("live-lines")->text().startsWith("INCOMPLETE "));
-        QVERIFY(window.live().panel().findChild<QLabel*>("live-lines")->text().endsWith("/160 lines"));
+        QVERIFY2(window.viewer().live.panel().scannerShown().contains("SN 18110550"),
+                 qPrintable(window.viewer().live.panel().scannerShown()));
+        QVERIFY(window.viewer().live.panel().findChild<QLabel*>("live-lines")->text().startsWith("INCOMPLETE "));
+        QVERIFY(window.viewer().live.panel().findChild<QLabel*>("live-lines")->text().endsWith("/160 lines"));
 
         // Every picture is consistent, and equals the complete method with the settings that it names.
-        const auto growing = window.engine().picture();
+        const auto growing = window.viewer().engine.picture();
         QVERIFY(growing->source.growth.growing);
         QCOMPARE(*growing->detection->mask, *edges::detectEdges(growing->detection->scan, growing->detection->settings)->mask);
-        QCOMPARE(static_cast<int>(window.views().cloud().geometryOfCloud()->cells()),
-                 static_cast<int>(window.views().cloud().scan()->cells()));
+        QCOMPARE(static_cast<int>(window.viewer().views.cloud().geometryOfCloud()->cells()),
+                 static_cast<int>(window.viewer().views.cloud().scan()->cells()));
 
         // A camera that was moved stays; so does the zoom of the images.
-        CameraPose pose = window.views().cloud().camera();
+        CameraPose pose = window.viewer().views.cloud().camera();
         pose.position.x() += 0.5;
-        window.views().cloud().setCamera(pose);
-        window.views().gray().viewPort()->zoomAt({100, 5}, 3.0);
-        const double zoom = window.views().gray().viewPort()->zoom();
+        window.viewer().views.cloud().setCamera(pose);
+        window.viewer().views.gray().viewPort()->zoomAt({100, 5}, 3.0);
+        const double zoom = window.viewer().views.gray().viewPort()->zoom();
         const int before = linesShown(window);
         QSlider* slider = on.slider("lower");
         slider->setValue(slider->value() + 7);
-        const double wanted = window.engine().settings().lower;
-        QVERIFY(eventually([&] { return window.engine().picture()->detection->settings.lower == wanted; }));
-        QVERIFY2(window.engine().picture()->source.growth.growing, "the slider works while the sweep grows");
+        const double wanted = window.viewer().engine.settings().lower;
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->detection->settings.lower == wanted; }));
+        QVERIFY2(window.viewer().engine.picture()->source.growth.growing, "the slider works while the sweep grows");
         QVERIFY(waitForLines(window, before + 30));
-        QVERIFY(window.views().cloud().camera() == pose);
-        QCOMPARE(window.views().gray().viewPort()->zoom(), zoom);
+        QVERIFY(window.viewer().views.cloud().camera() == pose);
+        QCOMPARE(window.viewer().views.gray().viewPort()->zoom(), zoom);
         slider->setValue(slider->value() - 7);
 
-        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }));
-        QVERIFY(eventually([&] { return !window.engine().behind(); }));
+        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; }));
+        QVERIFY(eventually([&] { return !window.viewer().engine.behind(); }));
         QCOMPARE(shownMask(window), maskOf(bell_));
         QVERIFY2(lines.size() > 8, "line by line, not all at once");
         QVERIFY2(windows.size() <= 6, "the range window stays while the sweep grows");
         QCOMPARE(growingSizes, std::set<std::string>{"381x160"});
         // The next sweep does not replace the finished one.
-        QSignalSpy health(&window.live().scanner(), &ScannerLink::healthChanged);
+        QSignalSpy health(&window.viewer().live.scanner(), &ScannerLink::healthChanged);
         QTRY_VERIFY(health.count() > 5); // lines of the next sweep arrive
         QCOMPARE(linesShown(window), kLines);
-        QVERIFY(!window.live().scanner().following());
-        QVERIFY(window.views().gray().note().startsWith("Held: sweep 1"));
+        QVERIFY(!window.viewer().live.scanner().following());
+        QVERIFY(window.viewer().views.gray().note().startsWith("Held: sweep 1"));
         press(window, "live-follow");
-        QVERIFY(eventually([&] { return window.engine().picture()->source.growth.growing; }));
-        QVERIFY(window.views().cloud().camera() == pose);
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->source.growth.growing; }));
+        QVERIFY(window.viewer().views.cloud().camera() == pose);
     }
 
     void nothingListensAndTheScannerIsTheOnlyOtherEnd() {
@@ -197,7 +198,7 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", served.port(), sweep());
+        window.viewer().live.connectTo("127.0.0.1", served.port(), sweep());
         QVERIFY(waitForLines(window, 5));
         const auto sockets = test::ownTcpSockets();
         QCOMPARE(static_cast<int>(sockets.size()), 1);
@@ -206,7 +207,7 @@ private slots:
         QVERIFY(sockets.front().loopback);
         press(window, "live-connect"); // Stop
         QVERIFY(eventually([&] { return test::ownTcpSockets().empty(); }));
-        QCOMPARE(window.live().panel().strip().badge().text(), QString("STOPPED"));
+        QCOMPARE(window.viewer().live.panel().strip().badge().text(), QString("STOPPED"));
     }
 
     void aStallIsGreyedWithinTwoSeconds() {
@@ -219,28 +220,28 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         QVERIFY(waitForBadge(window, StateBadge::Sign::Good));
         QVERIFY(waitForLines(window, 60));
-        QVERIFY(window.views().gray().stale().isEmpty());
-        const QImage fresh = seen(window.views().gray());
+        QVERIFY(window.viewer().views.gray().stale().isEmpty());
+        const QImage fresh = seen(window.viewer().views.gray());
         QVERIFY(eventually([&] { return emulated->statistics().stalls == 1; }));
         QElapsedTimer since;
         since.start();
-        QVERIFY(eventually([&] { return !window.views().gray().stale().isEmpty(); }));
+        QVERIFY(eventually([&] { return !window.viewer().views.gray().stale().isEmpty(); }));
         QVERIFY2(since.elapsed() <= 2000, qPrintable(QString("grey after %1 ms").arg(since.elapsed())));
-        QVERIFY2(window.views().gray().stale().startsWith("STALE") || window.views().gray().stale().startsWith("LOST"),
-                 qPrintable(window.views().gray().stale()));
-        QCOMPARE(window.views().edges().stale(), window.views().gray().stale());
-        QCOMPARE(window.views().cloud().stale(), window.views().gray().stale());
-        const QImage stale = seen(window.views().gray());
+        QVERIFY2(window.viewer().views.gray().stale().startsWith("STALE") || window.viewer().views.gray().stale().startsWith("LOST"),
+                 qPrintable(window.viewer().views.gray().stale()));
+        QCOMPARE(window.viewer().views.edges().stale(), window.viewer().views.gray().stale());
+        QCOMPARE(window.viewer().views.cloud().stale(), window.viewer().views.gray().stale());
+        const QImage stale = seen(window.viewer().views.gray());
         int greyer = 0;
         for (int x = 0; x < stale.width(); ++x) greyer += stale.pixel(x, stale.height() / 4) != fresh.pixel(x, stale.height() / 4) ? 1 : 0;
         QVERIFY2(greyer > stale.width() / 2, "the whole picture is greyed, not a corner");
-        QVERIFY(window.live().panel().strip().badge().sign() != StateBadge::Sign::Good);
+        QVERIFY(window.viewer().live.panel().strip().badge().sign() != StateBadge::Sign::Good);
         // When data arrives again, the picture continues.
-        QVERIFY(eventually([&] { return window.views().gray().stale().isEmpty(); }));
-        QCOMPARE(window.live().panel().strip().badge().text(), QString("LIVE"));
+        QVERIFY(eventually([&] { return window.viewer().views.gray().stale().isEmpty(); }));
+        QCOMPARE(window.viewer().live.panel().strip().badge().text(), QString("LIVE"));
     }
 
     void aDroppedConnectionIsLostAndComesBack() {
@@ -252,14 +253,14 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", emulated->port(), sweep(0));
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep(0));
         QVERIFY(waitForLines(window, 20));
         emulated->dropConnections();
         QVERIFY(waitForBadge(window, StateBadge::Sign::Failed));
-        QVERIFY(window.live().panel().strip().badge().text().startsWith("LOST"));
-        QVERIFY(window.views().gray().stale().startsWith("LOST"));
+        QVERIFY(window.viewer().live.panel().strip().badge().text().startsWith("LOST"));
+        QVERIFY(window.viewer().views.gray().stale().startsWith("LOST"));
         QVERIFY(waitForBadge(window, StateBadge::Sign::Good));
-        QVERIFY(eventually([&] { return !window.live().panel().strip().shown().lost.empty(); }));
+        QVERIFY(eventually([&] { return !window.viewer().live.panel().strip().shown().lost.empty(); }));
         QVERIFY(eventually([&] { return countCells(*on.picture().detection->scan)[static_cast<std::size_t>(CellState::Lost)] > 0; }));
         QCOMPARE(emulated->statistics().writes, 0ULL);
     }
@@ -268,12 +269,12 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", 9, sweep());
+        window.viewer().live.connectTo("127.0.0.1", 9, sweep());
         QVERIFY(waitForBadge(window, StateBadge::Sign::Failed));
-        QVERIFY(QString::fromStdString(window.live().scanner().health().sentence).contains("127.0.0.1:9"));
-        QVERIFY(!window.engine().picture());
+        QVERIFY(QString::fromStdString(window.viewer().live.scanner().health().sentence).contains("127.0.0.1:9"));
+        QVERIFY(!window.viewer().engine.picture());
         press(window, "live-connect");
-        QVERIFY(!window.live().scanner().connected());
+        QVERIFY(!window.viewer().live.scanner().connected());
     }
 
     void aRecordingOpensAgainWithTheSameMaskAndIsPlayed() {
@@ -281,18 +282,18 @@ private slots:
         const test::ServedProgram served(bell_ + " --rate 100");
         WindowFixture on;
         MainWindow& window = on.window;
-        window.live().setRecordingFolder(folder);
+        window.viewer().live.setRecordingFolder(folder);
         QVERIFY(on.show());
-        window.live().connectTo("127.0.0.1", served.port(), sweep());
+        window.viewer().live.connectTo("127.0.0.1", served.port(), sweep());
         press(window, "live-record"); // before the first line arrives
-        QVERIFY(window.live().scanner().recording());
-        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.engine().picture()->source.growth.growing; }));
-        QVERIFY(eventually([&] { return !window.engine().behind(); }));
+        QVERIFY(window.viewer().live.scanner().recording());
+        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; }));
+        QVERIFY(eventually([&] { return !window.viewer().engine.behind(); }));
         const std::string live = shownMask(window);
         press(window, "live-keep");
         QVERIFY(eventually([&] { return QDir(folder).entryList({"last-minute_*.mcap"}).size() == 1; }));
         press(window, "live-record");
-        QVERIFY(eventually([&] { return window.notice().isVisible() && window.notice().text().contains("sweep_"); }));
+        QVERIFY(eventually([&] { return window.viewer().notice.isVisible() && window.viewer().notice.text().contains("sweep_"); }));
         press(window, "live-connect");
         const QStringList recordings = QDir(folder).entryList({"sweep_*.mcap"});
         QCOMPARE(recordings.size(), 1);
@@ -301,21 +302,22 @@ private slots:
         QCOMPARE(maskOf(path.toStdString()), live);
         QCOMPARE(maskOf(QDir(folder).filePath(QDir(folder).entryList({"last-minute_*.mcap"}).front()).toStdString()), live);
 
-        window.files().open({path});
-        Timeline& timeline = window.live().timeline();
-        QVERIFY(eventually([&] { return timeline.active() && !window.engine().behind(); }));
+        window.viewer().files.open({path});
+        Timeline& timeline = window.viewer().live.timeline();
+        QVERIFY(eventually([&] { return timeline.active() && !window.viewer().engine.behind(); }));
         QCOMPARE(shownMask(window), live);
         QCOMPARE(timeline.lines(), kLines);
         QCOMPARE(timeline.position(), kLines);
         QVERIFY(timeline.labelShown().startsWith("RECORDED 20"));
-        QVERIFY2(window.statusLine().recordedShown().startsWith("measured 20"), qPrintable(window.statusLine().recordedShown()));
+        QVERIFY2(window.viewer().statusLine.recordedShown().startsWith("measured 20"),
+                 qPrintable(window.viewer().statusLine.recordedShown()));
         const auto at = [&](int line) { return eventually([&] { return linesShown(window) == line && timeline.position() == line; }); };
         QVERIFY(on.activate());
         QTest::keyClick(&window, Qt::Key_Left, Qt::ShiftModifier);
         QVERIFY(at(kLines - 10));
         QTest::keyClick(&window, Qt::Key_Left);
         QVERIFY(at(kLines - 11));
-        const Picture& part = *window.engine().picture();
+        const Picture& part = *window.viewer().engine.picture();
         QCOMPARE(*part.detection->mask, *edges::detectEdges(part.detection->scan, part.detection->settings)->mask);
         QTest::keyClick(&window, Qt::Key_Right);
         QVERIFY(at(kLines - 10));
@@ -336,10 +338,10 @@ private slots:
         QVERIFY(!timeline.playing());
         timeline.setSpeed(10.0);
         QTest::keyClick(&window, Qt::Key_Space);
-        QVERIFY(eventually([&] { return !timeline.playing() && !window.engine().behind() && linesShown(window) == kLines; }));
+        QVERIFY(eventually([&] { return !timeline.playing() && !window.viewer().engine.behind() && linesShown(window) == kLines; }));
         QCOMPARE(shownMask(window), live);
-        QCOMPARE(window.engine().picture()->detection->scan->path, path.toStdString());
-        window.files().open({QString::fromStdString(bell_)});
+        QCOMPARE(window.viewer().engine.picture()->detection->scan->path, path.toStdString());
+        window.viewer().files.open({QString::fromStdString(bell_)});
         QVERIFY(eventually([&] { return !timeline.active() && !timeline.isVisible(); }));
     }
 
@@ -355,9 +357,9 @@ private slots:
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
-        window.files().open({QString::fromStdString(path)});
-        Timeline& timeline = window.live().timeline();
-        QVERIFY(eventually([&] { return timeline.active() && !window.engine().behind(); }));
+        window.viewer().files.open({QString::fromStdString(path)});
+        Timeline& timeline = window.viewer().live.timeline();
+        QVERIFY(eventually([&] { return timeline.active() && !window.viewer().engine.behind(); }));
         QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
         QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
         const std::string opened = shownMask(window);
@@ -370,12 +372,13 @@ private slots:
             files::Replay fresh(*recording);
             fresh.seek(line);
             const auto expected = fresh.snapshot();
-            QVERIFY(eventually([&] { return linesShown(window) == expected->lines() && !window.engine().behind(); }));
-            QVERIFY(window.engine().picture()->detection->scan->rangeMm == expected->rangeMm);
-            QVERIFY(window.engine().picture()->detection->scan->state == expected->state);
+            QVERIFY(eventually([&] { return linesShown(window) == expected->lines() && !window.viewer().engine.behind(); }));
+            QVERIFY(window.viewer().engine.picture()->detection->scan->rangeMm == expected->rangeMm);
+            QVERIFY(window.viewer().engine.picture()->detection->scan->state == expected->state);
         }
         timeline.goTo(timeline.home());
-        QVERIFY(eventually([&] { return window.engine().picture()->detection->scan->path == path && !window.engine().behind(); }));
+        QVERIFY(eventually(
+            [&] { return window.viewer().engine.picture()->detection->scan->path == path && !window.viewer().engine.behind(); }));
         QCOMPARE(shownMask(window), opened);
     }
 };

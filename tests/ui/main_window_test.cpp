@@ -46,10 +46,10 @@ QPoint sliderHandle(QSlider* slider) {
 void compareWithCommandLine(WindowFixture& on) {
     MainWindow& window = on.window;
     const edges::Detection& detection = *on.picture().detection;
-    QCOMPARE(window.views().edges().image(), window.engine().picture()->edges);
-    QCOMPARE(countPixels(*window.views().edges().image(), [](QRgb p) { return p == qRgb(255, 255, 255); }),
+    QCOMPARE(window.viewer().views.edges().image(), window.viewer().engine.picture()->edges);
+    QCOMPARE(countPixels(*window.viewer().views.edges().image(), [](QRgb p) { return p == qRgb(255, 255, 255); }),
              static_cast<int>(detection.edges->size()));
-    QVERIFY(window.statusLine().countsShown().contains(
+    QVERIFY(window.viewer().statusLine.countsShown().contains(
         QLocale(QLocale::English).toString(static_cast<qulonglong>(detection.edges->size())) + " edges"));
     std::string flags;
     const nlohmann::json settings = edges::settingsToJson(detection.settings);
@@ -76,13 +76,13 @@ private slots:
     void aDraggedSliderChangesImageCloudAndNumbersTogether() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.tuning().usePreset(*edges::findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         compareWithCommandLine(on);
-        QTRY_VERIFY(window.views().cloud().atRest()); // the plates over the cloud have found their places
-        const QImage edgesBefore = *window.views().edges().image();
-        const int greenBefore = greenPixels(window.views().cloud().grabFrame(CloudView::Points::All));
-        const QString countsBefore = window.statusLine().countsShown();
+        QTRY_VERIFY(window.viewer().views.cloud().atRest()); // the plates over the cloud have found their places
+        const QImage edgesBefore = *window.viewer().views.edges().image();
+        const int greenBefore = greenPixels(window.viewer().views.cloud().grabFrame(CloudView::Points::All));
+        const QString countsBefore = window.viewer().statusLine.countsShown();
         QVERIFY(greenBefore > 100);
 
         QSlider* slider = on.slider("lower");
@@ -99,27 +99,27 @@ private slots:
         QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, handle + QPoint(60, 0));
         QVERIFY(on.settled());
         QVERIFY2(pictures.count() > 5, "the views follow while the slider moves, not only at the end");
-        QVERIFY(window.engine().settings().lower > 20.0);
-        QCOMPARE(window.engine().picture()->detection->settings.lower, window.panel().row("lower")->number()->value());
-        QVERIFY(*window.views().edges().image() != edgesBefore);
-        QVERIFY(greenPixels(window.views().cloud().grabFrame(CloudView::Points::All)) < greenBefore);
-        QVERIFY(window.statusLine().countsShown() != countsBefore);
+        QVERIFY(window.viewer().engine.settings().lower > 20.0);
+        QCOMPARE(window.viewer().engine.picture()->detection->settings.lower, window.viewer().panel.row("lower")->number()->value());
+        QVERIFY(*window.viewer().views.edges().image() != edgesBefore);
+        QVERIFY(greenPixels(window.viewer().views.cloud().grabFrame(CloudView::Points::All)) < greenBefore);
+        QVERIFY(window.viewer().statusLine.countsShown() != countsBefore);
         compareWithCommandLine(on);
 
         // One drag is one undo step.
         QVERIFY(on.activate());
         QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.settled());
-        QCOMPARE(*window.views().edges().image(), edgesBefore);
-        QCOMPARE(window.statusLine().countsShown(), countsBefore);
-        QTRY_VERIFY(window.views().cloud().atRest());
-        QCOMPARE(greenPixels(window.views().cloud().grabFrame(CloudView::Points::All)), greenBefore);
+        QCOMPARE(*window.viewer().views.edges().image(), edgesBefore);
+        QCOMPARE(window.viewer().statusLine.countsShown(), countsBefore);
+        QTRY_VERIFY(window.viewer().views.cloud().atRest());
+        QCOMPARE(greenPixels(window.viewer().views.cloud().grabFrame(CloudView::Points::All)), greenBefore);
     }
 
     void twoHundredRandomMovesEndOnTheLastValue() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.tuning().usePreset(*edges::findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         std::mt19937 random(5);
         QSlider* slider = on.slider("lower");
@@ -127,11 +127,11 @@ private slots:
             slider->setValue(static_cast<int>(random() % 1001));
             QCoreApplication::processEvents();
         }
-        const double last = edges::sliderValue(window.panel().row("lower")->parameter(), slider->value());
+        const double last = edges::sliderValue(window.viewer().panel.row("lower")->parameter(), slider->value());
         QVERIFY(on.settled());
-        QCOMPARE(window.engine().settings().lower, last);
-        QCOMPARE(window.engine().picture()->detection->settings.lower, last);
-        QCOMPARE(window.panel().row("lower")->number()->value(), last);
+        QCOMPARE(window.viewer().engine.settings().lower, last);
+        QCOMPARE(window.viewer().engine.picture()->detection->settings.lower, last);
+        QCOMPARE(window.viewer().panel.row("lower")->number()->value(), last);
         compareWithCommandLine(on);
     }
 
@@ -142,28 +142,29 @@ private slots:
         const edges::Detection& detection = *on.picture().detection;
         const std::uint32_t k = (*detection.edges)[detection.edges->size() / 2];
         const QPoint cell(static_cast<int>(k) % detection.scan->beams(), static_cast<int>(k) / detection.scan->beams());
-        ImageView& gray = window.views().gray();
+        ImageView& gray = window.viewer().views.gray();
         const QPoint pixel = gray.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), gray.size()).toPoint();
         QTest::mouseMove(&gray, pixel - QPoint(20, 0));
         QTest::mouseMove(&gray, pixel);
         // A view pixel may cover more than one cell; the event of the previous move may still be pending.
         const auto marks = [&] {
-            return window.views().edges().markedCell() && (*window.views().edges().markedCell() - cell).manhattanLength() <= 2;
+            return window.viewer().views.edges().markedCell() &&
+                   (*window.viewer().views.edges().markedCell() - cell).manhattanLength() <= 2;
         };
         QTRY_VERIFY(marks());
-        const QPoint marked = *window.views().edges().markedCell();
-        QTRY_VERIFY(window.views().cloud().markedCell().has_value());
-        QCOMPARE(static_cast<int>(*window.views().cloud().markedCell()), marked.y() * detection.scan->beams() + marked.x());
-        const QString probe = window.statusLine().probeShown();
+        const QPoint marked = *window.viewer().views.edges().markedCell();
+        QTRY_VERIFY(window.viewer().views.cloud().markedCell().has_value());
+        QCOMPARE(static_cast<int>(*window.viewer().views.cloud().markedCell()), marked.y() * detection.scan->beams() + marked.x());
+        const QString probe = window.viewer().statusLine.probeShown();
         QVERIFY2(probe.contains(QString("  line %1  beam %2  ").arg(marked.y()).arg(marked.x())), qPrintable(probe));
         QVERIFY(probe.contains("gray"));
 
         // A click fixes the crosshair, Esc removes it.
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixel);
-        QCOMPARE(*window.views().edges().crosshair(), marked);
-        window.notice().hide(); // Esc would first close the notice about the interlaced beams of the real scan
+        QCOMPARE(*window.viewer().views.edges().crosshair(), marked);
+        window.viewer().notice.hide(); // Esc would first close the notice about the interlaced beams of the real scan
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(!window.views().edges().crosshair().has_value());
+        QVERIFY(!window.viewer().views.edges().crosshair().has_value());
     }
 
     void settingsAndLayoutSurviveAKill() {
@@ -174,10 +175,10 @@ private slots:
         QVERIFY(on.show());
         window.resize(1234, 777);
         QVERIFY(on.open(real_));
-        window.panel().row("lower")->number()->setValue(42.0);
+        window.viewer().panel.row("lower")->number()->setValue(42.0);
         on.slider("kernel")->setValue(2); // 5 cells
-        window.panel().setRatioLocked(false);
-        window.panel().row("ratio")->number()->setValue(2.5);
+        window.viewer().panel.setRatioLocked(false);
+        window.viewer().panel.row("ratio")->number()->setValue(2.5);
         QString killed;
         int copies = 0;
         const auto copied = [&] { // a new name each time: Qt caches files that it read
@@ -190,11 +191,11 @@ private slots:
 
         WindowFixture again(killed);
         QVERIFY(again.show());
-        const edges::Settings& settings = again.window.engine().settings();
+        const edges::Settings& settings = again.window.viewer().engine.settings();
         QCOMPARE(settings.lower, 42.0);
         QCOMPARE(settings.kernel, 5);
         QCOMPARE(settings.ratio, 2.5);
-        QVERIFY(!again.window.panel().ratioLocked());
+        QVERIFY(!again.window.viewer().panel.ratioLocked());
         QCOMPARE(again.window.size(), QSize(1234, 777));
         QCOMPARE(again.memory.recentFiles(), QStringList(QFileInfo(QString::fromStdString(real_)).absoluteFilePath()));
     }
@@ -206,25 +207,25 @@ private slots:
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
-            window.tuning().useSettings(own);
+            window.viewer().tuning.useSettings(own);
         }
         const edges::Preset thesis = *edges::findPreset("thesis");
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
-            QVERIFY(window.engine().settings() == own);
+            QVERIFY(window.viewer().engine.settings() == own);
             edges::Settings asked = thesis.settings;
             asked.lower = 33;
-            window.tuning().startWith(thesis, asked);
-            QVERIFY(window.engine().settings() == asked);
-            QCOMPARE(QString::fromStdString(window.panel().preset().name), QString("thesis"));
+            window.viewer().tuning.startWith(thesis, asked);
+            QVERIFY(window.viewer().engine.settings() == asked);
+            QCOMPARE(QString::fromStdString(window.viewer().panel.preset().name), QString("thesis"));
             window.close();
         }
         {
             WindowFixture on(ini);
             MainWindow& window = on.window;
-            QVERIFY(window.engine().settings() == own);
-            QVERIFY(window.panel().preset().name != "thesis");
+            QVERIFY(window.viewer().engine.settings() == own);
+            QVERIFY(window.viewer().panel.preset().name != "thesis");
         }
         // The same from the program itself.
         const QString config = QString::fromStdString((folder_ / "config").string());
@@ -242,22 +243,22 @@ private slots:
     void aSingleEditIsAStepOfItsOwn() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.tuning().usePreset(*edges::findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.show());
-        window.panel().row("kernel")->choice()->setCurrentIndex(3); // 7 cells
+        window.viewer().panel.row("kernel")->choice()->setCurrentIndex(3); // 7 cells
         QSlider* slider = on.slider("lower");
         slider->setSliderDown(true);
         slider->setValue(300);
         slider->setValue(400);
         slider->setSliderDown(false);
-        QVERIFY(window.engine().settings().lower > 20);
-        QCOMPARE(window.engine().settings().kernel, 7);
-        QUndoStack& undo = window.tuning().undoStack();
+        QVERIFY(window.viewer().engine.settings().lower > 20);
+        QCOMPARE(window.viewer().engine.settings().kernel, 7);
+        QUndoStack& undo = window.viewer().tuning.undoStack();
         undo.undo();
-        QCOMPARE(window.engine().settings().lower, edges::Settings{}.lower);
-        QCOMPARE(window.engine().settings().kernel, 7);
+        QCOMPARE(window.viewer().engine.settings().lower, edges::Settings{}.lower);
+        QCOMPARE(window.viewer().engine.settings().kernel, 7);
         undo.undo();
-        QCOMPARE(window.engine().settings().kernel, edges::Settings{}.kernel);
+        QCOMPARE(window.viewer().engine.settings().kernel, edges::Settings{}.kernel);
     }
 
     void theCloudIsCompleteOnceItRests() {
@@ -267,11 +268,11 @@ private slots:
         const std::string large = (folder_ / "complete.json").string();
         QVERIFY(files::saveScan(test::boxesScan(800, 900, 1), large));
         QVERIFY(on.open(large));
-        QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() < 1.0; })); // coarse first
-        QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() >= 1.0; }));
+        QVERIFY(eventually([&] { return window.viewer().views.cloud().drawnFraction() < 1.0; })); // coarse first
+        QVERIFY(eventually([&] { return window.viewer().views.cloud().drawnFraction() >= 1.0; }));
         // The parts drawn one after the other give the same picture as one frame.
-        const QImage grown = window.views().cloud().grabFrame();
-        const QImage whole = window.views().cloud().grabFrame(CloudView::Points::All);
+        const QImage grown = window.viewer().views.cloud().grabFrame();
+        const QImage whole = window.viewer().views.cloud().grabFrame(CloudView::Points::All);
         if (const QByteArray pictures = qgetenv("EDGESCAN_PICTURES"); !pictures.isEmpty()) {
             grown.save(pictures + "/cloud_grown.png");
             whole.save(pictures + "/cloud_whole.png");
@@ -286,22 +287,22 @@ private slots:
     void aPresetIsOneClickAndItsChangesAreMarked() {
         WindowFixture on;
         MainWindow& window = on.window;
-        window.tuning().usePreset(*edges::findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
-        auto* presets = window.panel().findChild<QComboBox*>("presets");
+        auto* presets = window.viewer().panel.findChild<QComboBox*>("presets");
         QVERIFY(presets != nullptr);
         presets->setCurrentText("thesis");
         emit presets->activated(presets->currentIndex());
         QVERIFY(on.settled());
-        QVERIFY(window.engine().picture()->detection->settings == edges::findPreset("thesis")->settings);
-        QVERIFY(!window.panel().modified());
+        QVERIFY(window.viewer().engine.picture()->detection->settings == edges::findPreset("thesis")->settings);
+        QVERIFY(!window.viewer().panel.modified());
         compareWithCommandLine(on);
-        window.panel().row("lower")->number()->setValue(33);
-        QVERIFY(window.panel().modified());
+        window.viewer().panel.row("lower")->number()->setValue(33);
+        QVERIFY(window.viewer().panel.modified());
         // A double-click on the slider restores the preset's value.
         QTest::mouseDClick(on.slider("lower"), Qt::LeftButton);
-        QCOMPARE(window.engine().settings().lower, 10.0);
-        QVERIFY(!window.panel().modified());
+        QCOMPARE(window.viewer().engine.settings().lower, 10.0);
+        QVERIFY(!window.viewer().panel.modified());
     }
 };
 

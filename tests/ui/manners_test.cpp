@@ -123,13 +123,13 @@ private slots:
     void whatFailsIsToldInPlainAndShortWords() {
         WindowFixture on;
         QVERIFY(on.show());
-        QSignalSpy failed(&on.window.engine(), &Engine::failed);
-        on.window.files().open({exactText((folder_ / ("none\x1b[31m" + std::string(150, 'x'))).string())});
+        QSignalSpy failed(&on.viewer.engine, &Engine::failed);
+        on.viewer.files.open({exactText((folder_ / ("none\x1b[31m" + std::string(150, 'x'))).string())});
         QVERIFY(failed.wait(kPatienceMs));
-        QVERIFY(plain(on.window.notice().text()));
-        on.window.notice().showNotice(NoticeBar::Kind::Error, QString(100000, 'x') + QString("\n").repeated(5000));
-        QVERIFY(on.window.notice().text().size() < 25000);
-        QVERIFY(on.window.notice().text().count('\n') < 25);
+        QVERIFY(plain(on.viewer.notice.text()));
+        on.viewer.notice.showNotice(NoticeBar::Kind::Error, QString(100000, 'x') + QString("\n").repeated(5000));
+        QVERIFY(on.viewer.notice.text().size() < 25000);
+        QVERIFY(on.viewer.notice.text().count('\n') < 25);
     }
 
     // The locale of the environment (./test uses two of them) must not matter.
@@ -150,10 +150,10 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
         for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz", "e.las", "e.dxf", "e.obj", "e.ptx"}) {
-            QSignalSpy saved(&on.window.engine(), &Engine::saved);
+            QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             const std::string path = (folder_ / name).string();
-            on.window.engine().save(exports::ExportContent::EdgeCloud, exactText(path),
-                                    exports::ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
+            on.viewer.engine.save(exports::ExportContent::EdgeCloud, exactText(path),
+                                  exports::ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
             QVERIFY2(saved.wait(kPatienceMs), name);
             const auto verified = exports::verifyExport(path);
             QVERIFY2(bool(verified), name);
@@ -166,19 +166,19 @@ private slots:
     void warningsAreAcknowledgedAndStay() {
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
-        WarningButton& warnings = on.window.warnings();
+        WarningButton& warnings = on.viewer.warnings;
         QVERIFY(warnings.isVisible());
         QVERIFY(!warnings.acknowledged());
         QCOMPARE(warnings.warnings().size(), 1);
         QVERIFY2(warnings.warnings().first().contains("The pose carries no time"), qPrintable(warnings.warnings().first()));
-        on.window.notice().hide();
+        on.viewer.notice.hide();
         QVERIFY(warnings.isVisible());
         QTest::mouseClick(&warnings, Qt::LeftButton);
         QVERIFY(warnings.acknowledged());
         QVERIFY(warnings.isVisible());
-        QVERIFY(on.window.notice().isVisible());
-        QVERIFY(on.window.notice().text().contains("The pose carries no time"));
-        on.window.notice().hide();
+        QVERIFY(on.viewer.notice.isVisible());
+        QVERIFY(on.viewer.notice.text().contains("The pose carries no time"));
+        on.viewer.notice.hide();
         // Another setting does not show it as new again, another scan does.
         QVERIFY(on.use(edges::cannySettings()));
         QVERIFY(warnings.acknowledged() && warnings.isVisible());
@@ -190,8 +190,8 @@ private slots:
     void aScreenshotCarriesTheWarnings() {
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
-        on.window.warnings().click();
-        on.window.notice().hide();
+        on.viewer.warnings.click();
+        on.viewer.notice.hide();
         const QImage with = on.window.screenshot();
         const int strip = with.height() - static_cast<int>(on.window.height() * with.devicePixelRatio());
         QVERIFY2(strip >= 20, qPrintable(QString::number(strip)));
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(files::saveScan(bare, quiet));
         QVERIFY(on.open(quiet));
         if (on.picture().detection->scan->warnings.empty()) {
-            QVERIFY(!on.window.warnings().isVisible());
+            QVERIFY(!on.viewer.warnings.isVisible());
             QCOMPARE(on.window.screenshot().height(), static_cast<int>(on.window.height() * with.devicePixelRatio()));
         }
     }
@@ -237,21 +237,21 @@ private slots:
         QVERIFY(on.activate());
         const QString usual = QString("settings: %1 %2").arg(edges::kDefaultSet.name).arg(edges::kDefaultSet.version);
         QVERIFY(on.use(edges::Settings{}));
-        QCOMPARE(on.window.statusLine().settingsShown(), usual);
+        QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
         edges::Settings turned;
         turned.creaseDeg += 7;
         turned.growthPercent += 1;
         QVERIFY(on.use(turned));
-        QCOMPARE(on.window.statusLine().settingsShown(), usual + ", 2 changed");
+        QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
         QVERIFY(on.window.findChild<QLabel*>("settings")->toolTip().contains("Crease angle: 37 instead of 30"));
         // Also if a preset with these settings is chosen.
-        on.window.tuning().usePreset({"mine", "", turned, {}});
-        QCOMPARE(on.window.statusLine().settingsShown(), usual + ", 2 changed");
+        on.viewer.tuning.usePreset({"mine", "", turned, {}});
+        QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
-        QCOMPARE(on.window.statusLine().settingsShown(), usual);
-        QVERIFY(on.window.engine().settings() == edges::Settings{});
+        QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
+        QVERIFY(on.viewer.engine.settings() == edges::Settings{});
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(on.window.engine().settings() == turned);
+        QVERIFY(on.viewer.engine.settings() == turned);
     }
 };
 

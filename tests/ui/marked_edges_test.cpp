@@ -39,7 +39,7 @@ class MarkedEdgesTest : public QObject {
     }
     // The controller pins the cell, so that it is exact; the key marks it.
     static void markByKey(WindowFixture& on, std::size_t cell, Qt::Key key) {
-        on.window.views().pin(cell);
+        on.viewer.views.pin(cell);
         QTest::keyClick(&on.window, key, Qt::ShiftModifier);
     }
 
@@ -65,7 +65,7 @@ private slots:
     void marksBecomeSettingsThatAgree() {
         WindowFixture on;
         QVERIFY(showWith(on, bell_));
-        edges::Settings loose = on.window.engine().settings();
+        edges::Settings loose = on.viewer.engine.settings();
         loose.sensitivity = 0.4;
         const Grid<std::uint8_t> usual = *on.picture().detection->mask;
         QVERIFY(on.use(loose));
@@ -86,27 +86,27 @@ private slots:
         }
         QVERIFY(wanted.size() == 3 && unwanted.size() == 2);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY2(on.window.notice().text().contains("Nothing is marked"), qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.text().contains("Nothing is marked"), qPrintable(on.viewer.notice.text()));
         for (const std::size_t k : wanted) markByKey(on, k, Qt::Key_E);
         for (const std::size_t k : unwanted) markByKey(on, k, Qt::Key_X);
         markByKey(on, wanted.front(), Qt::Key_X); // wrong at first, then corrected
         markByKey(on, wanted.front(), Qt::Key_E);
-        QCOMPARE(on.window.markedEdges().marks().wanted.size(), std::size_t{3});
-        QCOMPARE(on.window.markedEdges().marks().unwanted.size(), std::size_t{2});
+        QCOMPARE(on.viewer.markedEdges.marks().wanted.size(), std::size_t{3});
+        QCOMPARE(on.viewer.markedEdges.marks().unwanted.size(), std::size_t{2});
         // The marks appear at their cells in all views, with different icons and words.
-        const auto& tags = on.window.views().cloud().marks().targets;
+        const auto& tags = on.viewer.views.cloud().marks().targets;
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ no edge"; }), 2);
         action(on, "Settings for These Marks…")->trigger();
-        ProposalsCard* card = on.window.markedEdges().card();
+        ProposalsCard* card = on.viewer.markedEdges.card();
         // Running work is visible at once, and Esc cancels it.
         QVERIFY(card != nullptr && card->isVisible() && card->working());
         QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
         QTest::keyClick(card, Qt::Key_Escape);
-        QVERIFY(eventually([&] { return on.window.markedEdges().settled(); }));
+        QVERIFY(eventually([&] { return on.viewer.markedEdges.settled(); }));
         QVERIFY(!card->isVisible() && card->list()->count() == 0);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(eventually([&] { return on.window.markedEdges().settled(); }));
+        QVERIFY(eventually([&] { return on.viewer.markedEdges.settled(); }));
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
@@ -117,25 +117,25 @@ private slots:
             return on.settled();
         };
         QVERIFY(choose(0));
-        QVERIFY(!(on.window.engine().settings() == loose));
+        QVERIFY(!(on.viewer.engine.settings() == loose));
         for (const std::size_t k : wanted) QVERIFY(near(*on.picture().detection->mask, k));
         for (const std::size_t k : unwanted) QVERIFY(!near(*on.picture().detection->mask, k));
         QVERIFY(choose(1));
         QTest::keyClick(card, Qt::Key_Escape);
         QVERIFY(on.settled());
-        QVERIFY(on.window.engine().settings() == loose);
+        QVERIFY(on.viewer.engine.settings() == loose);
         // Adoption is one undo step.
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(eventually([&] { return on.window.markedEdges().settled() && card->isVisible(); }));
+        QVERIFY(eventually([&] { return on.viewer.markedEdges.settled() && card->isVisible(); }));
         QVERIFY(choose(0));
-        const edges::Settings previewed = on.window.engine().settings();
+        const edges::Settings previewed = on.viewer.engine.settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(on.settled() && on.window.engine().settings() == previewed && !card->isVisible());
-        on.window.undoStack().undo();
-        QVERIFY(on.settled() && on.window.engine().settings() == loose);
+        QVERIFY(on.settled() && on.viewer.engine.settings() == previewed && !card->isVisible());
+        on.viewer.undo.undo();
+        QVERIFY(on.settled() && on.viewer.engine.settings() == loose);
         // Marks of another scan are not shown on this one.
         QVERIFY(on.open(slot_));
-        QVERIFY(on.window.markedEdges().marks().empty());
+        QVERIFY(on.viewer.markedEdges.marks().empty());
     }
 
     void theRangeGateHidesInAllViewsAndCanBeTakenBack() {
@@ -154,24 +154,24 @@ private slots:
             return true;
         });
         QTest::keyClick(&on.window, Qt::Key_G, Qt::ShiftModifier);
-        QVERIFY(on.window.selection().hidden() == beyond);
-        for (const std::uint32_t k : beyond) QVERIFY(!on.window.views().cloud().geometryOfCloud()->drawable(k));
-        QVERIFY(on.window.views().gray().selection() != nullptr);
-        QVERIFY2(on.window.tools().shown().contains("hidden"), qPrintable(on.window.tools().shown()));
+        QVERIFY(on.viewer.selection.hidden() == beyond);
+        for (const std::uint32_t k : beyond) QVERIFY(!on.viewer.views.cloud().geometryOfCloud()->drawable(k));
+        QVERIFY(on.viewer.views.gray().selection() != nullptr);
+        QVERIFY2(on.viewer.tools.shown().contains("hidden"), qPrintable(on.viewer.tools.shown()));
         QCOMPARE(on.picture().detection->edges->size(), edges);
-        on.window.undoStack().undo();
-        QVERIFY(on.window.selection().hidden().empty());
+        on.viewer.undo.undo();
+        QVERIFY(on.viewer.selection.hidden().empty());
         // The box around the selection.
         const inspect::CellSet some{14000, 14010, 15900};
-        on.window.selection().select(some);
+        on.viewer.selection.select(some);
         action(on, "Clip to Box round Selected")->trigger();
-        QVERIFY(on.window.selection().hidden() == inspect::cellsOutsideBoxOf(scan, some));
-        QVERIFY(!on.window.selection().hidden().empty());
+        QVERIFY(on.viewer.selection.hidden() == inspect::cellsOutsideBoxOf(scan, some));
+        QVERIFY(!on.viewer.selection.hidden().empty());
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
-        QVERIFY(on.window.selection().hidden().empty());
-        on.window.views().pin(14000);
+        QVERIFY(on.viewer.selection.hidden().empty());
+        on.viewer.views.pin(14000);
         action(on, "Hide Farther than This Cell")->trigger();
-        QVERIFY(on.window.selection().hidden() == inspect::cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
+        QVERIFY(on.viewer.selection.hidden() == inspect::cellsBeyond(scan, 0.0, static_cast<double>(scan.rangeMm[14000]) / 1000.0));
     }
 
     void tapeAndThroatAreMeasuredByClicks() {
@@ -183,13 +183,12 @@ private slots:
         while (scan.state.at(line, first - 1) != CellState::Valid) --first;
         while (scan.state.at(line, last + 1) != CellState::Valid) ++last;
         QVERIFY(last > first);
-        on.window.views().gray().viewPort()->fitTo(
-            QRectF(first - 70, line - 60, last - first + 140, 120)); // so that a click meets its cell
+        on.viewer.views.gray().viewPort()->fitTo(QRectF(first - 70, line - 60, last - first + 140, 120)); // so that a click meets its cell
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
-        click(on.window.views().gray(), line, first - 3);
-        click(on.window.views().gray(), line, last + 3);
-        QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 1; }));
-        const inspect::StoredMeasure& throat = on.window.targets().notebook().measures.front();
+        click(on.viewer.views.gray(), line, first - 3);
+        click(on.viewer.views.gray(), line, last + 3);
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 1; }));
+        const inspect::StoredMeasure& throat = on.viewer.targets.notebook().measures.front();
         QVERIFY(throat.kind == inspect::MeasureKind::Throat);
         const auto measured = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
         const CartesianTables tables(scan);
@@ -197,16 +196,16 @@ private slots:
         QVERIFY2(std::abs(measured->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
                  qPrintable(QString::number(measured->lengths.front().valueM)));
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
-        click(on.window.views().gray(), line, first - 60);
-        click(on.window.views().gray(), line, first - 10);
-        QVERIFY(eventually([&] { return on.window.targets().settled() && on.window.targets().notebook().measures.size() == 2; }));
-        QVERIFY(on.window.targets().notebook().measures.back().kind == inspect::MeasureKind::Path);
+        click(on.viewer.views.gray(), line, first - 60);
+        click(on.viewer.views.gray(), line, first - 10);
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 2; }));
+        QVERIFY(on.viewer.targets.notebook().measures.back().kind == inspect::MeasureKind::Path);
         // Two cells of the plain wall enclose no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
-        click(on.window.views().gray(), line, first - 60);
-        click(on.window.views().gray(), line, first - 30);
-        QVERIFY2(on.window.notice().text().contains("No free way"), qPrintable(on.window.notice().text()));
-        QCOMPARE(on.window.targets().notebook().measures.size(), std::size_t{2});
+        click(on.viewer.views.gray(), line, first - 60);
+        click(on.viewer.views.gray(), line, first - 30);
+        QVERIFY2(on.viewer.notice.text().contains("No free way"), qPrintable(on.viewer.notice.text()));
+        QCOMPARE(on.viewer.targets.notebook().measures.size(), std::size_t{2});
     }
 };
 

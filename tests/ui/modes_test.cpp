@@ -63,9 +63,9 @@ class ModesTest : public QObject {
             {"plain", nothing, nothing},
             {"pin",
              [](WindowFixture& on) {
-                 on.window.views().pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
-                 return eventually([&] { return on.window.targets().settled(); }) && eventually([&] {
-                            return on.window.targets().around(on.window.targets().active()->cell).confidence.state ==
+                 on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
+                 return eventually([&] { return on.viewer.targets.settled(); }) && eventually([&] {
+                            return on.viewer.targets.around(on.viewer.targets.active()->cell).confidence.state ==
                                    ShownConfidence::State::Known;
                         });
              },
@@ -74,20 +74,20 @@ class ModesTest : public QObject {
              closeDialogs},
             {"confidence",
              [](WindowFixture& on) {
-                 return pressed(on, Qt::Key_W, Qt::ShiftModifier) && eventually([&] { return on.window.confidence().made() != nullptr; });
+                 return pressed(on, Qt::Key_W, Qt::ShiftModifier) && eventually([&] { return on.viewer.confidence.made() != nullptr; });
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_W, Qt::ShiftModifier); }},
             {"rocks",
              [](WindowFixture& on) {
-                 return pressed(on, Qt::Key_K) && eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }) &&
-                        (on.window.views().pinByClick(on.window.rocks().picture()->study.rocks.front().cell), true) &&
-                        eventually([&] { return on.window.targets().settled(); });
+                 return pressed(on, Qt::Key_K) && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }) &&
+                        (on.viewer.views.pinByClick(on.viewer.rocks.picture()->study.rocks.front().cell), true) &&
+                        eventually([&] { return on.viewer.targets.settled(); });
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_K); }},
             {"compare",
              [after](WindowFixture& on) {
                  return pressed(on, Qt::Key_A, Qt::ShiftModifier) && on.open(after) &&
-                        eventually([&] { return on.window.comparing().settled() && on.window.comparing().comparison(); });
+                        eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); });
              },
              nothing},
         };
@@ -103,8 +103,7 @@ class ModesTest : public QObject {
     /// Faults, each with the mode in which it was found.
     static QStringList look(WindowFixture& on, const QString& where) {
         QStringList found;
-        if (!eventually([&] { return on.window.views().cloud().atRest(); }))
-            found << where + ": the cloud is never at rest";       // for its title
+        if (!eventually([&] { return on.viewer.views.cloud().atRest(); })) found << where + ": the cloud is never at rest"; // for its title
         for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
         for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
         if (const QDialog* dialog = dialogOf(on)) {
@@ -145,7 +144,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bell_) && on.activate());
-        on.window.notice().hide();
+        on.viewer.notice.hide();
         QStringList faults;
         for (const Mode& mode : modes(after_)) {
             QVERIFY2(mode.enter(on), mode.name);
@@ -193,16 +192,16 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(bell_) && on.activate());
         on.window.cab().set(true);
-        on.window.views().pin(on.picture().detection->edges->front());
-        QVERIFY(eventually([&] { return on.window.targets().settled(); }));
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         QStringList faults;
         for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1080)}) {
             QVERIFY(resizedTo(on, size));
             // No empty row below the visible switches.
             int lowest = 0;
-            for (const auto* box : on.window.legend().findChildren<QCheckBox*>())
+            for (const auto* box : on.viewer.legend.findChildren<QCheckBox*>())
                 lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);
-            QVERIFY2(on.window.legend().height() - lowest < 36, qPrintable(QString::number(on.window.legend().height() - lowest)));
+            QVERIFY2(on.viewer.legend.height() - lowest < 36, qPrintable(QString::number(on.viewer.legend.height() - lowest)));
             faults << look(on, QString("%1-%2x%3-cab").arg(language).arg(size.width()).arg(size.height()));
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));

@@ -24,7 +24,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1500, 950);
         QVERIFY(on.showWith(path));
-        const auto* label = on.window.panel().findChild<QLabel*>("noise-found");
+        const auto* label = on.viewer.panel.findChild<QLabel*>("noise-found");
         QVERIFY(label != nullptr && !label->isHidden());
         const auto mm = [](const RangeNoise& noise, double at) {
             return QString("%1 mm at %2 m").arg(noise.at(at), 0, 'f', 1).arg(at, 0, 'f', 1);
@@ -37,7 +37,7 @@ private slots:
             QVERIFY2(label->text().contains(mm(laser->noise, at)), qPrintable(label->text()));
         QVERIFY(!label->text().contains("Folds"));
 
-        edges::Settings camera = on.window.engine().settings();
+        edges::Settings camera = on.viewer.engine.settings();
         camera.noiseKind = edges::NoiseKind::Camera;
         QVERIFY(on.use(camera));
         QTRY_VERIFY(label->text().contains("neighbours err alike"));

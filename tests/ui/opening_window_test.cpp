@@ -67,7 +67,7 @@ class OpeningWindowTest : public QObject {
         return true;
     }
     static bool checked(WindowFixture& on) {
-        return on.settled() && eventually([&] { return on.window.opening().points().has_value(); });
+        return on.settled() && eventually([&] { return on.viewer.opening.points().has_value(); });
     }
 
 private slots:
@@ -85,32 +85,32 @@ private slots:
         QVERIFY(checked(on));
         const double asOpened = medianM(on);
         QVERIFY2(asOpened < 1.0, "the table was not taken as millimetres");
-        auto* offer = on.window.notice().findChild<QToolButton*>("notice-action");
-        QVERIFY2(offer->isVisible(), qPrintable(on.window.notice().text()));
+        auto* offer = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QVERIFY2(offer->isVisible(), qPrintable(on.viewer.notice.text()));
         QTest::mouseClick(offer, Qt::LeftButton);
-        OpeningCard* card = on.window.opening().card();
+        OpeningCard* card = on.viewer.opening.card();
         QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card, kPatienceMs));
         QVERIFY(!card->isModal());
         // Preview: the scan is ten times larger, without an undo step.
         QVERIFY(choose(*card, "centimetres"));
         QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
-        QVERIFY(!on.window.undoStack().canUndo());
+        QVERIFY(!on.viewer.undo.canUndo());
         // Closed: restored.
         card->reject();
         QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
-        QVERIFY(!on.window.files().options().unitMm);
+        QVERIFY(!on.viewer.files.options().unitMm);
         // Adopted: one undo step; undo restores the former reading.
         QVERIFY(checked(on));
-        on.window.opening().show();
+        on.viewer.opening.show();
         QVERIFY(choose(*card, "centimetres"));
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(eventually([&] { return on.settled() && on.window.undoStack().count() == 1; }));
+        QVERIFY(eventually([&] { return on.settled() && on.viewer.undo.count() == 1; }));
         card->reject();
         QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
-        QCOMPARE(on.window.files().options().unitMm.value_or(0.0), 10.0);
-        on.window.undoStack().undo();
+        QCOMPARE(on.viewer.files.options().unitMm.value_or(0.0), 10.0);
+        on.viewer.undo.undo();
         QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
-        QVERIFY(!on.window.files().options().unitMm);
+        QVERIFY(!on.viewer.files.options().unitMm);
     }
 
     // Another error replaced the notice before it was read: a button shows the notice again, with its action.
@@ -119,7 +119,7 @@ private slots:
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(metres_) && on.activate());
         QVERIFY(checked(on));
-        NoticeBar& notice = on.window.notice();
+        NoticeBar& notice = on.viewer.notice;
         auto* offer = notice.findChild<QToolButton*>("notice-action");
         auto* earlier = notice.findChild<QToolButton*>("notice-earlier");
         QVERIFY(offer->isVisible() && !earlier->isVisible());
@@ -138,8 +138,8 @@ private slots:
         QVERIFY(notice.text().startsWith("Nothing is selected"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
-        QVERIFY(on.window.opening().card() != nullptr && QTest::qWaitForWindowExposed(on.window.opening().card(), kPatienceMs));
-        on.window.opening().card()->reject();
+        QVERIFY(on.viewer.opening.card() != nullptr && QTest::qWaitForWindowExposed(on.viewer.opening.card(), kPatienceMs));
+        on.viewer.opening.card()->reject();
         // A closed notice counts as read.
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Escape);
@@ -154,23 +154,23 @@ private slots:
         QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
         QVERIFY(on.showWith(path));
         QVERIFY(checked(on));
-        QVERIFY2(!files::looksWrong(*on.window.opening().points()), "something speaks against a sweep that was simulated");
-        QVERIFY(!on.window.notice().isVisible());
+        QVERIFY2(!files::looksWrong(*on.viewer.opening.points()), "something speaks against a sweep that was simulated");
+        QVERIFY(!on.viewer.notice.isVisible());
     }
 
     void theCardGoesWithItsScan() {
         WindowFixture on;
         QVERIFY(on.showWith(metres_) && on.activate());
         QVERIFY(checked(on));
-        on.window.opening().show();
-        QVERIFY(choose(*on.window.opening().card(), "metres"));
+        on.viewer.opening.show();
+        QVERIFY(choose(*on.viewer.opening.card(), "metres"));
         const std::string path = (folder_ / "other.json").string();
         QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.0), path)));
         QVERIFY(on.settled());
         QVERIFY(on.open(path));
-        QVERIFY(!on.window.opening().card()->isVisible());
-        QVERIFY(!on.window.files().options().unitMm);
-        QCOMPARE(on.window.files().path(), QString::fromStdString(path));
+        QVERIFY(!on.viewer.opening.card()->isVisible());
+        QVERIFY(!on.viewer.files.options().unitMm);
+        QCOMPARE(on.viewer.files.path(), QString::fromStdString(path));
     }
 
     // In each language: sentences about the scan are translated, numbers are not, and every row is high enough for its text.
@@ -184,15 +184,15 @@ private slots:
             on.window.resize(1280, 800);
             QVERIFY(on.showWith(metres_) && on.activate());
             QVERIFY(checked(on));
-            on.window.opening().show();
-            OpeningCard* card = on.window.opening().card();
+            on.viewer.opening.show();
+            OpeningCard* card = on.viewer.opening.card();
             QVERIFY(QTest::qWaitForWindowExposed(card, kPatienceMs));
             QTreeWidget* list = card->list();
-            const files::OpeningPoint& unit = on.window.opening().points()->front();
+            const files::OpeningPoint& unit = on.viewer.opening.points()->front();
             const QString sentence = list->topLevelItem(0)->text(1);
             QVERIFY2(sentence.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(sentence));
             // Every sentence is translated; none stays English.
-            const auto& points = *on.window.opening().points();
+            const auto& points = *on.viewer.opening.points();
             int others = 0;
             for (int n = 0; n < list->topLevelItemCount(); ++n) {
                 for (int m = 0; m < list->topLevelItem(n)->childCount(); ++m) {
@@ -216,8 +216,8 @@ private slots:
     void withoutAFileItSaysSo() {
         WindowFixture on;
         QVERIFY(on.show());
-        on.window.opening().show();
-        QVERIFY(on.window.notice().isVisible() && on.window.opening().card() == nullptr);
+        on.viewer.opening.show();
+        QVERIFY(on.viewer.notice.isVisible() && on.viewer.opening.card() == nullptr);
     }
 };
 

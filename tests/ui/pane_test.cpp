@@ -53,7 +53,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(bare_));
         resizeTo(on.window, {1280, 800});
-        for (ImageView* view : {&on.window.views().gray(), &on.window.views().edges()}) {
+        for (ImageView* view : {&on.viewer.views.gray(), &on.viewer.views.edges()}) {
             const double before = view->viewPort()->zoom();
             auto* pane = qobject_cast<Pane*>(view->parentWidget());
             QVERIFY(pane != nullptr);
@@ -63,7 +63,7 @@ private slots:
             const double fits = std::min(view->width() / 340.0, view->height() / 300.0);
             QVERIFY(std::abs(view->viewPort()->zoom() - fits) < 0.02 * fits);
             QVERIFY(on.activate());
-            on.window.notice().hide();
+            on.viewer.notice.hide();
             QTest::keyClick(&on.window, Qt::Key_Escape);
             QTRY_VERIFY(std::abs(view->viewPort()->zoom() - before) < 0.02 * before);
         }
@@ -74,7 +74,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(large_));
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         auto* dock = on.window.findChild<QDockWidget*>("dock-edges");
         QVERIFY(dock != nullptr && dock->isVisible());
         const auto atRest = [&] {
@@ -87,8 +87,8 @@ private slots:
             std::function<void()> take, give;
         };
         const Room rooms[] = {
-            {"notice", [&] { on.window.notice().showNotice(NoticeBar::Kind::Warning, QString("a line of a warning\n").repeated(12)); },
-             [&] { on.window.notice().hide(); }},
+            {"notice", [&] { on.viewer.notice.showNotice(NoticeBar::Kind::Warning, QString("a line of a warning\n").repeated(12)); },
+             [&] { on.viewer.notice.hide(); }},
             {"dock", [&] { dock->hide(); }, [&] { dock->show(); }},
             {"window", [&] { on.window.resize(1280, 1040); }, [&] { on.window.resize(1280, 800); }},
         };
@@ -122,13 +122,13 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bell_) && on.activate());
-        Pane& cloud = paneOf(on.window.views().cloud());
-        Pane& edges = paneOf(on.window.views().edges());
-        Pane& range = paneOf(on.window.views().gray());
+        Pane& cloud = paneOf(on.viewer.views.cloud());
+        Pane& edges = paneOf(on.viewer.views.edges());
+        Pane& range = paneOf(on.viewer.views.gray());
         const Scan& scan = *on.picture().detection->scan;
         const auto valid = static_cast<std::size_t>(std::ranges::count(scan.state.cells, CellState::Valid));
         QCOMPARE(cloud.note(), counted(valid) + " points");
-        QTRY_VERIFY(on.window.views().cloud().atRest());
+        QTRY_VERIFY(on.viewer.views.cloud().atRest());
         QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · perspective"));
         QTest::keyClick(&on.window, Qt::Key_5);
         QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · orthographic"));
@@ -139,26 +139,26 @@ private slots:
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by class"));
         QTest::keyClick(&on.window, Qt::Key_C);
         // The ranges of the image, also after a change of the window.
-        const RangeSpan usual = on.window.views().rangesShown();
+        const RangeSpan usual = on.viewer.views.rangesShown();
         QCOMPARE(range.note(), QString("%1 to %2 m").arg(usual.nearM, 0, 'f', 2).arg(usual.farM, 0, 'f', 2));
-        on.window.views().setRangeWindow(RangeSpan{1.0, 2.5});
+        on.viewer.views.setRangeWindow(RangeSpan{1.0, 2.5});
         QCOMPARE(range.note(), QString("1.00 to 2.50 m"));
         // Hidden cells are not drawn: the title shows the number of remaining points.
-        on.window.selection().hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
-        const std::size_t hidden = on.window.selection().hidden().size();
+        on.viewer.selection.hideBeyond(0.0, (usual.nearM + usual.farM) / 2);
+        const std::size_t hidden = on.viewer.selection.hidden().size();
         QVERIFY(hidden > 0 && hidden < valid);
         QCOMPARE(cloud.note(), counted(valid - hidden) + " of " + counted(valid) + " points");
         QTest::keyClick(&on.window, Qt::Key_I, Qt::ControlModifier);
         QCOMPARE(cloud.note(), counted(valid) + " points");
         // The number of edges changes with the settings; uncertain edges that the confidence picture hides are counted in the title.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(eventually([&] { return on.window.confidence().made() != nullptr; }));
+        QVERIFY(eventually([&] { return on.viewer.confidence.made() != nullptr; }));
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by confidence"));
-        on.window.confidence().setLeast(95);
-        QTRY_COMPARE(on.window.confidence().made()->leastPercent, 95);
-        QCOMPARE(edges.note(), counted(on.window.confidence().made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
+        on.viewer.confidence.setLeast(95);
+        QTRY_COMPARE(on.viewer.confidence.made()->leastPercent, 95);
+        QCOMPARE(edges.note(), counted(on.viewer.confidence.made()->shown()) + " of " + all + QString::fromUtf8(" · by confidence"));
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        edges::Settings fewer = on.window.engine().settings();
+        edges::Settings fewer = on.viewer.engine.settings();
         fewer.method = edges::Method::Canny;
         QVERIFY(on.use(fewer));
         QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edges");
@@ -168,7 +168,7 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bare_));
-        for (QWidget* view : {static_cast<QWidget*>(&on.window.views().edges()), static_cast<QWidget*>(&on.window.views().cloud())}) {
+        for (QWidget* view : {static_cast<QWidget*>(&on.viewer.views.edges()), static_cast<QWidget*>(&on.viewer.views.cloud())}) {
             Pane& pane = paneOf(*view);
             const QSize before = view->size();
             QTest::mouseClick(pane.aloneButton(), Qt::LeftButton);
@@ -186,7 +186,7 @@ private slots:
         QVERIFY(on.showWith(bare_));
         for (const int width : {853, 1280, 1920}) {
             resizeTo(on.window, {width, 800});
-            Pane& cloud = paneOf(on.window.views().cloud());
+            Pane& cloud = paneOf(on.viewer.views.cloud());
             const int least = cloud.minimumSizeHint().width();
             cloud.setNote(QString(400, 'x'));
             QApplication::processEvents();

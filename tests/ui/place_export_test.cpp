@@ -50,20 +50,20 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         QVERIFY(on.open(placed_));
-        QCOMPARE(window.statusLine().placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
-        QVERIFY(window.notice().text().contains("The pose carries no time"));
-        emit window.views().gray().clicked(30, 40);
+        QCOMPARE(window.viewer().statusLine.placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
+        QVERIFY(window.viewer().notice.text().contains("The pose carries no time"));
+        emit window.viewer().views.gray().clicked(30, 40);
         const Scan& scan = *on.picture().detection->scan;
         const std::size_t k = scan.rangeMm.index(30, 40);
         QCOMPARE(scan.state[k], CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
         const QString expected = QString("N %1  E %2  El %3").arg(mine.y(), 0, 'f', 3).arg(mine.x(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
-        QVERIFY2(window.statusLine().probeShown().contains(expected), qPrintable(window.statusLine().probeShown()));
+        QVERIFY2(window.viewer().statusLine.probeShown().contains(expected), qPrintable(window.viewer().statusLine.probeShown()));
         QVERIFY(on.open(bare_));
-        QCOMPARE(window.statusLine().placeShown(), QString("scanner frame"));
-        QCOMPARE(window.statusLine().recordedShown(), QString("time not known"));
-        emit window.views().gray().clicked(30, 40);
-        QVERIFY(window.statusLine().probeShown().contains(QString::fromUtf8("N –  E –  El –")));
+        QCOMPARE(window.viewer().statusLine.placeShown(), QString("scanner frame"));
+        QCOMPARE(window.viewer().statusLine.recordedShown(), QString("time not known"));
+        emit window.viewer().views.gray().clicked(30, 40);
+        QVERIFY(window.viewer().statusLine.probeShown().contains(QString::fromUtf8("N –  E –  El –")));
     }
 
     void withoutAPoseTheMineGridCannotBeChosen() {
@@ -127,7 +127,7 @@ private slots:
             dialog->reject();
             return true;
         });
-        QSignalSpy saved(&window.engine(), &Engine::saved);
+        QSignalSpy saved(&window.viewer().engine, &Engine::saved);
         const auto actions = window.actions();
         const auto command =
             std::find_if(actions.begin(), actions.end(), [](QAction* a) { return a->shortcut() == QKeySequence("Ctrl+E"); });
@@ -135,11 +135,11 @@ private slots:
         (*command)->trigger();
         QTRY_VERIFY(asked);
         QCOMPARE(saved.count(), 0);
-        QVERIFY(!window.engine().working());
+        QVERIFY(!window.viewer().engine.working());
         const QString path = QString::fromStdString((folder_ / "mine.csv").string());
         exports::ExportOptions options;
         options.frame = CoordinateFrame::Mine;
-        window.engine().save(exports::ExportContent::EdgeCloud, path, options);
+        window.viewer().engine.save(exports::ExportContent::EdgeCloud, path, options);
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
     }

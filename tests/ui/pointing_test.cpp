@@ -35,9 +35,9 @@ class PointingTest : public QObject {
         return view.viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), view.size()).toPoint();
     }
     void escape() {
-        window_->notice().hide();
+        window_->viewer().notice.hide();
         QVERIFY(on_->activate());
-        window_->views().cloud().setFocus();
+        window_->viewer().views.cloud().setFocus();
         QTest::keyClick(window_, Qt::Key_Escape);
     }
     // Chooses an entry of the menu that a right click opens.
@@ -81,23 +81,23 @@ private slots:
     void cleanup() { on_.reset(); }
 
     void aClickPinsTheCellUntilItIsLetGo() {
-        ImageView& gray = window_->views().gray();
-        ImageView& edges = window_->views().edges();
+        ImageView& gray = window_->viewer().views.gray();
+        ImageView& edges = window_->viewer().views.edges();
         const std::uint32_t k = on_->picture().detection->edges->at(5);
         const int line = static_cast<int>(k) / 160, beam = static_cast<int>(k) % 160;
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, line, beam));
-        QVERIFY(window_->views().pinned().has_value());
-        const std::size_t pinned = *window_->views().pinned();
-        const QString text = window_->statusLine().probeShown();
+        QVERIFY(window_->viewer().views.pinned().has_value());
+        const std::size_t pinned = *window_->viewer().views.pinned();
+        const QString text = window_->viewer().statusLine.probeShown();
         QVERIFY(!text.isEmpty());
         // Hovering over a view removes neither the numbers nor the ring, and W still refers to the cell.
         const auto isThere = [&] {
-            QCOMPARE(window_->statusLine().probeShown(), text);
-            QCOMPARE(*window_->views().marked(), pinned);
-            QCOMPARE(static_cast<std::size_t>(*window_->views().cloud().markedCell()), pinned);
+            QCOMPARE(window_->viewer().statusLine.probeShown(), text);
+            QCOMPARE(*window_->viewer().views.marked(), pinned);
+            QCOMPARE(static_cast<std::size_t>(*window_->viewer().views.cloud().markedCell()), pinned);
             for (ImageView* view : {&gray, &edges}) {
-                QCOMPARE(*view->crosshair(), window_->views().placeOf(pinned));
-                QCOMPARE(*view->markedCell(), window_->views().placeOf(pinned));
+                QCOMPARE(*view->crosshair(), window_->viewer().views.placeOf(pinned));
+                QCOMPARE(*view->markedCell(), window_->viewer().views.placeOf(pinned));
             }
         };
         for (ImageView* view : {&gray, &edges}) {
@@ -106,32 +106,33 @@ private slots:
             isThere();
             if (QTest::currentTestFailed()) return;
         }
-        CloudView& cloud = window_->views().cloud();
+        CloudView& cloud = window_->viewer().views.cloud();
         move(cloud, {cloud.width() / 2, cloud.height() / 2});
         move(cloud, {cloud.width() / 3, cloud.height() / 3});
         isThere();
         if (QTest::currentTestFailed()) return;
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_W);
-        QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
+        QTRY_VERIFY(window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->isVisible());
         const QString words = QString("line %1, beam %2:").arg(pinned / 160).arg(pinned % 160);
-        QTRY_VERIFY2(window_->explanation().card()->text().startsWith(words), qPrintable(window_->explanation().card()->text()));
+        QTRY_VERIFY2(window_->viewer().explanation.card()->text().startsWith(words),
+                     qPrintable(window_->viewer().explanation.card()->text()));
         // A change of another setting does not move it either.
         edges::Settings other;
         other.creaseDeg = 50;
         QVERIFY(on_->use(other));
-        QCOMPARE(*window_->views().pinned(), pinned);
+        QCOMPARE(*window_->viewer().views.pinned(), pinned);
         escape(); // the topmost item first
-        QVERIFY(!window_->explanation().card()->isVisible());
-        QCOMPARE(*window_->views().pinned(), pinned);
+        QVERIFY(!window_->viewer().explanation.card()->isVisible());
+        QCOMPARE(*window_->viewer().views.pinned(), pinned);
         escape();
-        QVERIFY(!window_->views().pinned());
+        QVERIFY(!window_->viewer().views.pinned());
         move(gray, pixelOf(gray, 100, 20));
-        QVERIFY(window_->statusLine().probeShown() != text);
+        QVERIFY(window_->viewer().statusLine.probeShown() != text);
     }
 
     void theMenuOfACellIsTheSameInEveryView() {
-        CloudView& cloud = window_->views().cloud();
+        CloudView& cloud = window_->viewer().views.cloud();
         std::optional<QPoint> at;
         for (const std::uint32_t k : *on_->picture().detection->edges) {
             const auto pixel = cloud.pixelOf(k);
@@ -142,31 +143,31 @@ private slots:
         QVERIFY(at.has_value());
         const std::uint32_t cell = *cloud.cellAt(*at);
         QVERIFY(chooseInMenu(cloud, *at, "Why"));
-        QTRY_VERIFY(window_->explanation().card() != nullptr && window_->explanation().card()->isVisible());
-        QTRY_VERIFY(window_->explanation().card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
-        QVERIFY(!window_->views().pinned()); // asking for an explanation sets no target
+        QTRY_VERIFY(window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->isVisible());
+        QTRY_VERIFY(window_->viewer().explanation.card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
+        QVERIFY(!window_->viewer().views.pinned()); // asking for an explanation sets no target
         QVERIFY(chooseInMenu(cloud, *at, "Pin"));
-        QCOMPARE(*window_->views().pinned(), static_cast<std::size_t>(cell));
+        QCOMPARE(*window_->viewer().views.pinned(), static_cast<std::size_t>(cell));
         QVERIFY(chooseInMenu(cloud, *at, "Let go"));
-        QVERIFY(!window_->views().pinned());
-        ImageView& gray = window_->views().gray();
+        QVERIFY(!window_->viewer().views.pinned());
+        ImageView& gray = window_->viewer().views.gray();
         const CameraPose before = cloud.camera();
         QVERIFY(chooseInMenu(gray, pixelOf(gray, 60, 80), "Fly to this point"));
         QVERIFY(!(cloud.camera() == before));
     }
 
     void aBoxBringsAllViewsCloser() {
-        ImageView& gray = window_->views().gray();
+        ImageView& gray = window_->viewer().views.gray();
         const double zoom = gray.viewPort()->zoom();
-        const CameraPose before = window_->views().cloud().camera();
+        const CameraPose before = window_->viewer().views.cloud().camera();
         const QPoint from = pixelOf(gray, 40, 50), to = pixelOf(gray, 70, 100);
         QTest::mousePress(&gray, Qt::LeftButton, Qt::ShiftModifier, from);
         for (int i = 1; i <= 5; ++i) move(gray, from + (to - from) * i / 5, Qt::LeftButton, Qt::ShiftModifier);
         QTest::mouseRelease(&gray, Qt::LeftButton, Qt::ShiftModifier, to);
-        QVERIFY(window_->views().edges().box().has_value());
-        QCOMPARE(*window_->views().edges().box(), *gray.box());
+        QVERIFY(window_->viewer().views.edges().box().has_value());
+        QCOMPARE(*window_->viewer().views.edges().box(), *gray.box());
         QVERIFY(gray.viewPort()->zoom() > 1.5 * zoom);
-        QVERIFY(!(window_->views().cloud().camera() == before));
+        QVERIFY(!(window_->viewer().views.cloud().camera() == before));
         const auto* boxLabel = window_->findChild<QLabel*>("box");
         window_->resize(1900, 850);
         QTRY_VERIFY(boxLabel->isVisible());
@@ -176,7 +177,7 @@ private slots:
             edges += box.contains(static_cast<int>(k) % 160, static_cast<int>(k) / 160) ? 1 : 0;
         QVERIFY2(boxLabel->text().contains(QString(", %1 edge cells").arg(edges)), qPrintable(boxLabel->text()));
         escape();
-        QVERIFY(!gray.box() && !window_->views().edges().box() && !boxLabel->isVisible());
+        QVERIFY(!gray.box() && !window_->viewer().views.edges().box() && !boxLabel->isVisible());
     }
 
     void edgesOverTheRangeImageHaveTheColoursOfTheirClasses() {
@@ -186,7 +187,7 @@ private slots:
         const auto colourOfClass = [&](edges::DepthEdge kind) -> std::optional<QRgb> {
             for (const std::uint32_t k : *detection.edges) {
                 if ((*detection.classes)[k] == kind)
-                    return window_->views().gray().overlay()->pixel(static_cast<int>(k) % 160, static_cast<int>(k) / 160);
+                    return window_->viewer().views.gray().overlay()->pixel(static_cast<int>(k) % 160, static_cast<int>(k) / 160);
             }
             return std::nullopt;
         };
@@ -206,20 +207,20 @@ private slots:
         other.creaseDeg = 40; // a new picture keeps them
         QVERIFY(on_->use(other));
         QCOMPARE(
-            window_->views().gray().overlay()->pixel(static_cast<int>(on_->picture().detection->edges->front()) % 160,
-                                                     static_cast<int>(on_->picture().detection->edges->front()) / 160),
+            window_->viewer().views.gray().overlay()->pixel(static_cast<int>(on_->picture().detection->edges->front()) % 160,
+                                                            static_cast<int>(on_->picture().detection->edges->front()) / 160),
             kColourBlindColours[static_cast<std::size_t>((*on_->picture().detection->classes)[on_->picture().detection->edges->front()]) -
                                 1]
                 .rgb());
         QTest::keyClick(window_, Qt::Key_C);
-        QCOMPARE(window_->views().gray().overlay()->pixel(static_cast<int>(on_->picture().detection->edges->front()) % 160,
-                                                          static_cast<int>(on_->picture().detection->edges->front()) / 160),
+        QCOMPARE(window_->viewer().views.gray().overlay()->pixel(static_cast<int>(on_->picture().detection->edges->front()) % 160,
+                                                                 static_cast<int>(on_->picture().detection->edges->front()) / 160),
                  kColourBlindColours.front().rgb());
     }
 
     void aMethodThatIsVisitedLeavesTheThresholdAsItWas() {
         const auto choose = [&](const char* label) {
-            window_->panel().row("method")->choice()->setCurrentText(label);
+            window_->viewer().panel.row("method")->choice()->setCurrentText(label);
             QVERIFY(on_->settled());
         };
         for (const double lower : {1.0, 2.3, 6.0, 33.0}) {
@@ -230,31 +231,31 @@ private slots:
                  {"Laplacian of Gaussian", "Marr-Hildreth", "Roberts", "Kirsch", "EdgeScan+", "Laplacian of Gaussian"})
                 choose(visited);
             choose("Canny (thesis)");
-            QCOMPARE(window_->engine().settings().lower, lower);
+            QCOMPARE(window_->viewer().engine.settings().lower, lower);
             // Also after a change of another setting there, undone and redone.
             choose("Laplacian of Gaussian");
-            window_->panel().row("kernel")->choice()->setCurrentIndex(2);
+            window_->viewer().panel.row("kernel")->choice()->setCurrentIndex(2);
             choose("Canny (thesis)");
-            QCOMPARE(window_->engine().settings().lower, lower);
-            window_->undoStack().undo();
-            window_->undoStack().undo();
-            window_->undoStack().undo();
-            window_->undoStack().redo();
+            QCOMPARE(window_->viewer().engine.settings().lower, lower);
+            window_->viewer().undo.undo();
+            window_->viewer().undo.undo();
+            window_->viewer().undo.undo();
+            window_->viewer().undo.redo();
             choose("Canny (thesis)");
-            QCOMPARE(window_->engine().settings().lower, lower);
+            QCOMPARE(window_->viewer().engine.settings().lower, lower);
         }
         // A threshold chosen in that method is used again.
         choose("Laplacian of Gaussian");
-        window_->panel().row("lower")->number()->setValue(40);
+        window_->viewer().panel.row("lower")->number()->setValue(40);
         choose("Canny (thesis)");
-        QVERIFY(window_->engine().settings().lower != 33.0);
+        QVERIFY(window_->viewer().engine.settings().lower != 33.0);
     }
 
     void straighteningIsAStepOfUndo() {
         QVERIFY(on_->open(interlaced_));
         edges::Settings before;
         before.creaseDeg = 41;
-        window_->panel().row("crease")->number()->setValue(41);
+        window_->viewer().panel.row("crease")->number()->setValue(41);
         QVERIFY(on_->settled());
         auto* straighten = window_->findChild<QAction*>("straighten-beams");
         const auto straight = [&] {
@@ -267,14 +268,14 @@ private slots:
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(eventually([&] { return !straight(); }));
         QVERIFY(!straighten->isChecked());
-        QCOMPARE(window_->engine().settings().creaseDeg, 41.0);
+        QCOMPARE(window_->viewer().engine.settings().creaseDeg, 41.0);
         QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
         QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(straighten->isChecked());
         // The step of a closed file is obsolete: undo takes the step before it.
         QVERIFY(on_->open(boxes_));
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
-        QTRY_COMPARE(window_->engine().settings().creaseDeg, 30.0);
+        QTRY_COMPARE(window_->viewer().engine.settings().creaseDeg, 30.0);
         QCOMPARE(on_->picture().detection->scan->path, boxes_);
     }
 
@@ -302,7 +303,7 @@ private slots:
                 if (dialog->isVisible()) dialog->reject();
             });
             look.start(30);
-            window_->files().askReading();
+            window_->viewer().files.askReading();
             QCOMPARE(shown, refused);
         };
         answer("axis", "sweep");
@@ -313,15 +314,15 @@ private slots:
         QTRY_COMPARE(std::get<PolarGeometry>(on_->picture().detection->scan->geometry).lineDeg.front(), 12.5);
         QVERIFY(axis() == Axis::Sweep);
         QVERIFY(on_->settled());
-        window_->undoStack().undo();
+        window_->viewer().undo.undo();
         QVERIFY(on_->settled());
-        window_->undoStack().undo();
+        window_->viewer().undo.undo();
         QTRY_VERIFY(axis() == Axis::Spin);
         // A refused option leaves scan and options unchanged.
         answer("pose", "/no/such/pose.json");
-        QTRY_VERIFY(window_->notice().isVisible() && window_->notice().kind() == NoticeBar::Kind::Error);
+        QTRY_VERIFY(window_->viewer().notice.isVisible() && window_->viewer().notice.kind() == NoticeBar::Kind::Error);
         QVERIFY(on_->settled());
-        QVERIFY(window_->files().options().pose.empty());
+        QVERIFY(window_->viewer().files.options().pose.empty());
     }
 };
 

@@ -96,7 +96,7 @@ class RandomWalkTest : public QObject {
                 static_cast<int>(below(static_cast<std::size_t>(std::max(1, view.height()))))};
     }
     QWidget& anyView(WindowFixture& on) {
-        LinkedViews& views = on.window.views();
+        LinkedViews& views = on.viewer.views;
         const std::array<QWidget*, 3> all{&views.gray(), &views.edges(), &views.cloud()};
         return *all[below(3)];
     }
@@ -155,7 +155,7 @@ class RandomWalkTest : public QObject {
             useWidget(on);
         else {
             last_ = "open";
-            on.window.files().open({QString::fromStdString(scans_[below(scans_.size())])});
+            on.viewer.files.open({QString::fromStdString(scans_[below(scans_.size())])});
         }
         closeDialogs();
         QApplication::processEvents(QEventLoop::AllEvents, 20);
@@ -223,7 +223,7 @@ private slots:
         closeDialogs();
         // The window still works.
         for (QDialog* dialog : on.window.findChildren<QDialog*>()) dialog->close();
-        QVERIFY(eventually([&] { return !on.window.engine().working(); }));
+        QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
         QVERIFY(on.open(scans_.front()));
         QVERIFY(!on.picture().detection->scan->rangeMm.cells.empty());
         std::ranges::sort(slowest);

@@ -98,11 +98,11 @@ private slots:
         QVERIFY(files::saveScan(sim::simulate(bell)->scan, path));
         WindowFixture on;
         MainWindow& window = on.window;
-        window.tuning().usePreset(*edges::findPreset("log"));
+        window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.show());
         tell("opening", gapsWhile([&] {
                  QVERIFY(on.open(path));
-                 QVERIFY(eventually([&] { return window.views().cloud().drawnFraction() >= 1.0; }));
+                 QVERIFY(eventually([&] { return window.viewer().views.cloud().drawnFraction() >= 1.0; }));
              }));
         QSlider* slider = on.slider("lower");
         int pictures = 0;
@@ -114,7 +114,7 @@ private slots:
         qInfo("%d pictures shown for 200 moves", pictures);
         QVERIFY(pictures > 0);
         QVERIFY(on.settled());
-        QCOMPARE(on.picture().detection->settings.lower, edges::sliderValue(window.panel().row("lower")->parameter(), 299));
+        QCOMPARE(on.picture().detection->settings.lower, edges::sliderValue(window.viewer().panel.row("lower")->parameter(), 299));
         const auto nothing = [](int) {};
         tell("at rest", gapsWhile([&] { QVERIFY(movesUntil(100, nothing, [](int count) { return count >= 15; })); }));
     }
@@ -131,8 +131,8 @@ private slots:
         settings.degPerLine = 0.18;
         settings.firstLineDeg = -90;
         settings.axis = Axis::Sweep;
-        const auto lines = [&] { return window.engine().picture() ? on.picture().detection->scan->lines() : 0; };
-        window.live().connectTo("127.0.0.1", served.port(), settings);
+        const auto lines = [&] { return window.viewer().engine.picture() ? on.picture().detection->scan->lines() : 0; };
+        window.viewer().live.connectTo("127.0.0.1", served.port(), settings);
         QVERIFY(eventually([&] { return lines() >= 10; }));
         auto& application = *static_cast<TimedApplication*>(QCoreApplication::instance());
         application.watching = true;

@@ -35,7 +35,7 @@ class RocksWindowTest : public QObject {
     std::string bell_;
 
     static bool settled(WindowFixture& on) {
-        return on.settled() && eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); });
+        return on.settled() && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
     }
     // Opens the scan and shows rocks by their key.
     bool showRocks(WindowFixture& on) {
@@ -44,14 +44,14 @@ class RocksWindowTest : public QObject {
         QTest::keyClick(&on.window, Qt::Key_K);
         return settled(on);
     }
-    static const RockPicture& picture(WindowFixture& on) { return *on.window.rocks().picture(); }
+    static const RockPicture& picture(WindowFixture& on) { return *on.viewer.rocks.picture(); }
     static QPoint pixelOf(const ImageView& view, QPoint cell) {
         return view.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), view.size()).toPoint();
     }
     // A pixel of the view whose cell belongs to the rock.
     static QPoint pixelOn(WindowFixture& on, ImageView& view, std::uint32_t label) {
         const Grid<std::uint32_t>& labels = picture(on).labels;
-        const QPoint first = pixelOf(view, on.window.views().placeOf(picture(on).rock(label)->cell));
+        const QPoint first = pixelOf(view, on.viewer.views.placeOf(picture(on).rock(label)->cell));
         for (int reach = 0; reach < 12; ++reach) {
             for (int dy = -reach; dy <= reach; ++dy) {
                 for (int dx = -reach; dx <= reach; ++dx) {
@@ -63,7 +63,7 @@ class RocksWindowTest : public QObject {
         return {-1, -1};
     }
     static void click(WindowFixture& on, std::uint32_t label, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        ImageView& view = on.window.views().gray();
+        ImageView& view = on.viewer.views.gray();
         QTest::mouseClick(&view, Qt::LeftButton, modifiers, pixelOn(on, view, label));
     }
     // Two rocks with a common border, the larger one first.
@@ -105,7 +105,7 @@ private slots:
     void aKeyShowsThemInAllViewsAndTakesThemAway() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        LinkedViews& views = on.window.views();
+        LinkedViews& views = on.viewer.views;
         const std::size_t count = picture(on).study.rocks.size();
         QVERIFY(count > 40);
         for (ImageView* view : {&views.gray(), &views.edges()}) {
@@ -113,20 +113,20 @@ private slots:
             QVERIFY2(view->title().contains(rockCaveat()), qPrintable(view->title()));
         }
         QVERIFY(views.cloud().caption().contains(rockCaveat()));
-        QVERIFY(on.window.rocksPanel().text().contains(rockCaveat()));
-        QVERIFY(on.window.rockTable().remark().contains(rockCaveat()));
-        QCOMPARE(on.window.rockTable().table()->model()->rowCount(), static_cast<int>(count));
+        QVERIFY(on.viewer.rocksPanel.text().contains(rockCaveat()));
+        QVERIFY(on.viewer.rockTable.remark().contains(rockCaveat()));
+        QCOMPARE(on.viewer.rockTable.table()->model()->rowCount(), static_cast<int>(count));
         // In the cloud each point has the shaded colour of its rock; gray points have equal red and green.
         const auto coloured = [](QRgb p) { return std::abs(qRed(p) - qGreen(p)) + std::abs(qGreen(p) - qBlue(p)) > 40; };
         QVERIFY(countPixels(views.cloud().grabFrame(CloudView::Points::All), coloured) > 5000);
 
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(!on.window.rocks().picture());
+        QVERIFY(!on.viewer.rocks.picture());
         QVERIFY(!views.gray().faces());
         QVERIFY(views.gray().title().isEmpty());
         QVERIFY(views.cloud().caption().isEmpty());
         QVERIFY(!views.cloud().faces());
-        QCOMPARE(on.window.rockTable().table()->model()->rowCount(), 0);
+        QCOMPARE(on.viewer.rockTable.table()->model()->rowCount(), 0);
         QVERIFY(on.window.findChild<QDockWidget*>("dock-rocks")->isHidden());
     }
 
@@ -146,7 +146,7 @@ private slots:
         for (const rocks::Rock& rock : shown.study.rocks) {
             std::set<QRgb> inks; // of the face, borders included
             for (std::size_t k = 0; k < shown.labels.size(); ++k) {
-                if (shown.labels[k] == rock.label) inks.insert(shown.faces->pixel(on.window.views().placeOf(k)));
+                if (shown.labels[k] == rock.label) inks.insert(shown.faces->pixel(on.viewer.views.placeOf(k)));
             }
             QCOMPARE(static_cast<int>(inks.size()), isDoubtful(rock) ? 3 : 2);
             doubtful += isDoubtful(rock) ? 1 : 0;
@@ -157,7 +157,7 @@ private slots:
     void theSliderGoesFromFineToCoarseAndEqualsTheCore() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        QSlider* slider = on.window.rocksPanel().slider();
+        QSlider* slider = on.viewer.rocksPanel.slider();
         std::vector<std::size_t> regions;
         for (const Qt::Key key : {Qt::Key_Home, Qt::Key_End}) {
             slider->setFocus();
@@ -172,13 +172,13 @@ private slots:
         QVERIFY2(regions[0] > regions[1], "fine has more pieces than coarse");
         QTest::keyClick(&on.window, Qt::Key_Comma); // finer by half a step
         QVERIFY(settled(on));
-        QCOMPARE(on.window.rocksPanel().number("level")->value(), 3.5);
+        QCOMPARE(on.viewer.rocksPanel.number("level")->value(), 3.5);
     }
 
     void pointingTellsAndAClickSelectsEverywhere() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        LinkedViews& views = on.window.views();
+        LinkedViews& views = on.viewer.views;
         const rocks::Rock rock = *picture(on).rock(3);
         const QPoint at = pixelOn(on, views.gray(), 3);
         QTest::mouseMove(&views.gray(), at);
@@ -189,22 +189,22 @@ private slots:
         QCOMPARE(views.cloud().tip(), rockTip(rock));
 
         click(on, 3);
-        QVERIFY(on.window.rocksPanel().card().isVisible());
-        QVERIFY(on.window.rocksPanel().card().text().startsWith("Rock 3\n"));
-        QVERIFY(on.window.rocksPanel().card().text().contains(rockCaveat()));
-        QCOMPARE(on.window.rockTable().selected(), std::vector<std::uint32_t>{3});
+        QVERIFY(on.viewer.rocksPanel.card().isVisible());
+        QVERIFY(on.viewer.rocksPanel.card().text().startsWith("Rock 3\n"));
+        QVERIFY(on.viewer.rocksPanel.card().text().contains(rockCaveat()));
+        QCOMPARE(on.viewer.rockTable.selected(), std::vector<std::uint32_t>{3});
         QVERIFY(!views.gray().outline().empty());
         QCOMPARE(views.gray().outline(), views.edges().outline());
         QVERIFY(views.cloud().outline());
 
         // The row of another rock: its outline appears in the views. Sorted by a, the first row is the longest rock.
-        QTableView* table = on.window.rockTable().table();
+        QTableView* table = on.viewer.rockTable.table();
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 0)).center());
-        const std::vector<std::uint32_t> chosen = on.window.rockTable().selected();
+        const std::vector<std::uint32_t> chosen = on.viewer.rockTable.selected();
         QCOMPARE(chosen.size(), std::size_t{1});
         for (const rocks::Rock& each : picture(on).study.rocks)
             QVERIFY(each.longestCaliperM <= picture(on).rock(chosen[0])->longestCaliperM);
-        QVERIFY(on.window.rocksPanel().card().text().startsWith(QString("Rock %1\n").arg(chosen[0])));
+        QVERIFY(on.viewer.rocksPanel.card().text().startsWith(QString("Rock %1\n").arg(chosen[0])));
         QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
 
         // In the cloud: a visible point of a rock.
@@ -213,14 +213,14 @@ private slots:
             const auto pixel = views.cloud().pixelOf(each.cell);
             if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
             QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::NoModifier, pixel->toPoint());
-            QCOMPARE(on.window.rockTable().selected(), std::vector<std::uint32_t>{each.label});
+            QCOMPARE(on.viewer.rockTable.selected(), std::vector<std::uint32_t>{each.label});
             clicked = true;
             break;
         }
         QVERIFY(clicked);
-        QTest::mouseClick(on.window.rocksPanel().card().close(), Qt::LeftButton);
-        QVERIFY(on.window.rocksPanel().card().isHidden());
-        QVERIFY(on.window.rockTable().selected().empty());
+        QTest::mouseClick(on.viewer.rocksPanel.card().close(), Qt::LeftButton);
+        QVERIFY(on.viewer.rocksPanel.card().isHidden());
+        QVERIFY(on.viewer.rockTable.selected().empty());
         QVERIFY(views.gray().outline().empty());
         QVERIFY(!views.cloud().outline());
     }
@@ -228,7 +228,7 @@ private slots:
     void theTableSortsFiltersAndJumps() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        RockTable& rocks = on.window.rockTable();
+        RockTable& rocks = on.viewer.rockTable;
         QTableView* table = rocks.table();
         const auto column = [&](int n) {
             std::vector<double> values;
@@ -253,18 +253,18 @@ private slots:
         QTest::mouseClick(rocks.sureOnly(), Qt::LeftButton, Qt::NoModifier, QPoint(8, rocks.sureOnly()->height() / 2));
         for (const double p : column(10)) QVERIFY(p >= rocks::kSureConfidence);
 
-        const CameraPose before = on.window.views().cloud().camera();
+        const CameraPose before = on.viewer.views.cloud().camera();
         const QPoint row = table->visualRect(table->model()->index(0, 1)).center();
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
-        QVERIFY(!(on.window.views().cloud().camera() == before));
-        QCOMPARE(on.window.views().marked(), std::optional<std::size_t>(on.window.rocks().selected().back()));
+        QVERIFY(!(on.viewer.views.cloud().camera() == before));
+        QCOMPARE(on.viewer.views.marked(), std::optional<std::size_t>(on.viewer.rocks.selected().back()));
     }
 
     void theSizeCurveIsDrawnWithItsMarksAndTheOversize() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        SizeCurveView* view = on.window.rockTable().sizeCurve();
+        SizeCurveView* view = on.viewer.rockTable.sizeCurve();
         const std::vector<rocks::Rock> rocks = picture(on).study.rocks; // a copy: the picture is freed when another one is shown
         QCOMPARE(view->curve().rocks(), rocks.size());
         const auto over = [&](double wideM) {
@@ -278,13 +278,13 @@ private slots:
         QVERIFY2(text.contains(" % of the rocks"), qPrintable(text));
         QVERIFY2(std::abs(text.section(' ', 0, 0).toDouble() - 50) <= 0.5 + 100.0 / static_cast<double>(rocks.size()), qPrintable(text));
         QVERIFY(view->accessibleDescription().contains("40 % and more"));
-        on.window.rocksPanel().number("oversize")->setValue(0.5);
+        on.viewer.rocksPanel.number("oversize")->setValue(0.5);
         QVERIFY(settled(on));
         QCOMPARE(view->curve().oversizeM, 0.5);
         QVERIFY(std::abs(view->curve().oversizeShare - over(0.5)) < 1e-9);
         const QString share = QString("%1 % over 0.50 m").arg(100 * over(0.5), 0, 'f', 0);
         QVERIFY2(view->accessibleDescription().contains(share), qPrintable(view->accessibleDescription()));
-        QVERIFY(on.window.rocksPanel().text().contains(share));
+        QVERIFY(on.viewer.rocksPanel.text().contains(share));
         // The dot of the selected rock has a colour of its own.
         const QImage before = view->grab().toImage();
         click(on, 2);
@@ -305,20 +305,20 @@ private slots:
         const auto one = [&, cellA = cellA, cellB = cellB] { return picture(on).regionAt(cellA) == picture(on).regionAt(cellB); };
         click(on, a);
         click(on, b, Qt::ControlModifier);
-        QCOMPARE(on.window.rocks().selected().size(), std::size_t{2});
-        QTest::mouseClick(on.window.rocksPanel().card().merge(), Qt::LeftButton);
+        QCOMPARE(on.viewer.rocks.selected().size(), std::size_t{2});
+        QTest::mouseClick(on.viewer.rocksPanel.card().merge(), Qt::LeftButton);
         QVERIFY(settled(on));
         QVERIFY(one());
         // An edit is a constraint: it also holds at the fine end of the slider.
-        on.window.rocksPanel().slider()->setFocus();
-        QTest::keyClick(on.window.rocksPanel().slider(), Qt::Key_Home);
+        on.viewer.rocksPanel.slider()->setFocus();
+        QTest::keyClick(on.viewer.rocksPanel.slider(), Qt::Key_Home);
         QVERIFY(settled(on));
         QVERIFY(one());
         // A change of the slider is an undo step too.
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
-        QVERIFY(on.window.rocks().settings() == rocks::RockSettings{});
+        QVERIFY(on.viewer.rocks.settings() == rocks::RockSettings{});
         QVERIFY(one());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
@@ -329,18 +329,18 @@ private slots:
 
         // A click on a rock with several segments splits it.
         for (const rocks::Rock& rock : picture(on).study.rocks) {
-            const QPoint pixel = pixelOn(on, on.window.views().gray(), rock.label);
-            const auto cell = on.window.views().gray().cellAt(pixel);
+            const QPoint pixel = pixelOn(on, on.viewer.views.gray(), rock.label);
+            const auto cell = on.viewer.views.gray().cellAt(pixel);
             const rocks::Study& study = picture(on).study;
             const auto k = static_cast<std::uint32_t>(picture(on).labels.index(cell->y(), cell->x()));
             if (!rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, k)) continue;
             const std::size_t regions = study.map.regions.size();
             QTest::keyClick(&on.window, Qt::Key_S);
-            QVERIFY(on.window.rocks().tool() == RockTool::Split);
-            QTest::mouseClick(&on.window.views().gray(), Qt::LeftButton, Qt::NoModifier, pixel);
-            QVERIFY(on.window.rocks().tool() == RockTool::None);
+            QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
+            QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixel);
+            QVERIFY(on.viewer.rocks.tool() == RockTool::None);
             QVERIFY(settled(on));
-            QCOMPARE(on.window.rocks().edits().size(), std::size_t{2});
+            QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{2});
             QVERIFY(picture(on).study.map.regions.size() > regions);
             QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
             QVERIFY(settled(on));
@@ -353,7 +353,7 @@ private slots:
     void aLineJoinsWhatItCrossesAndAnotherCuts() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        ImageView& view = on.window.views().gray();
+        ImageView& view = on.viewer.views.gray();
         const auto [a, b] = neighbours(on);
         const QPoint from = pixelOn(on, view, a), to = pixelOn(on, view, b);
         const auto cellAt = [&](QPoint pixel) {
@@ -364,7 +364,7 @@ private slots:
         const Grid<std::uint32_t> before = picture(on).labels;
         const QPointF centre = view.viewPort()->toCell(QPointF(0, 0), view.size());
         QTest::keyClick(&on.window, Qt::Key_J);
-        QVERIFY(on.window.rocks().tool() == RockTool::Join);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
         QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
         QTest::mouseMove(&view, (from + to) / 2);
         QVERIFY2(!view.trail().cells.empty(), "the line is seen while it is drawn");
@@ -372,9 +372,9 @@ private slots:
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
         QVERIFY(view.trail().cells.empty());
         QCOMPARE(view.viewPort()->toCell(QPointF(0, 0), view.size()), centre); // the view did not pan
-        QVERIFY(on.window.rocks().tool() == RockTool::None);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None);
         QVERIFY(settled(on));
-        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
         QVERIFY(picture(on).regionAt(cellA) == picture(on).regionAt(cellB));
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
@@ -382,7 +382,7 @@ private slots:
 
         // A line through the largest rock, from side to side.
         const rocks::Rock rock = *picture(on).rock(1);
-        const QPoint middle = on.window.views().placeOf(rock.cell);
+        const QPoint middle = on.viewer.views.placeOf(rock.cell);
         int left = middle.x(), right = middle.x();
         while (before.contains(middle.y(), left - 1) && before.at(middle.y(), left - 1) == 1) --left;
         while (before.contains(middle.y(), right + 1) && before.at(middle.y(), right + 1) == 1) ++right;
@@ -390,8 +390,8 @@ private slots:
         draw(view,
              {pixelOf(view, {std::max(0, left - 3), middle.y()}), pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()})});
         QVERIFY(settled(on));
-        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
-        QVERIFY(on.window.rocks().edits()[0].kind == rocks::EditKind::Cut);
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+        QVERIFY(on.viewer.rocks.edits()[0].kind == rocks::EditKind::Cut);
         const auto over = static_cast<std::size_t>(before.index(middle.y() - 4, middle.x()));
         const auto under = static_cast<std::size_t>(before.index(middle.y() + 4, middle.x()));
         QVERIFY(before[over] == 1 && before[under] == 1);
@@ -399,15 +399,15 @@ private slots:
 
         // Esc leaves the tool, and a drag pans again.
         QTest::keyClick(&on.window, Qt::Key_X);
-        QVERIFY(on.window.rocks().tool() == RockTool::Cut);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Cut);
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(on.window.rocks().tool() == RockTool::None);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None);
     }
 
     void theWheelTakesALargerOrSmallerPiece() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        ImageView& view = on.window.views().gray();
+        ImageView& view = on.viewer.views.gray();
         const QPoint at = pixelOn(on, view, 2);
         const auto place = view.cellAt(at);
         const std::size_t cell = picture(on).labels.index(place->y(), place->x());
@@ -427,8 +427,8 @@ private slots:
         QVERIFY(!view.outline().empty());
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at);
         QVERIFY(settled(on));
-        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
-        QVERIFY(on.window.rocks().edits()[0].kind == rocks::EditKind::Join);
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+        QVERIFY(on.viewer.rocks.edits()[0].kind == rocks::EditKind::Join);
         QVERIFY(picture(on).regionAt(cell)->sums.cells > cells);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
@@ -451,20 +451,20 @@ private slots:
             QVERIFY(showKept(on));
             QVERIFY(!std::filesystem::exists(sidecar));
             const std::size_t all = picture(on).study.rocks.size();
-            ImageView& view = on.window.views().gray();
+            ImageView& view = on.viewer.views.gray();
             QTest::keyClick(&on.window, Qt::Key_G);
             draw(view, {pixelOf(view, {80, 60}), pixelOf(view, {380, 60}), pixelOf(view, {380, 340}), pixelOf(view, {80, 340}),
                         pixelOf(view, {80, 62})});
             QVERIFY(settled(on));
-            const rocks::RockSettings& settings = on.window.rocks().settings();
+            const rocks::RockSettings& settings = on.viewer.rocks.settings();
             QVERIFY2(settings.region.size() >= 4 && settings.region.size() < 12, qPrintable(QString::number(settings.region.size())));
             QVERIFY(picture(on).study.rocks.size() < all);
-            QVERIFY2(on.window.rocksPanel().text().contains("outside the region of interest"), qPrintable(on.window.rocksPanel().text()));
+            QVERIFY2(on.viewer.rocksPanel.text().contains("outside the region of interest"), qPrintable(on.viewer.rocksPanel.text()));
             click(on, 1);
             QTest::keyClick(&on.window, Qt::Key_N);
             QVERIFY(settled(on));
-            on.window.rocksPanel().slider()->setFocus();
-            QTest::keyClick(on.window.rocksPanel().slider(), Qt::Key_PageUp);
+            on.viewer.rocksPanel.slider()->setFocus();
+            QTest::keyClick(on.viewer.rocksPanel.slider(), Qt::Key_PageUp);
             QVERIFY(settled(on));
             labels = picture(on).labels;
         }
@@ -472,7 +472,7 @@ private slots:
         {
             WindowFixture on;
             QVERIFY(showKept(on));
-            QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+            QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
             QVERIFY(picture(on).labels == labels);
             // The command line reads the same file.
             const auto run = test::runCli("rocks '" + file + "' --edits '" + sidecar.string() + "' --json -");
@@ -481,13 +481,13 @@ private slots:
             // Another scan has no such edits.
             QVERIFY(on.open(bell_));
             QVERIFY(settled(on));
-            QVERIFY(on.window.rocks().edits().empty());
-            QVERIFY(on.window.rocks().settings().region.empty());
+            QVERIFY(on.viewer.rocks.edits().empty());
+            QVERIFY(on.viewer.rocks.settings().region.empty());
             // After the operator's undo no sidecar is needed.
             QVERIFY(on.open(file));
             QVERIFY(settled(on));
-            QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
-            on.window.rocks().setOperatorEdits({});
+            QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+            on.viewer.rocks.setOperatorEdits({});
             QVERIFY(settled(on));
         }
         QVERIFY(!std::filesystem::exists(sidecar));
@@ -498,7 +498,7 @@ private slots:
         {
             WindowFixture on;
             QVERIFY(showKept(on));
-            QVERIFY(on.window.rocks().edits().empty());
+            QVERIFY(on.viewer.rocks.edits().empty());
             QVERIFY2(on.window.findChild<NoticeBar*>()->text().contains("other content"),
                      qPrintable(on.window.findChild<NoticeBar*>()->text()));
             click(on, 1);
@@ -513,11 +513,11 @@ private slots:
         QVERIFY(showRocks(on));
         const std::size_t cell = picture(on).rock(2)->cell;
         click(on, 2);
-        QTest::mouseClick(on.window.rocksPanel().card().rockOrNot(), Qt::LeftButton);
+        QTest::mouseClick(on.viewer.rocksPanel.card().rockOrNot(), Qt::LeftButton);
         QVERIFY(settled(on));
         QCOMPARE(picture(on).labelAt(cell), 0U);
-        QVERIFY2(on.window.rocksPanel().card().text().contains("called none by hand"), qPrintable(on.window.rocksPanel().card().text()));
-        QTest::mouseClick(on.window.rocksPanel().card().rockOrNot(), Qt::LeftButton);
+        QVERIFY2(on.viewer.rocksPanel.card().text().contains("called none by hand"), qPrintable(on.viewer.rocksPanel.card().text()));
+        QTest::mouseClick(on.viewer.rocksPanel.card().rockOrNot(), Qt::LeftButton);
         QVERIFY(settled(on));
         QVERIFY(picture(on).labelAt(cell) != 0);
         QVERIFY(picture(on).rockAt(cell)->byHand);
@@ -531,7 +531,7 @@ private slots:
         rocks::RockSettings settings;
         settings.level = 1.5;
         settings.minimumCells = 150;
-        on.window.rocks().useSettings(settings);
+        on.viewer.rocks.useSettings(settings);
         QVERIFY(settled(on));
         const RockPicture& shown = picture(on);
         const auto place = [&](const char* name) { return (folder_ / name).string(); };
@@ -541,11 +541,11 @@ private slots:
                                       place("cli.png") + "' --csv '" + place("cli.csv") + "'");
         QVERIFY2(run.code == 0, run.err.c_str());
         for (const char* ending : {"csv", "json", "png", "dxf", "geojson", "ply", "obj"}) {
-            QSignalSpy saved(&on.window.engine(), &Engine::saved);
+            QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             const std::string path = place("window.") + ending;
-            on.window.rocks().exportTo(QString::fromStdString(path));
-            QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.window.notice().text()));
-            QVERIFY2(on.window.notice().text().contains(QString::fromStdString(path)), qPrintable(on.window.notice().text()));
+            on.viewer.rocks.exportTo(QString::fromStdString(path));
+            QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.viewer.notice.text()));
+            QVERIFY2(on.viewer.notice.text().contains(QString::fromStdString(path)), qPrintable(on.viewer.notice.text()));
             QCOMPARE(test::runCli("verify '" + path + "'").code, 0);
         }
         QCOMPARE(test::fileText(place("window.csv")), test::fileText(place("cli.csv")));
@@ -556,8 +556,8 @@ private slots:
             const auto* row = reinterpret_cast<const quint16*>(byWindow.constScanLine(line));
             for (int beam = 0; beam < byWindow.width(); ++beam) QCOMPARE(std::uint32_t{row[beam]}, shown.labels.at(line, beam));
         }
-        on.window.rocks().exportTo(QString::fromStdString(place("window.xls")));
-        QCOMPARE(on.window.notice().kind(), NoticeBar::Kind::Error);
+        on.viewer.rocks.exportTo(QString::fromStdString(place("window.xls")));
+        QCOMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);
     }
 
     void theReportEqualsThatOfTheCommandLine() {
@@ -566,14 +566,13 @@ private slots:
         click(on, 2);
         QTest::keyClick(&on.window, Qt::Key_N);
         QVERIFY(settled(on));
-        // without the window's targets the page equals that of the command line, which reads targets only from their file
-        on.window.targets().removeAll();
+        on.viewer.targets.removeAll(); // nothing keeps them here, and the command line knows them from their file alone
         const std::string page = (folder_ / "window.html").string();
-        QSignalSpy ended(&on.window.report(), &ScanReport::ended);
-        on.window.report().writeTo(QString::fromStdString(page));
-        QVERIFY(on.window.report().working());
+        QSignalSpy ended(&on.viewer.report, &ScanReport::ended);
+        on.viewer.report.writeTo(QString::fromStdString(page));
+        QVERIFY(on.viewer.report.working());
         QVERIFY(ended.wait(kPatienceMs));
-        QVERIFY2(on.window.notice().kind() == NoticeBar::Kind::Done, qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.kind() == NoticeBar::Kind::Done, qPrintable(on.viewer.notice.text()));
         const QString text = QString::fromStdString(test::fileText(page));
         QVERIFY(text.contains(QString("%1 rocks, each a ").arg(picture(on).study.rocks.size()) + rockCaveat()));
         // Its command makes the same page again, except for the time.
@@ -598,39 +597,39 @@ private slots:
         click(on, 2);
         QTest::keyClick(&on.window, Qt::Key_N);
         QVERIFY(settled(on));
-        QCOMPARE(on.window.rocks().edits().size(), std::size_t{1});
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
         const std::string other = (folder_ / "other.json").string();
         QVERIFY(files::saveScan(scan_, other));
         QVERIFY(on.open(other));
         QVERIFY(settled(on));
-        QVERIFY(on.window.rocks().edits().empty());
-        QVERIFY(on.window.rocks().selected().empty());
+        QVERIFY(on.viewer.rocks.edits().empty());
+        QVERIFY(on.viewer.rocks.selected().empty());
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier); // a step of the closed scan: no effect
         QVERIFY(settled(on));
-        QVERIFY(on.window.rocks().edits().empty());
+        QVERIFY(on.viewer.rocks.edits().empty());
     }
 
     void rocksFollowASweepThatGrows() {
         WindowFixture on;
         on.window.resize(1600, 950);
         QVERIFY(on.show());
-        on.window.rocks().setShown(true);
+        on.viewer.rocks.setShown(true);
         const std::uint64_t stream = Engine::newStream();
         std::vector<int> lines;
-        QObject::connect(&on.window.rocks(), &Rocks::rocksShown, &on.window, [&] { lines.push_back(picture(on).labels.lines); });
+        QObject::connect(&on.viewer.rocks, &Rocks::rocksShown, &on.window, [&] { lines.push_back(picture(on).labels.lines); });
         for (int count = 200; count <= scan_.lines(); count += 40) {
-            on.window.engine().follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
+            on.viewer.engine.follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
             QVERIFY(on.settled());
-            QTRY_VERIFY(on.window.rocks().picture()); // rocks of the first lines, perhaps not yet of these
-            const QString title = on.window.views().gray().title();
+            QTRY_VERIFY(on.viewer.rocks.picture()); // rocks of the first lines, perhaps not yet of these
+            const QString title = on.viewer.views.gray().title();
             if (count < scan_.lines()) QVERIFY2(title.contains("partial"), qPrintable(title));
-            if (picture(on).labels.lines < count) QVERIFY(on.window.views().gray().facesFaded());
+            if (picture(on).labels.lines < count) QVERIFY(on.viewer.views.gray().facesFaded());
         }
         QVERIFY(settled(on));
         QCOMPARE(picture(on).labels.lines, scan_.lines());
-        QVERIFY(!on.window.views().gray().facesFaded());
-        QVERIFY(!on.window.views().gray().title().contains("partial"));
+        QVERIFY(!on.viewer.views.gray().facesFaded());
+        QVERIFY(!on.viewer.views.gray().title().contains("partial"));
         QVERIFY2(lines.size() >= 2 && lines.front() < scan_.lines(), "there were rocks before the sweep was whole");
     }
 

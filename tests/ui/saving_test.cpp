@@ -98,14 +98,14 @@ private slots:
         const std::string before = text("other.json");
         {
             Hand hand(path("other"), {}); // typed without its extension
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
             QCOMPARE(hand.asked, QStringList("kept-file"));
         }
         QVERIFY(text("other.json") == before);
         // A new name needs no question; an existing preset needs one, which can be declined.
         {
             Hand hand(path("mine"), {});
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
             QVERIFY(hand.asked.isEmpty());
         }
         QVERIFY(bool(edges::findPreset((folder_ / "mine.json").string())));
@@ -114,13 +114,13 @@ private slots:
         QVERIFY(on.use(other));
         {
             Hand hand(path("mine"), {"no"});
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
             QCOMPARE(hand.asked, QStringList("replace-question"));
         }
         QVERIFY(edges::findPreset((folder_ / "mine.json").string())->settings.creaseDeg != 44);
         {
             Hand hand(path("mine"), {"replace"});
-            on.window.tuning().askSavePreset();
+            on.viewer.tuning.askSavePreset();
         }
         QCOMPARE(edges::findPreset((folder_ / "mine.json").string())->settings.creaseDeg, 44.0);
     }
@@ -155,7 +155,7 @@ private slots:
             {
                 WindowFixture on;
                 QVERIFY(on.showWith(scan_) && on.activate());
-                on.window.views().pin(on.window.views().cellAt(10, 12));
+                on.viewer.views.pin(on.viewer.views.cellAt(10, 12));
                 Hand hand(path(typed), {});
                 QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
                 QVERIFY(eventually([&] { return QFile::exists(file) && on.window.sessions().settled(); }));
@@ -164,7 +164,7 @@ private slots:
             WindowFixture on;
             QVERIFY(on.show());
             on.window.sessions().open({file});
-            QVERIFY(eventually([&] { return on.window.targets().notebook().targets.size() == 1; }));
+            QVERIFY(eventually([&] { return on.viewer.targets.notebook().targets.size() == 1; }));
             QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
@@ -181,13 +181,13 @@ private slots:
         const auto ask = [&](const QStringList& answers) {
             const Meanwhile accepted([] { return acceptExport(); });
             Hand hand(path("e"), answers);
-            on.window.exports().ask(exports::ExportContent::EdgeCloud);
+            on.viewer.exports.ask(exports::ExportContent::EdgeCloud);
             return hand.asked;
         };
         QCOMPARE(ask({"no"}), QStringList("replace-question"));
         QVERIFY(text("e.pcd.provenance.json") == "precious");
         QVERIFY(!QFile::exists(path("e.pcd")));
-        QSignalSpy saved(&on.window.engine(), &Engine::saved);
+        QSignalSpy saved(&on.viewer.engine, &Engine::saved);
         QCOMPARE(ask({"replace"}), QStringList("replace-question"));
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(QFile::exists(path("e.pcd")));
@@ -216,7 +216,7 @@ private slots:
                 }
             });
             look.start(30);
-            on.window.exports().ask(exports::ExportContent::EdgeCloud);
+            on.viewer.exports.ask(exports::ExportContent::EdgeCloud);
             return name;
         };
         edges::Settings strong;
@@ -249,17 +249,17 @@ private slots:
         };
         const QString folder = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
         QVERIFY(folder != QDir::current().canonicalPath());
-        QCOMPARE(begins([&] { on.window.files().ask(); }), folder);
-        QCOMPARE(begins([&] { on.window.exports().askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), folder);
+        QCOMPARE(begins([&] { on.viewer.files.ask(); }), folder);
+        QCOMPARE(begins([&] { on.viewer.exports.askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), folder);
         QCOMPARE(begins([&] { on.window.sessions().ask(); }), folder);
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), folder);
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), folder);
         // After saving elsewhere the dialog begins there, until that folder is deleted.
         const QString elsewhere = path("elsewhere");
         QVERIFY(QDir().mkpath(elsewhere));
         on.memory.keepFolder("presets", elsewhere + "/mine.json");
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), QDir(elsewhere).canonicalPath());
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), QDir(elsewhere).canonicalPath());
         QVERIFY(QDir().rmdir(elsewhere));
-        QCOMPARE(begins([&] { on.window.tuning().askOpenPreset(); }), folder);
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), folder);
     }
 
     // The dialog has the same writing choices as the command line; the record names them.

@@ -27,16 +27,16 @@ class ScanLookTest : public QObject {
         return on.showWith(path) && on.activate() && rested(on);
     }
     static bool rested(WindowFixture& on) {
-        return eventually([&] { return on.window.look().settled() && on.window.views().cloud().atRest(); });
+        return eventually([&] { return on.viewer.look.settled() && on.viewer.views.cloud().atRest(); });
     }
     static ScalePlate& plate(WindowFixture& on) { return *on.window.findChild<ScalePlate*>("scale-plate"); }
     static QRgb colourOf(WindowFixture& on, std::size_t k) {
-        const std::uint32_t bytes = (*on.window.views().cloud().pointColours())[k];
+        const std::uint32_t bytes = (*on.viewer.views.cloud().pointColours())[k];
         return qRgb(static_cast<int>(bytes & 255U), static_cast<int>((bytes >> 8U) & 255U), static_cast<int>((bytes >> 16U) & 255U));
     }
     static int grayAt(WindowFixture& on, std::size_t k) {
-        const QPoint at = on.window.views().placeOf(k);
-        return qRed(on.window.views().gray().image()->pixel(at));
+        const QPoint at = on.viewer.views.placeOf(k);
+        return qRed(on.viewer.views.gray().image()->pixel(at));
     }
     // Drags with one mouse button over the handles, from one range to another.
     static void drag(RangeHandles& handles, double fromM, double toM) {
@@ -67,7 +67,7 @@ private slots:
     void pointsHaveTheColourOfTheirRange() {
         WindowFixture on;
         QVERIFY(shown(on, boxes_));
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         QVERIFY(!cloud.pointColours() && plate(on).scaleTitle().isEmpty());
         QTest::keyClick(&on.window, Qt::Key_J, Qt::ShiftModifier);
         QVERIFY(rested(on));
@@ -99,7 +99,7 @@ private slots:
         // Rocks have their own colours; without rocks the range colours return.
         const auto coloured = cloud.pointColours();
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }));
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
         QVERIFY(cloud.pointColours() != coloured && rested(on));
         QVERIFY(plate(on).scaleTitle().isEmpty());
         QTest::keyClick(&on.window, Qt::Key_K);
@@ -143,7 +143,7 @@ private slots:
     void aMetreOnTheScaleIsAMetreInTheCloud() {
         WindowFixture on;
         QVERIFY(shown(on, boxes_));
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         for (const bool parallel : {false, true}) {
             cloud.setParallel(parallel);
             cloud.viewIsometric();
@@ -173,13 +173,13 @@ private slots:
             }
         }
         QVERIFY(plate(on).isVisible() && cloud.rect().contains(plate(on).geometry()));
-        QVERIFY(!plate(on).geometry().intersects(QRect(on.window.legend().mapTo(&cloud, QPoint()), on.window.legend().size())));
+        QVERIFY(!plate(on).geometry().intersects(QRect(on.viewer.legend.mapTo(&cloud, QPoint()), on.viewer.legend.size())));
     }
 
     void theGroundGridIsDrawnBelow() {
         WindowFixture on;
         QVERIFY(shown(on, boxes_));
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         cloud.viewIsometric();
         QVERIFY(rested(on));
         const auto lines = [](QRgb p) { return p == qRgb(0x85, 0x8b, 0x92); };
@@ -204,10 +204,10 @@ private slots:
         {
             WindowFixture on(ini);
             QVERIFY(shown(on, boxes_));
-            RangeWindow& window = on.window.rangeWindow();
+            RangeWindow& window = on.viewer.rangeWindow;
             RangeHandles& handles = window.handles();
             QVERIFY(window.isVisible());
-            const std::shared_ptr<const QImage> automatic = on.window.views().gray().image();
+            const std::shared_ptr<const QImage> automatic = on.viewer.views.gray().image();
             QVERIFY(automatic == on.picture().gray);
             const auto before = handles.window();
             const double nearM = before.first, wanted = before.first + 0.4 * (before.second - before.first);
@@ -222,7 +222,7 @@ private slots:
                 const double level = std::clamp((static_cast<double>(scan.rangeMm[k]) / 1000.0 - low) / (high - low) * 255.0, 0.0, 255.0);
                 QVERIFY(std::abs(grayAt(on, k) - level) <= 1.0);
             }
-            QVERIFY(!on.window.undoStack().canUndo() && on.window.engine().settings() == edges::Settings{});
+            QVERIFY(!on.viewer.undo.canUndo() && on.viewer.engine.settings() == edges::Settings{});
             // Keys move the ends too.
             handles.setFocus();
             QTest::keyClick(&handles, Qt::Key_Right);
@@ -231,17 +231,17 @@ private slots:
             QVERIFY(handles.window().first > low);
             // A new scan starts with its own ranges ...
             QVERIFY(on.open(other_) && rested(on));
-            QVERIFY(!on.window.views().rangeWindow());
-            QVERIFY(on.window.views().gray().image() == on.picture().gray);
+            QVERIFY(!on.viewer.views.rangeWindow());
+            QVERIFY(on.viewer.views.gray().image() == on.picture().gray);
             // ... unless the window is locked.
             drag(handles, handles.window().second, handles.window().second - 0.5);
             const auto locked = handles.window();
             QTest::mouseClick(window.findChild<QToolButton*>("range-lock"), Qt::LeftButton);
             QVERIFY(on.open(boxes_) && rested(on));
             QVERIFY(handles.window() == locked);
-            QVERIFY(on.window.views().gray().image() != on.picture().gray);
+            QVERIFY(on.viewer.views.gray().image() != on.picture().gray);
             // A drag with the right button over the image changes the same window.
-            ImageView& gray = on.window.views().gray();
+            ImageView& gray = on.viewer.views.gray();
             QTest::mousePress(&gray, Qt::RightButton, Qt::NoModifier, gray.rect().center());
             for (const int dx : {10, 30, 60}) {
                 const QPoint at = gray.rect().center() + QPoint(dx, 0);
@@ -254,9 +254,9 @@ private slots:
         // It is restored at the next start.
         WindowFixture on(ini);
         QVERIFY(shown(on, other_));
-        QVERIFY(on.window.rangeWindow().locked() && on.window.views().rangeWindow());
-        QTest::mouseClick(on.window.rangeWindow().findChild<QToolButton*>("range-automatic"), Qt::LeftButton);
-        QVERIFY(!on.window.views().rangeWindow() && on.window.views().gray().image() == on.picture().gray);
+        QVERIFY(on.viewer.rangeWindow.locked() && on.viewer.views.rangeWindow());
+        QTest::mouseClick(on.viewer.rangeWindow.findChild<QToolButton*>("range-automatic"), Qt::LeftButton);
+        QVERIFY(!on.viewer.views.rangeWindow() && on.viewer.views.gray().image() == on.picture().gray);
     }
 
     void noEndMovesBeforeTheRangesAreCounted() {

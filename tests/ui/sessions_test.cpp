@@ -40,8 +40,8 @@ class SessionsTest : public QObject {
     static bool atRest(WindowFixture& on) {
         return eventually([&] {
             MainWindow& w = on.window;
-            return w.engine().picture() != nullptr && !w.engine().behind() && !w.engine().working() && !w.rocks().behind() &&
-                   w.comparing().settled() && w.targets().settled() && w.sessions().settled();
+            return w.viewer().engine.picture() != nullptr && !w.viewer().engine.behind() && !w.viewer().engine.working() &&
+                   !w.viewer().rocks.behind() && w.viewer().comparing.settled() && w.viewer().targets.settled() && w.sessions().settled();
         });
     }
     static void drop(MainWindow& window, const QString& path) {
@@ -56,17 +56,17 @@ class SessionsTest : public QObject {
     static void setLooks(WindowFixture& on) {
         MainWindow& w = on.window;
         QTest::keyClick(&w, Qt::Key_J, Qt::ShiftModifier); // colours by range
-        RangeHandles& handles = w.rangeWindow().handles();
+        RangeHandles& handles = w.viewer().rangeWindow.handles();
         for (int n = 0; n < 9; ++n) QTest::keyClick(&handles, Qt::Key_Left);
         QTest::keyClick(&handles, Qt::Key_Right, Qt::ShiftModifier);
         auto* lock = w.findChild<QToolButton*>("range-lock");
         QTest::mouseClick(lock, Qt::LeftButton);
         QVERIFY(lock->isChecked());
         for (int n = 0; n < 2; ++n) QTest::keyClick(&w, Qt::Key_BracketRight); // larger points
-        w.views().cloud().setClip({0.1, 0.02});
-        w.confidence().setLeast(40);
-        QTest::mouseClick(w.changeLegend().row(ChangeRow::Lost), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
-        QVERIFY(!w.comparing().rows()[static_cast<std::size_t>(ChangeRow::Lost)]);
+        w.viewer().views.cloud().setClip({0.1, 0.02});
+        w.viewer().confidence.setLeast(40);
+        QTest::mouseClick(w.viewer().changeLegend.row(ChangeRow::Lost), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+        QVERIFY(!w.viewer().comparing.rows()[static_cast<std::size_t>(ChangeRow::Lost)]);
     }
     /// Changes every kind of state.
     static void work(WindowFixture& on) {
@@ -74,27 +74,27 @@ class SessionsTest : public QObject {
         QTest::keyClick(&w, Qt::Key_A, Qt::ShiftModifier); // keep as A
         QTest::keyClick(&w, Qt::Key_K);                    // rocks
         QTest::keyClick(&w, Qt::Key_O);                    // edges over the range image
-        edges::Settings other = w.engine().settings();
+        edges::Settings other = w.viewer().engine.settings();
         other.classes = edges::kClassConvex;
-        w.tuning().useSettings(other);
+        w.viewer().tuning.useSettings(other);
         QVERIFY(atRest(on));
-        w.views().pin(w.views().cellAt(20, 30));
-        w.views().pin(w.views().cellAt(60, 80));
-        w.targets().rename(2, "keystone");
-        w.targets().lock(1, true);
-        w.targets().keepMeasure({inspect::MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
-        w.selection().select({100, 101, 102, 5000});
-        w.selection().hideSelected();
-        w.selection().select({200, 201});
-        w.markedEdges().mark(w.views().cellAt(30, 40), true);
-        w.markedEdges().mark(w.views().cellAt(31, 90), false);
-        rocks::RockSettings rocks = w.rocks().settings();
+        w.viewer().views.pin(w.viewer().views.cellAt(20, 30));
+        w.viewer().views.pin(w.viewer().views.cellAt(60, 80));
+        w.viewer().targets.rename(2, "keystone");
+        w.viewer().targets.lock(1, true);
+        w.viewer().targets.keepMeasure({inspect::MeasureKind::Distance, {20 * 160 + 30, 60 * 160 + 80}});
+        w.viewer().selection.select({100, 101, 102, 5000});
+        w.viewer().selection.hideSelected();
+        w.viewer().selection.select({200, 201});
+        w.viewer().markedEdges.mark(w.viewer().views.cellAt(30, 40), true);
+        w.viewer().markedEdges.mark(w.viewer().views.cellAt(31, 90), false);
+        rocks::RockSettings rocks = w.viewer().rocks.settings();
         rocks.level = 1.5;
-        w.rocks().change(rocks);
-        w.rocks().setOperatorEdits({{{rocks::EditKind::NotRock, {3000}}}, {}});
+        w.viewer().rocks.change(rocks);
+        w.viewer().rocks.setOperatorEdits({{{rocks::EditKind::NotRock, {3000}}}, {}});
         setLooks(on);
-        w.views().cloud().viewTop();
-        w.views().gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
+        w.viewer().views.cloud().viewTop();
+        w.viewer().views.gray().viewPort()->zoomAt(QPointF(80, 60), 3.0);
         QVERIFY(atRest(on));
     }
     /// The session text of the window, without its time.
@@ -123,8 +123,8 @@ private slots:
             QVERIFY(on.showWith(boxes_) && on.activate());
             on.window.sessions().saveAs(file);
             // Reported when it is on the disk, with its size.
-            QTRY_VERIFY2(QRegularExpression("day.*changes, [1-9][0-9]* kB").match(on.window.notice().text()).hasMatch(),
-                         qPrintable(on.window.notice().text()));
+            QTRY_VERIFY2(QRegularExpression("day.*changes, [1-9][0-9]* kB").match(on.viewer.notice.text()).hasMatch(),
+                         qPrintable(on.viewer.notice.text()));
             work(on);
             before = state(on);
             // It is saved as it changes.
@@ -132,8 +132,8 @@ private slots:
             const auto saved = inspect::readSession(file.toStdString());
             QVERIFY(bool(saved));
             QCOMPARE(QString::fromStdString(inspect::sessionText(saved->state, "/", "")), QString::fromStdString(before));
-            QCOMPARE(int(saved->state.notebook.targets.size()), 2);
-            QVERIFY(saved->state.kept && saved->state.rocks && saved->state.camera && saved->state.images);
+            QCOMPARE(int(saved->state.targets.notebook.targets.size()), 2);
+            QVERIFY(saved->state.earlier && saved->state.rocks && saved->state.view.camera && saved->state.view.images);
         }
         WindowFixture on;
         on.window.resize(1300, 850);
@@ -141,14 +141,14 @@ private slots:
         drop(on.window, file);
         QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.window.comparing().pictureA() != nullptr);
-        QVERIFY(on.window.comparing().pictureA()->detection->scan == on.picture().detection->scan); // the scan was read only once
+        QTRY_VERIFY(on.viewer.comparing.pictureA() != nullptr);
+        QVERIFY(on.viewer.comparing.pictureA()->detection->scan == on.picture().detection->scan); // the scan was read only once
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
-        QVERIFY(on.window.rocks().shown() && on.window.rocks().picture() != nullptr);
-        QVERIFY(on.window.look().colourBy() == ColourBy::Range && on.window.findChild<QAction*>("colour-range")->isChecked());
-        QVERIFY(on.window.views().rangeWindow() && on.window.look().rangeLocked());
-        QCOMPARE(on.window.views().cloud().clip().nearShare, 0.1);
-        QCOMPARE(on.window.confidence().least(), 40);
+        QVERIFY(on.viewer.rocks.shown() && on.viewer.rocks.picture() != nullptr);
+        QVERIFY(on.viewer.look.colourBy() == ColourBy::Range && on.window.findChild<QAction*>("colour-range")->isChecked());
+        QVERIFY(on.viewer.views.rangeWindow() && on.viewer.look.rangeLocked());
+        QCOMPARE(on.viewer.views.cloud().clip().nearShare, 0.1);
+        QCOMPARE(on.viewer.confidence.least(), 40);
         // Another scan does not change the file.
         QVERIFY(on.open(other_));
         QVERIFY(atRest(on));
@@ -171,9 +171,9 @@ private slots:
             QVERIFY(on.showWith(boxes_) && on.activate());
             named(on, "&Wheel the other way")->trigger();
             QVERIFY(named(on, "&Wheel the other way")->isChecked());
-            QWidget* title = on.window.views().edges().parentWidget()->findChild<QLabel*>()->parentWidget();
+            QWidget* title = on.viewer.views.edges().parentWidget()->findChild<QLabel*>()->parentWidget();
             QTest::mouseDClick(title, Qt::LeftButton); // it is shown alone
-            QVERIFY(!on.window.views().cloud().isVisible());
+            QVERIFY(!on.viewer.views.cloud().isVisible());
             on.window.sessions().saveAs(file);
             QVERIFY(atRest(on));
             QTRY_VERIFY(QFile::exists(file));
@@ -185,12 +185,12 @@ private slots:
         QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
         QVERIFY(atRest(on));
         QVERIFY(!named(on, "&Wheel the other way")->isChecked());
-        QVERIFY(!on.window.views().cloud().isVisible() && on.window.views().edges().isVisible());
+        QVERIFY(!on.viewer.views.cloud().isVisible() && on.viewer.views.edges().isVisible());
         // A session saved in cab mode does not change docks: outside cab mode they have their former places.
         on.window.cab().set(true);
         QVERIFY(on.window.layoutKept().empty());
         on.window.useLayout({{"docks", "AAAA"}});
-        QVERIFY(on.window.cab().on() && on.window.views().cloud().isVisible());
+        QVERIFY(on.window.cab().on() && on.viewer.views.cloud().isVisible());
         on.window.cab().set(false);
     }
 
@@ -201,7 +201,7 @@ private slots:
         {
             WindowFixture on;
             QVERIFY(on.showWith(scan));
-            on.window.views().pin(on.window.views().cellAt(20, 30));
+            on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
             on.window.sessions().saveAs(file);
             QVERIFY(atRest(on));
         }
@@ -211,25 +211,24 @@ private slots:
         WindowFixture on;
         QVERIFY(on.show());
         on.window.sessions().openSession(file);
-        QTRY_VERIFY2(on.window.notice().isVisible() && on.window.notice().text().contains("is not there"),
-                     qPrintable(on.window.notice().text()));
+        QTRY_VERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("is not there"), qPrintable(on.viewer.notice.text()));
         auto* locate = on.window.findChild<QToolButton*>("notice-action");
         QVERIFY(locate->isVisible());
         QCOMPARE(locate->text(), QString("Locate…"));
         // Another scan is refused.
         on.window.sessions().locate(QString::fromStdString(other_));
         QVERIFY(on.settled());
-        QTRY_VERIFY2(on.window.notice().text().contains("is not the scan of this session"), qPrintable(on.window.notice().text()));
-        QVERIFY(on.window.targets().notebook().empty());
+        QTRY_VERIFY2(on.viewer.notice.text().contains("is not the scan of this session"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(on.viewer.targets.notebook().empty());
         QCOMPARE(QString::fromStdString(std::string(textOf(*readWholeFile(file.toStdString())))), QString::fromStdString(before));
         on.window.sessions().locate(inFolder("elsewhere/moves.json"));
-        QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 1);
+        QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
         QTRY_COMPARE(on.window.sessions().path(), file);
         // A damaged file gives one sentence, and the window does not change.
         QVERIFY(bool(writeWholeFile(file.toStdString(), before.substr(0, before.size() / 2))));
         on.window.sessions().openSession(file);
-        QTRY_VERIFY(on.window.notice().kind() == NoticeBar::Kind::Error);
-        QCOMPARE(int(on.window.targets().notebook().targets.size()), 1);
+        QTRY_VERIFY(on.viewer.notice.kind() == NoticeBar::Kind::Error);
+        QCOMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
     }
 
     void aScreenshotCarriesTheSession() {
@@ -241,7 +240,7 @@ private slots:
             QVERIFY(on.showWith(boxes_) && on.activate());
             work(on);
             before = state(on);
-            QVERIFY(bool(on.window.exports().saveScreenshot(on.window.screenshot(), picture)));
+            QVERIFY(bool(on.viewer.exports.saveScreenshot(on.window.screenshot(), picture)));
             QFile::remove(QString::fromStdString(boxes_ + ".rocks.json"));
         }
         QVERIFY(!QImage(picture).isNull());
@@ -250,9 +249,9 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         drop(on.window, picture);
-        QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
+        QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
-        QTRY_VERIFY(on.window.comparing().pictureA() != nullptr && on.window.sessions().settled());
+        QTRY_VERIFY(on.viewer.comparing.pictureA() != nullptr && on.window.sessions().settled());
         QCOMPARE(QString::fromStdString(state(on)), QString::fromStdString(before));
         QVERIFY(on.window.sessions().path().isEmpty());
         // A picture of ranges is still a scan.
@@ -276,8 +275,8 @@ private slots:
             return read ? std::optional(*read) : std::nullopt;
         };
         const auto isWhole = [](const std::optional<inspect::ReadSession>& read) {
-            return read && read->state.notebook.targets.size() == 2 && read->state.kept &&
-                   !read->state.notebook.targets[1].asPinned.empty();
+            return read && read->state.targets.notebook.targets.size() == 2 && read->state.earlier &&
+                   !read->state.targets.notebook.targets[1].asPinned.empty();
         };
         const auto textOfAll = [](const std::optional<inspect::ReadSession>& read) {
             return read ? QString::fromStdString(inspect::sessionText(read->state, "/", "")) : QString();
@@ -314,7 +313,7 @@ private slots:
         auto* button = on.window.findChild<QToolButton*>("notice-action");
         QTRY_VERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_COMPARE(int(on.window.targets().notebook().targets.size()), 2);
+        QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
         QVERIFY(on.window.sessions().autosaves().afterCrash().size() <= 1); // the first one; the second was continued
     }
@@ -360,9 +359,9 @@ private slots:
         // Connecting a scanner closes it too.
         on.memory.keepRecentFile(gone);
         page->show();
-        on.window.live().panel().hide();
+        on.viewer.live.panel().hide();
         QTest::mouseClick(page->findChild<QAbstractButton*>("start-connect"), Qt::LeftButton);
-        QVERIFY(page->isHidden() && on.window.live().panel().isVisible());
+        QVERIFY(page->isHidden() && on.viewer.live.panel().isVisible());
         qunsetenv("XDG_CACHE_HOME");
         page->show(); // a window that is closed while its page is shown
     }
@@ -371,26 +370,26 @@ private slots:
         WindowFixture on;
         on.window.resize(1300, 850);
         QVERIFY(on.showWith(boxes_) && on.activate());
-        on.window.undoStack().clear();
+        on.viewer.undo.clear();
         work(on);
         const std::string after = state(on);
-        QVERIFY(on.window.undoStack().count() >= 9);
-        while (on.window.undoStack().canUndo()) QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(on.viewer.undo.count() >= 9);
+        while (on.viewer.undo.canUndo()) QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(atRest(on));
         MainWindow& w = on.window;
-        QVERIFY(w.targets().notebook().empty() && w.selection().cells().empty() && w.selection().hidden().empty());
-        QVERIFY(w.markedEdges().marks().empty() && w.comparing().pictureA() == nullptr);
-        QCOMPARE(w.rocks().settings().level, 0.0);
-        while (on.window.undoStack().canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
-        QTRY_VERIFY(w.comparing().pictureA() != nullptr);
+        QVERIFY(w.viewer().targets.notebook().empty() && w.viewer().selection.cells().empty() && w.viewer().selection.hidden().empty());
+        QVERIFY(w.viewer().markedEdges.marks().empty() && w.viewer().comparing.pictureA() == nullptr);
+        QCOMPARE(w.viewer().rocks.settings().level, 0.0);
+        while (on.viewer.undo.canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
+        QTRY_VERIFY(w.viewer().comparing.pictureA() != nullptr);
         QVERIFY(atRest(on));
         // The cell under the mouse is not part of the state.
         auto again = inspect::sessionFromText(state(on), "/", "test"), first = inspect::sessionFromText(after, "/", "test");
-        again->state.active = first->state.active;
+        again->state.targets.active = first->state.targets.active;
         QCOMPARE(QString::fromStdString(inspect::sessionText(again->state, "/", "")),
                  QString::fromStdString(inspect::sessionText(first->state, "/", "")));
         // The log uses the language of the sources, whatever the language of the window.
-        QCOMPARE(w.undoStack().text(0), QString("Keep as A"));
+        QCOMPARE(w.viewer().undo.text(0), QString("Keep as A"));
     }
 };
 

@@ -81,7 +81,7 @@ private slots:
                 QVERIFY(editor.table()->item(editor.table()->currentRow(), 1)->text().contains("changed"));
             });
             QVERIFY(on.activate()); // the dialog had the keyboard focus
-            on.window.views().cloud().setFocus();
+            on.viewer.views.cloud().setFocus();
             QTest::keyClick(&on.window, Qt::Key_E);
             QVERIFY2(edges->isChecked(), "the old key does nothing");
             QTest::keyClick(&on.window, Qt::Key_F8);

@@ -92,8 +92,8 @@ private slots:
         QVERIFY(on.use(edges::cannySettings()));
         QVERIFY(on.activate());
         MainWindow& window = on.window;
-        window.live().panel().show();
-        window.views().cloud().setFocus();
+        window.viewer().live.panel().show();
+        window.viewer().views.cloud().setFocus();
         int tried = 0;
         for (QWidget* widget : window.findChildren<QWidget*>()) {
             if (!widget->isVisible() || !widget->isEnabled()) continue;
@@ -113,38 +113,37 @@ private slots:
             QVERIFY2(!widget->hasFocus(), qPrintable(widget->objectName()));
         }
         QVERIFY2(tried > 8, qPrintable(QString::number(tried)));
-        QVERIFY(window.engine().settings() == edges::cannySettings());
+        QVERIFY(window.viewer().engine.settings() == edges::cannySettings());
         // With the focus it does.
-        QDoubleSpinBox* number = window.panel().row("lower")->number();
+        QDoubleSpinBox* number = window.viewer().panel.row("lower")->number();
         number->setFocus();
         QTRY_VERIFY(number->hasFocus());
         wheelOver(*number, 1);
-        QVERIFY(window.engine().settings().lower > edges::cannySettings().lower);
+        QVERIFY(window.viewer().engine.settings().lower > edges::cannySettings().lower);
     }
 
     void theLegendTellsAndSwitches() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_));
-        EdgeLegend& legend = on.window.legend();
+        EdgeLegend& legend = on.viewer.legend;
         QVERIFY(legend.isVisible());
         const auto press = [&](QCheckBox* box) { QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2}); };
         press(legend.classSwitch(1));
         QVERIFY(on.settled());
-        QCOMPARE(on.window.engine().settings().classes,
-                 static_cast<int>(edges::kClassJump | edges::kClassConcave | edges::kClassSilhouette));
+        QCOMPARE(on.viewer.engine.settings().classes, static_cast<int>(edges::kClassJump | edges::kClassConcave | edges::kClassSilhouette));
         QVERIFY(!legend.classSwitch(1)->isChecked());
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.settled());
         QVERIFY(legend.classSwitch(1)->isChecked());
         press(legend.byClass());
-        QVERIFY(on.window.views().cloud().edgesByClass());
+        QVERIFY(on.viewer.views.cloud().edgesByClass());
         QTest::keyClick(&on.window, Qt::Key_C);
-        QVERIFY(!legend.byClass()->isChecked() && !on.window.views().cloud().edgesByClass());
+        QVERIFY(!legend.byClass()->isChecked() && !on.viewer.views.cloud().edgesByClass());
         press(legend.edges());
-        QVERIFY(!on.window.views().cloud().edgesVisible());
+        QVERIFY(!on.viewer.views.cloud().edgesVisible());
         QTest::keyClick(&on.window, Qt::Key_E);
-        QVERIFY(legend.edges()->isChecked() && on.window.views().cloud().edgesVisible());
+        QVERIFY(legend.edges()->isChecked() && on.viewer.views.cloud().edgesVisible());
         QVERIFY(on.use(edges::cannySettings())); // has no edge classes
         QVERIFY(legend.edges()->isVisible() && !legend.classSwitch(0)->isVisible());
     }

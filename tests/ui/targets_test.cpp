@@ -56,17 +56,17 @@ class TargetsTest : public QObject {
         QTest::mouseRelease(&view, Qt::LeftButton, modifiers, way.back());
     }
     static bool known(WindowFixture& on) {
-        return on.settled() && eventually([&] { return on.window.targets().settled(); });
+        return on.settled() && eventually([&] { return on.viewer.targets.settled(); });
     }
     static bool showWith(WindowFixture& on, const std::string& path) {
         on.window.resize(1400, 900);
         return on.showWith(path) && on.activate();
     }
-    static const std::vector<inspect::PinnedTarget>& targets(WindowFixture& on) { return on.window.targets().notebook().targets; }
+    static const std::vector<inspect::PinnedTarget>& targets(WindowFixture& on) { return on.viewer.targets.notebook().targets; }
     // A cell that the image view shows under its own pixel.
     static std::uint32_t cellUnder(WindowFixture& on, int line, int beam) {
-        const auto at = on.window.views().gray().cellAt(pixelOf(on.window.views().gray(), line, beam));
-        return static_cast<std::uint32_t>(*on.window.views().cellAt(at->y(), at->x()));
+        const auto at = on.viewer.views.gray().cellAt(pixelOf(on.viewer.views.gray(), line, beam));
+        return static_cast<std::uint32_t>(*on.viewer.views.cellAt(at->y(), at->x()));
     }
     // A plate 50 mm in front of a wall, 10 m away.
     static Scan plateScan() {
@@ -98,8 +98,8 @@ private slots:
     void everyClickPinsUntilItIsLetGo() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        ImageView& gray = on.window.views().gray();
-        ImageView& edges = on.window.views().edges();
+        ImageView& gray = on.viewer.views.gray();
+        ImageView& edges = on.viewer.views.edges();
         std::vector<std::uint32_t> cells{cellUnder(on, 20, 30), cellUnder(on, 60, 80), cellUnder(on, 100, 140)};
         click(gray, 20, 30);
         click(edges, 60, 80);
@@ -112,35 +112,35 @@ private slots:
         }
         // The same marks in all three views; the card shows the last one.
         QCOMPARE(static_cast<int>(gray.marks().targets.size()), 3);
-        QVERIFY(gray.marks() == edges.marks() && gray.marks() == on.window.views().cloud().marks());
-        QCOMPARE(on.window.targets().active()->number, 3);
+        QVERIFY(gray.marks() == edges.marks() && gray.marks() == on.viewer.views.cloud().marks());
+        QCOMPARE(on.viewer.targets.active()->number, 3);
         QVERIFY2(gray.marks().targets[2].active && gray.marks().targets[2].tag.startsWith("3 · "), qPrintable(gray.marks().targets[2].tag));
         QTRY_VERIFY(on.window.findChild<QDockWidget*>("dock-targets")->isVisible());
-        QTRY_VERIFY(on.window.targetsPanel().card().isVisible());
-        const QString card = on.window.targetsPanel().card().text();
-        for (QWidget* view : {static_cast<QWidget*>(&gray), static_cast<QWidget*>(&on.window.views().cloud())}) {
+        QTRY_VERIFY(on.viewer.targetsPanel.card().isVisible());
+        const QString card = on.viewer.targetsPanel.card().text();
+        for (QWidget* view : {static_cast<QWidget*>(&gray), static_cast<QWidget*>(&on.viewer.views.cloud())}) {
             move(*view, QPoint(view->width() / 2, view->height() / 2), Qt::NoButton);
             move(*view, QPoint(view->width() / 3, view->height() / 2), Qt::NoButton);
         }
-        QCOMPARE(on.window.targetsPanel().card().text(), card);
+        QCOMPARE(on.viewer.targetsPanel.card().text(), card);
         // A click on a target shows its card again, and makes no other target.
         click(edges, 20, 30);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
-        QCOMPARE(on.window.targets().active()->number, 1);
+        QCOMPARE(on.viewer.targets.active()->number, 1);
         // So does a click in the list.
-        auto* list = on.window.targetsPanel().targets();
+        auto* list = on.viewer.targetsPanel.targets();
         QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(1)).center());
-        QCOMPARE(on.window.targets().active()->number, 2);
+        QCOMPARE(on.viewer.targets.active()->number, 2);
         // Esc removes it; for a locked target Esc only hides the card.
-        QTest::mouseClick(on.window.targetsPanel().card().lock(), Qt::LeftButton);
-        QVERIFY(on.window.targets().active()->locked);
-        QVERIFY(!on.window.targetsPanel().card().close()->isEnabled());
+        QTest::mouseClick(on.viewer.targetsPanel.card().lock(), Qt::LeftButton);
+        QVERIFY(on.viewer.targets.active()->locked);
+        QVERIFY(!on.viewer.targetsPanel.card().close()->isEnabled());
         QTest::keyClick(&on.window, Qt::Key_Delete);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
-        on.window.notice().hide();
-        on.window.views().cloud().setFocus();
+        on.viewer.notice.hide();
+        on.viewer.views.cloud().setFocus();
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(on.window.targets().active() == nullptr && on.window.targetsPanel().card().isHidden());
+        QVERIFY(on.viewer.targets.active() == nullptr && on.viewer.targetsPanel.card().isHidden());
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         click(gray, 100, 140);
         QTest::keyClick(&on.window, Qt::Key_Escape);
@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         QCOMPARE(targets(on)[2].cell, cells[2]);
         // All except the locked one.
-        QTest::mouseClick(on.window.targetsPanel().removeAllButton(), Qt::LeftButton);
+        QTest::mouseClick(on.viewer.targetsPanel.removeAllButton(), Qt::LeftButton);
         QCOMPARE(static_cast<int>(targets(on).size()), 1);
         QVERIFY(targets(on)[0].locked);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
@@ -165,9 +165,9 @@ private slots:
             if ((*detection.classes)[k] == edges::DepthEdge::Jump && k / 160 > 10 && !jump) jump = k;
         }
         QVERIFY(jump.has_value());
-        on.window.views().pin(*jump);
+        on.viewer.views.pin(*jump);
         QVERIFY(known(on));
-        TargetCard& card = on.window.targetsPanel().card();
+        TargetCard& card = on.viewer.targetsPanel.card();
         const double range = static_cast<double>(detection.scan->rangeMm[*jump]) / 1000.0;
         QCOMPARE(card.findChild<QLabel*>("target-distance")->text(), QString("%1 m").arg(range, 0, 'f', 3));
         QVERIFY(card.findChild<QLabel*>("target-distance")->font().pointSizeF() > 1.8 * card.font().pointSizeF());
@@ -192,7 +192,7 @@ private slots:
         QVERIFY(known(on));
         QTRY_VERIFY2(card.text().contains("Edge: none") && card.text().contains("was jump, strength "), qPrintable(card.text()));
         QCOMPARE(card.text().split('\n').at(1), distance);
-        QCOMPARE(on.window.targets().active()->cell, *jump);
+        QCOMPARE(on.viewer.targets.active()->cell, *jump);
         QVERIFY(on.use(edges::Settings{}));
         QVERIFY(known(on));
         QTRY_VERIFY2(!card.text().contains("was "), qPrintable(card.text()));
@@ -200,19 +200,19 @@ private slots:
         QTest::mouseClick(card.copy(), Qt::LeftButton);
         QCOMPARE(QGuiApplication::clipboard()->text(), card.text());
         QTest::mouseClick(card.why(), Qt::LeftButton);
-        QTRY_VERIFY(on.window.explanation().card() != nullptr && on.window.explanation().card()->isVisible());
+        QTRY_VERIFY(on.viewer.explanation.card() != nullptr && on.viewer.explanation.card()->isVisible());
     }
 
     void withAPoseTheCardHasMineCoordinatesAndDip() {
         WindowFixture on;
         QVERIFY(showWith(on, placed_));
         const Scan& scan = *on.picture().detection->scan;
-        click(on.window.views().gray(), 90, 20);
+        click(on.viewer.views.gray(), 90, 20);
         QVERIFY(known(on));
         const std::uint32_t k = targets(on).front().cell;
         QVERIFY(scan.state[k] == CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
-        const QString text = on.window.targetsPanel().card().text();
+        const QString text = on.viewer.targetsPanel.card().text();
         QVERIFY2(text.contains(QString("E, N, RL: %1, %2, %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3)),
                  qPrintable(text));
         QVERIFY2(!text.contains("no pose"), qPrintable(text));
@@ -228,23 +228,23 @@ private slots:
         {
             WindowFixture on(ini);
             QVERIFY(showWith(on, boxes_));
-            click(on.window.views().gray(), 20, 30);
-            click(on.window.views().gray(), 60, 80);
+            click(on.viewer.views.gray(), 20, 30);
+            click(on.viewer.views.gray(), 60, 80);
             QVERIFY(known(on));
-            QLineEdit* name = on.window.targetsPanel().card().name();
+            QLineEdit* name = on.viewer.targetsPanel.card().name();
             name->setFocus();
             QTest::keyClicks(name, "keystone");
             QTest::keyClick(name, Qt::Key_Return);
             QCOMPARE(targets(on)[1].name, std::string("keystone"));
-            QVERIFY(on.window.views().gray().marks().targets[1].tag.startsWith("2 keystone"));
-            on.window.targets().keepMeasure({inspect::MeasureKind::Distance, {targets(on)[0].cell, targets(on)[1].cell}});
+            QVERIFY(on.viewer.views.gray().marks().targets[1].tag.startsWith("2 keystone"));
+            on.viewer.targets.keepMeasure({inspect::MeasureKind::Distance, {targets(on)[0].cell, targets(on)[1].cell}});
             // Another scan has its own targets; back on this scan they are restored.
             QVERIFY(on.open(plate_));
             QVERIFY(targets(on).empty());
             QVERIFY(on.open(boxes_));
             QCOMPARE(static_cast<int>(targets(on).size()), 2);
             QVERIFY(known(on));
-            before = on.window.targets().notebook();
+            before = on.viewer.targets.notebook();
             QVERIFY(!before.targets[0].asPinned.empty());
         }
         const QDir kept(QString::fromStdString((folder_ / "kept" / "targets").string()));
@@ -253,8 +253,8 @@ private slots:
         {
             WindowFixture again(ini);
             QVERIFY(showWith(again, boxes_));
-            QVERIFY(again.window.targets().notebook() == before);
-            QTRY_COMPARE(static_cast<int>(again.window.views().cloud().marks().targets.size()), 2);
+            QVERIFY(again.window.viewer().targets.notebook() == before);
+            QTRY_COMPARE(static_cast<int>(again.window.viewer().views.cloud().marks().targets.size()), 2);
         }
         // A damaged file is refused with a sentence. It is not changed, whatever targets are set then.
         const std::string damaged = "{\"format\": \"edgescan-targets/1\", \"targets\": [{\"cell\": [9999, 0]}]}";
@@ -262,10 +262,10 @@ private slots:
         {
             WindowFixture third(ini);
             QVERIFY(showWith(third, boxes_));
-            QVERIFY(third.window.notice().isVisible() && third.window.notice().kind() == NoticeBar::Kind::Error);
-            QVERIFY2(third.window.notice().text().contains("move the file away"), qPrintable(third.window.notice().text()));
+            QVERIFY(third.window.viewer().notice.isVisible() && third.window.viewer().notice.kind() == NoticeBar::Kind::Error);
+            QVERIFY2(third.window.viewer().notice.text().contains("move the file away"), qPrintable(third.window.viewer().notice.text()));
             QVERIFY(targets(third).empty());
-            click(third.window.views().gray(), 60, 80);
+            click(third.window.viewer().views.gray(), 60, 80);
             QVERIFY(known(third));
         }
         QCOMPARE(test::fileText(file), damaged);
@@ -274,23 +274,23 @@ private slots:
     void measuringHangsOnCells() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        ImageView& gray = on.window.views().gray();
+        ImageView& gray = on.viewer.views.gray();
         QTest::keyClick(&on.window, Qt::Key_U);
-        QVERIFY2(on.window.tools().shown().contains("click the one end"), qPrintable(on.window.tools().shown()));
+        QVERIFY2(on.viewer.tools.shown().contains("click the one end"), qPrintable(on.viewer.tools.shown()));
         const std::vector<std::uint32_t> ends{cellUnder(on, 20, 30), cellUnder(on, 90, 120)};
         click(gray, 20, 30);
         QVERIFY(targets(on).empty()); // no target
-        QVERIFY2(on.window.tools().shown().contains("click the other end"), qPrintable(on.window.tools().shown()));
-        click(on.window.views().edges(), 90, 120);
+        QVERIFY2(on.viewer.tools.shown().contains("click the other end"), qPrintable(on.viewer.tools.shown()));
+        click(on.viewer.views.edges(), 90, 120);
         QVERIFY(known(on));
-        QCOMPARE(static_cast<int>(on.window.targets().notebook().measures.size()), 1);
-        QVERIFY(on.window.targets().notebook().measures[0].cells == ends);
-        const CloudGeometry& cloud = *on.window.views().cloud().geometryOfCloud();
+        QCOMPARE(static_cast<int>(on.viewer.targets.notebook().measures.size()), 1);
+        QVERIFY(on.viewer.targets.notebook().measures[0].cells == ends);
+        const CloudGeometry& cloud = *on.viewer.views.cloud().geometryOfCloud();
         const double between = static_cast<double>((cloud.point(ends[0]) - cloud.point(ends[1])).norm());
         const QString label = gray.marks().measures[0].label;
         QVERIFY2(label.startsWith(QString("%1 m ± 0.").arg(between, 0, 'f', 3)), qPrintable(label));
-        QVERIFY(gray.marks() == on.window.views().cloud().marks() && gray.marks() == on.window.views().edges().marks());
-        QVERIFY(on.window.targetsPanel().measures()->item(0)->text().contains(" and "));
+        QVERIFY(gray.marks() == on.viewer.views.cloud().marks() && gray.marks() == on.viewer.views.edges().marks());
+        QVERIFY(on.viewer.targetsPanel.measures()->item(0)->text().contains(" and "));
         // The lines and the label are on the screen, in the cloud too.
         const auto blue = [](QRgb p) {
             return std::abs(qRed(p) - 120) < 12 && std::abs(qGreen(p) - 190) < 12 && std::abs(qBlue(p) - 255) < 12;
@@ -301,26 +301,26 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_A);
         click(gray, 20, 30);
         click(gray, 60, 100);
-        on.window.notice().hide();
+        on.viewer.notice.hide();
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QCOMPARE(static_cast<int>(on.window.measures().picked().size()), 1);
+        QCOMPARE(static_cast<int>(on.viewer.measures.picked().size()), 1);
         click(gray, 60, 100);
         click(gray, 100, 20);
         QVERIFY(known(on));
-        QCOMPARE(static_cast<int>(on.window.targets().notebook().measures.size()), 2);
+        QCOMPARE(static_cast<int>(on.viewer.targets.notebook().measures.size()), 2);
         QVERIFY(gray.marks().measures[1].label.contains("°"));
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(!on.window.measures().kind() && on.window.views().tool() == Tool::Pin);
+        QVERIFY(!on.viewer.measures.kind() && on.viewer.views.tool() == Tool::Pin);
         // A slider does not change them; undo removes them.
         edges::Settings other;
         other.creaseDeg = 50;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
         QCOMPARE(gray.marks().measures[0].label, label);
-        on.window.targetsPanel().measures()->setCurrentRow(0);
-        QTest::mouseClick(on.window.targetsPanel().removeMeasure(), Qt::LeftButton);
+        on.viewer.targetsPanel.measures()->setCurrentRow(0);
+        QTest::mouseClick(on.viewer.targetsPanel.removeMeasure(), Qt::LeftButton);
         QCOMPARE(static_cast<int>(gray.marks().measures.size()), 1);
-        on.window.undoStack().undo();
+        on.viewer.undo.undo();
         QCOMPARE(static_cast<int>(gray.marks().measures.size()), 2);
     }
 
@@ -328,7 +328,7 @@ private slots:
     void everyKindIsMeasuredByClicks() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        ImageView& gray = on.window.views().gray();
+        ImageView& gray = on.viewer.views.gray();
         const std::vector<QPoint> places{{30, 20}, {120, 90}, {40, 95}, {130, 30}}; // beam, line
         int made = 0;
         for (const auto& [kind, key, modifier, clicks] : {std::tuple{inspect::MeasureKind::Vertical, Qt::Key_V, Qt::NoModifier, 2},
@@ -342,8 +342,8 @@ private slots:
                 cells.push_back(cellUnder(on, at.y(), at.x()));
                 click(gray, at.y(), at.x());
             }
-            QVERIFY(eventually([&] { return known(on) && static_cast<int>(on.window.targets().notebook().measures.size()) == made + 1; }));
-            const inspect::StoredMeasure& kept = on.window.targets().notebook().measures.back();
+            QVERIFY(eventually([&] { return known(on) && static_cast<int>(on.viewer.targets.notebook().measures.size()) == made + 1; }));
+            const inspect::StoredMeasure& kept = on.viewer.targets.notebook().measures.back();
             QVERIFY(kept.kind == kind && kept.cells == cells);
             const auto measured = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
             QVERIFY(bool(measured));
@@ -353,7 +353,7 @@ private slots:
             const double shown = QString(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
             QVERIFY2(std::abs(shown - value) < (kind == inspect::MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
             QVERIFY2(label.contains("±"), qPrintable(label));
-            QVERIFY(gray.marks() == on.window.views().cloud().marks());
+            QVERIFY(gray.marks() == on.viewer.views.cloud().marks());
             ++made;
         }
     }
@@ -362,20 +362,20 @@ private slots:
         WindowFixture on;
         QVERIFY(showWith(on, plate_));
         QTest::keyClick(&on.window, Qt::Key_U);
-        click(on.window.views().gray(), 20, 20);
-        click(on.window.views().gray(), 20, 21);
+        click(on.viewer.views.gray(), 20, 20);
+        click(on.viewer.views.gray(), 20, 21);
         QVERIFY(known(on));
-        QCOMPARE(on.window.views().gray().marks().measures[0].label, QString("< 89 mm"));
-        QVERIFY2(on.window.targetsPanel().measures()->item(0)->text().contains("< 89 mm"),
-                 qPrintable(on.window.targetsPanel().measures()->item(0)->text()));
+        QCOMPARE(on.viewer.views.gray().marks().measures[0].label, QString("< 89 mm"));
+        QVERIFY2(on.viewer.targetsPanel.measures()->item(0)->text().contains("< 89 mm"),
+                 qPrintable(on.viewer.targetsPanel.measures()->item(0)->text()));
     }
 
     void oneSelectionEverywhere() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        ImageView& gray = on.window.views().gray();
-        CloudView& cloud = on.window.views().cloud();
-        Selection& selection = on.window.selection();
+        ImageView& gray = on.viewer.views.gray();
+        CloudView& cloud = on.viewer.views.cloud();
+        Selection& selection = on.viewer.selection;
         QTest::keyClick(&on.window, Qt::Key_B);
         const QVector<QPoint> box{pixelOf(gray, 40, 50), pixelOf(gray, 45, 70), pixelOf(gray, 69, 99)};
         drag(gray, box);
@@ -386,10 +386,10 @@ private slots:
         }
         QVERIFY(selection.cells() == wanted);
         QVERIFY(cloud.selection() && *cloud.selection() == wanted);
-        QVERIFY(gray.selection() && gray.selection() == on.window.views().edges().selection());
+        QVERIFY(gray.selection() && gray.selection() == on.viewer.views.edges().selection());
         QVERIFY(qAlpha(gray.selection()->pixel(60, 50)) > 0 && qAlpha(gray.selection()->pixel(20, 50)) == 0);
         QVERIFY(targets(on).empty());
-        QVERIFY2(on.window.tools().shown().contains("cells selected"), qPrintable(on.window.tools().shown()));
+        QVERIFY2(on.viewer.tools.shown().contains("cells selected"), qPrintable(on.viewer.tools.shown()));
         // Shift adds, Ctrl removes; a lasso follows the mouse.
         QTest::keyClick(&on.window, Qt::Key_L);
         const QVector<QPoint> lasso{pixelOf(gray, 90, 20), pixelOf(gray, 90, 60), pixelOf(gray, 110, 40), pixelOf(gray, 100, 25)};
@@ -406,8 +406,8 @@ private slots:
         QVERIFY(selection.cells().empty() && selection.hidden() == wanted);
         QVERIFY(cloud.geometryOfCloud()->validCount < points && !cloud.geometryOfCloud()->drawable(wanted[5]));
         QVERIFY(qAlpha(gray.selection()->pixel(60, 50)) > 200);
-        QVERIFY(on.window.tools().shown().contains("hidden"));
-        on.window.undoStack().undo();
+        QVERIFY(on.viewer.tools.shown().contains("hidden"));
+        on.viewer.undo.undo();
         QVERIFY(selection.cells() == wanted && cloud.geometryOfCloud()->validCount == points);
         QTest::keyClick(&on.window, Qt::Key_I);
         std::size_t left = 0;
@@ -430,12 +430,12 @@ private slots:
     void theCloudSelectsWhatIsSeen() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        CloudView& cloud = on.window.views().cloud();
+        CloudView& cloud = on.viewer.views.cloud();
         QTest::keyClick(&on.window, Qt::Key_B);
         const CameraPose before = cloud.camera();
         const QPoint middle = cloud.rect().center();
         drag(cloud, {middle - QPoint(60, 50), middle, middle + QPoint(60, 50)});
-        QTRY_VERIFY(!on.window.selection().cells().empty());
+        QTRY_VERIFY(!on.viewer.selection.cells().empty());
         QVERIFY(cloud.camera() == before);
         const ScreenView view = cloud.screenView();
         const double dpr = cloud.devicePixelRatioF();
@@ -445,17 +445,17 @@ private slots:
         for (std::uint32_t k = 0; k < points.cells(); ++k) {
             if (!points.drawable(k)) continue;
             const ScreenPoint at = toScreen(view, points.point(k));
-            const bool chosen = std::ranges::binary_search(on.window.selection().cells(), k);
+            const bool chosen = std::ranges::binary_search(on.viewer.selection.cells(), k);
             if (chosen) QVERIFY(box.contains(at.x, at.y) && !isPointHidden(points, view, k));
             seen += at.inside && box.adjusted(2, 2, -2, -2).contains(at.x, at.y) && !isPointHidden(points, view, k) ? 1 : 0;
         }
-        QVERIFY(seen > 50 && on.window.selection().cells().size() >= seen);
+        QVERIFY(seen > 50 && on.viewer.selection.cells().size() >= seen);
         // Esc: the selection first, then the tool.
-        on.window.notice().hide();
+        on.viewer.notice.hide();
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(on.window.selection().cells().empty() && on.window.views().tool() == Tool::Box);
+        QVERIFY(on.viewer.selection.cells().empty() && on.viewer.views.tool() == Tool::Box);
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(on.window.views().tool() == Tool::Pin);
+        QVERIFY(on.viewer.views.tool() == Tool::Pin);
     }
 
     void aClickSelectsTheChainOfAnEdge() {
@@ -464,15 +464,15 @@ private slots:
         const edges::Detection& detection = *on.picture().detection;
         QTest::keyClick(&on.window, Qt::Key_L);
         const std::uint32_t k = detection.edges->at(detection.edges->size() / 2);
-        emit on.window.views().gray().clicked(static_cast<int>(k / 160), static_cast<int>(k % 160));
+        emit on.viewer.views.gray().clicked(static_cast<int>(k / 160), static_cast<int>(k % 160));
         const inspect::CellSet chain = inspect::chainAt(*detection.mask, k);
-        QVERIFY(chain.size() > 4 && on.window.selection().cells() == chain);
+        QVERIFY(chain.size() > 4 && on.viewer.selection.cells() == chain);
         // A click outside edges and rocks selects nothing, and gives the reason.
         std::uint32_t none = 0;
         while ((*detection.mask)[none] != 0) ++none;
-        emit on.window.views().gray().clicked(static_cast<int>(none / 160), static_cast<int>(none % 160));
-        QVERIFY(on.window.selection().cells() == chain);
-        QVERIFY2(on.window.notice().text().contains("press K first"), qPrintable(on.window.notice().text()));
+        emit on.viewer.views.gray().clicked(static_cast<int>(none / 160), static_cast<int>(none % 160));
+        QVERIFY(on.viewer.selection.cells() == chain);
+        QVERIFY2(on.viewer.notice.text().contains("press K first"), qPrintable(on.viewer.notice.text()));
     }
 
     void aRockIsSelectedAndStandsOnTheCard() {
@@ -485,30 +485,30 @@ private slots:
         WindowFixture on;
         QVERIFY(showWith(on, bell));
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(eventually([&] { return on.window.rocks().picture() && !on.window.rocks().behind(); }));
-        const RockPicture& rocks = *on.window.rocks().picture();
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
+        const RockPicture& rocks = *on.viewer.rocks.picture();
         const rocks::Rock& largest = rocks.study.rocks.front();
-        on.window.views().pin(largest.cell);
+        on.viewer.views.pin(largest.cell);
         QVERIFY(known(on));
         const QString spans = QString("no. 1: %1 × %2 ± ").arg(largest.longestCaliperM, 0, 'f', 2).arg(largest.shortestCaliperM, 0, 'f', 2);
-        QVERIFY2(on.window.targetsPanel().card().text().contains("Rock, visible: " + spans),
-                 qPrintable(on.window.targetsPanel().card().text()));
+        QVERIFY2(on.viewer.targetsPanel.card().text().contains("Rock, visible: " + spans),
+                 qPrintable(on.viewer.targetsPanel.card().text()));
         // A click with the tool selects all its cells; the selection of rocks does not change.
         QTest::keyClick(&on.window, Qt::Key_B);
         std::uint32_t inside = largest.cell;
         while (rocks.labelAt(inside) == 1 && (*on.picture().detection->mask)[inside] != 0) ++inside;
         QCOMPARE(rocks.labelAt(inside), 1U);
-        emit on.window.views().gray().clicked(static_cast<int>(inside / 286), static_cast<int>(inside % 286));
+        emit on.viewer.views.gray().clicked(static_cast<int>(inside / 286), static_cast<int>(inside % 286));
         inspect::CellSet wanted;
         for (std::size_t k = 0; k < rocks.labels.size(); ++k) {
             if (rocks.labels[k] == 1) wanted.push_back(static_cast<std::uint32_t>(k));
         }
-        QVERIFY(on.window.selection().cells() == wanted);
-        QVERIFY(on.window.rocks().selected().empty());
+        QVERIFY(on.viewer.selection.cells() == wanted);
+        QVERIFY(on.viewer.rocks.selected().empty());
         // Isolated: only this rock is in the cloud; its face keeps its colour.
         QTest::keyClick(&on.window, Qt::Key_I);
-        QVERIFY(on.window.views().cloud().geometryOfCloud()->validCount <= wanted.size());
-        QVERIFY(on.window.views().cloud().faces() != nullptr);
+        QVERIFY(on.viewer.views.cloud().geometryOfCloud()->validCount <= wanted.size());
+        QVERIFY(on.viewer.views.cloud().faces() != nullptr);
     }
 
     void anExportOfTheSelectionCarriesItsRecord() {
@@ -516,9 +516,9 @@ private slots:
         QVERIFY(showWith(on, boxes_));
         inspect::CellSet cells;
         for (std::uint32_t k = 0; k < 120U * 160; k += 1 + k % 7) cells.push_back(k);
-        on.window.selection().select(cells);
+        on.viewer.selection.select(cells);
         ExportDialog dialog(on.picture().detection, exports::ExportContent::FullCloud,
-                            {std::make_shared<const inspect::CellSet>(on.window.selection().cells()), true});
+                            {std::make_shared<const inspect::CellSet>(on.viewer.selection.cells()), true});
         auto* only = dialog.findChild<QCheckBox*>("onlySelected");
         QVERIFY(only->isChecked());
         std::size_t valid = 0;
@@ -526,8 +526,8 @@ private slots:
         QCOMPARE(dialog.count(), valid);
         QVERIFY(dialog.options().selection != nullptr);
         const std::string path = (folder_ / "selected.pcd").string();
-        QSignalSpy saved(&on.window.engine(), &Engine::saved);
-        on.window.engine().save(dialog.content(), QString::fromStdString(path), dialog.options());
+        QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+        on.viewer.engine.save(dialog.content(), QString::fromStdString(path), dialog.options());
         QTRY_COMPARE(saved.count(), 1);
         QCOMPARE(saved.front().at(2).toLongLong(), static_cast<qint64>(valid));
         const auto verified = exports::verifyExport(path);
@@ -541,8 +541,8 @@ private slots:
     void plusAndMinusZoomWhatHasTheFocus() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        ImageView& gray = on.window.views().gray();
-        CloudView& cloud = on.window.views().cloud();
+        ImageView& gray = on.viewer.views.gray();
+        CloudView& cloud = on.viewer.views.cloud();
         gray.setFocus();
         const double zoom = gray.viewPort()->zoom(), distance = cloud.camera().distance();
         click(gray, 20, 30);
@@ -562,22 +562,22 @@ private slots:
     void arrowsPointAndReturnClicks() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
-        ImageView& gray = on.window.views().gray();
+        ImageView& gray = on.viewer.views.gray();
         gray.setFocus();
         QTest::keyClick(&gray, Qt::Key_Right);
         QCOMPARE(*gray.markedCell(), QPoint(81, 60)); // from the middle
         QTest::keyClick(&gray, Qt::Key_Up);
         QTest::keyClick(&gray, Qt::Key_Left, Qt::ControlModifier);
         QCOMPARE(*gray.markedCell(), QPoint(71, 59));
-        QCOMPARE(*on.window.views().edges().markedCell(), QPoint(71, 59));
-        QVERIFY2(on.window.statusLine().probeShown().contains("line 59  beam 71"), qPrintable(on.window.statusLine().probeShown()));
+        QCOMPARE(*on.viewer.views.edges().markedCell(), QPoint(71, 59));
+        QVERIFY2(on.viewer.statusLine.probeShown().contains("line 59  beam 71"), qPrintable(on.viewer.statusLine.probeShown()));
         QTest::keyClick(&gray, Qt::Key_Return);
         QCOMPARE(static_cast<int>(targets(on).size()), 1);
         QCOMPARE(targets(on).front().cell, 59U * 160 + 71);
         // With a cell pinned the cursor moves on and does not change the pin; it never leaves the grid.
         for (int n = 0; n < 30; ++n) QTest::keyClick(&gray, Qt::Key_Down, Qt::ShiftModifier);
         QCOMPARE(*gray.markedCell(), QPoint(71, 119));
-        QCOMPARE(*on.window.views().edges().markedCell(), QPoint(71, 59));
+        QCOMPARE(*on.viewer.views.edges().markedCell(), QPoint(71, 59));
         QTest::keyClick(&gray, Qt::Key_Return);
         QCOMPARE(targets(on).back().cell, 119U * 160 + 71);
         // When zoomed in, the view follows the cursor.
@@ -604,7 +604,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(static_cast<int>(seen.size()), 3);
         QVERIFY2(seen[0].toInt() > 60 && seen[1] == "1" && seen[2].startsWith("Measure > Vertical"), qPrintable(seen.join(' ')));
-        QVERIFY(on.window.measures().kind() == inspect::MeasureKind::Vertical);
+        QVERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Vertical);
     }
 
     void pageDownGoesThroughTheFolder() {
@@ -623,7 +623,7 @@ private slots:
         QTRY_COMPARE(lines(), 40);
         QVERIFY(on.settled());
         QTest::keyClick(&on.window, Qt::Key_PageDown);
-        QVERIFY2(on.window.notice().text().contains("last scan"), qPrintable(on.window.notice().text()));
+        QVERIFY2(on.viewer.notice.text().contains("last scan"), qPrintable(on.viewer.notice.text()));
         QTest::keyClick(&on.window, Qt::Key_PageUp);
         QTRY_COMPARE(lines(), 30);
         QVERIFY(on.settled());
@@ -640,22 +640,22 @@ private slots:
         QVERIFY(bool(files::saveScan(scan, recording)));
         WindowFixture on;
         QVERIFY(on.show());
-        QCOMPARE(on.window.origin().text(), QString("NO PICTURE"));
+        QCOMPARE(on.viewer.origin.text(), QString("NO PICTURE"));
         QVERIFY(on.open(boxes_));
-        QCOMPARE(on.window.origin().text(), QString("FILE boxes · no time"));
-        QVERIFY(on.window.origin().sign() == StateBadge::Sign::File);
+        QCOMPARE(on.viewer.origin.text(), QString("FILE boxes · no time"));
+        QVERIFY(on.viewer.origin.sign() == StateBadge::Sign::File);
         QVERIFY(on.open(recording));
-        QVERIFY2(on.window.origin().text().startsWith("RECORDED "), qPrintable(on.window.origin().text()));
-        QVERIFY(on.window.origin().sign() == StateBadge::Sign::Recorded);
+        QVERIFY2(on.viewer.origin.text().startsWith("RECORDED "), qPrintable(on.viewer.origin.text()));
+        QVERIFY(on.viewer.origin.sign() == StateBadge::Sign::Recorded);
         QVERIFY(on.open(timed));
         const std::string start = on.picture().detection->scan->acquisition ? on.picture().detection->scan->acquisition->startUtc : "";
         const QString time = start.empty() ? QString("no time") : QString("2026-03-04 05:06:07 UTC");
-        QCOMPARE(on.window.origin().text(), "FILE timed · " + time);
+        QCOMPARE(on.viewer.origin.text(), "FILE timed · " + time);
         // Complete and visible at every size, and in a screenshot.
         for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1900, 1000)}) {
             QTRY_VERIFY((on.window.resize(size), on.window.size() == size)); // the timeline of the recording closes first
             QApplication::processEvents();
-            const StateBadge& badge = on.window.origin();
+            const StateBadge& badge = on.viewer.origin;
             const QRect place(badge.mapTo(&on.window, QPoint()), badge.size());
             QVERIFY(badge.isVisible() && on.window.rect().contains(place));
             QVERIFY2(badge.width() >= badge.sizeHint().width(),

@@ -89,10 +89,10 @@ private slots:
             choose(on.window, theme.key);
             const QImage shot = on.window.screenshot();
             QCOMPARE(shot.pixelColor(on.window.statusBar()->mapTo(&on.window, QPoint(2, 2))), theme.window);
-            const CloudView& cloud = on.window.views().cloud();
+            const CloudView& cloud = on.viewer.views.cloud();
             QCOMPARE(shot.pixelColor(cloud.mapTo(&on.window, QPoint(cloud.width() - 2, 2))), QColor(48, 48, 48));
             // The plate over the cloud is the same in all themes.
-            EdgeLegend& legend = on.window.legend();
+            EdgeLegend& legend = on.viewer.legend;
             const QImage plate = legend.grab().toImage();
             QCOMPARE(plate.pixelColor(4, 4), QColor(0x1b, 0x1d, 0x1f));
             QVERIFY2(spread(plate.copy(legend.findChild<QLabel*>()->geometry())) >= 4.5, theme.key);
@@ -103,11 +103,11 @@ private slots:
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(scan_));
-        on.window.notice().showNotice(NoticeBar::Kind::Error, "it failed");
+        on.viewer.notice.showNotice(NoticeBar::Kind::Error, "it failed");
         for (const Theme& theme : themes()) {
             choose(on.window, theme.key);
-            on.window.warnings().showWarnings({QString("a line is missing, ") + theme.key});
-            QVERIFY(!on.window.warnings().isHidden());
+            on.viewer.warnings.showWarnings({QString("a line is missing, ") + theme.key});
+            QVERIFY(!on.viewer.warnings.isHidden());
             int seen = 0;
             for (QWidget* each : on.window.findChildren<QWidget*>()) {
                 auto* label = qobject_cast<QLabel*>(each);

@@ -30,13 +30,14 @@ class ThresholdsTest : public QObject {
     void use(const edges::Settings& settings) { QVERIFY(on_->use(settings)); }
     // Clicks the cell and asks why, by the key.
     void askWhy(std::uint32_t cell) {
-        ImageView& view = window_->views().edges();
+        ImageView& view = window_->viewer().views.edges();
         const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_W);
-        QVERIFY(eventually(
-            [&] { return window_->explanation().card() != nullptr && window_->explanation().card()->text().startsWith("line "); }));
+        QVERIFY(eventually([&] {
+            return window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->text().startsWith("line ");
+        }));
     }
     // The first edge cell that has three ranges on either side, along its line and across.
     [[nodiscard]] static std::uint32_t edgeWithNeighbours(const edges::Detection& detection) {
@@ -51,7 +52,7 @@ class ThresholdsTest : public QObject {
         }
         return detection.edges->front();
     }
-    [[nodiscard]] QString meaning() const { return window_->panel().findChild<QLabel*>("meaning")->text(); }
+    [[nodiscard]] QString meaning() const { return window_->viewer().panel.findChild<QLabel*>("meaning")->text(); }
 
 private slots:
     void init() {
@@ -66,16 +67,16 @@ private slots:
 
     void theMeaningFollowsThresholdKernelAndWindow() {
         use(edges::findPreset("window")->settings);
-        const edges::GrayScale scale = window_->engine().picture()->detection->gray->scale;
-        QCOMPARE(meaning(), QString::fromStdString(edges::thresholdText(window_->engine().settings(), scale)));
+        const edges::GrayScale scale = window_->viewer().engine.picture()->detection->gray->scale;
+        QCOMPARE(meaning(), QString::fromStdString(edges::thresholdText(window_->viewer().engine.settings(), scale)));
         QVERIFY(meaning().startsWith("weak edge from a step of "));
         const QString before = meaning();
-        edges::Settings wider = window_->engine().settings();
+        edges::Settings wider = window_->viewer().engine.settings();
         wider.kernel = 7;
         use(wider);
         QVERIFY(meaning() != before);
         use(edges::Settings{});
-        QVERIFY(!window_->panel().findChild<QLabel*>("meaning")->isVisible());
+        QVERIFY(!window_->viewer().panel.findChild<QLabel*>("meaning")->isVisible());
     }
 
     void aTypedDepthBecomesTheThreshold() {
@@ -83,21 +84,21 @@ private slots:
         settings.nearMm = 0;
         settings.farMm = 25500; // 100 mm per level; a straight step has three times the response
         use(settings);
-        QDoubleSpinBox* box = window_->panel().row("lower")->number();
+        QDoubleSpinBox* box = window_->viewer().panel.row("lower")->number();
         box->setFocus();
         box->selectAll();
         QTest::keyClicks(box, "0.5 m");
         QTest::keyClick(box, Qt::Key_Return);
         QVERIFY(on_->settled());
-        QCOMPARE(window_->engine().settings().lower, 15.0);
+        QCOMPARE(window_->viewer().engine.settings().lower, 15.0);
         box->selectAll();
         QTest::keyClicks(box, "22");
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window_->engine().settings().lower, 22.0);
+        QCOMPARE(window_->viewer().engine.settings().lower, 22.0);
         box->selectAll();
         QTest::keyClicks(box, "5 %"); // has no single threshold in linear levels: refused, no change
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window_->engine().settings().lower, 22.0);
+        QCOMPARE(window_->viewer().engine.settings().lower, 22.0);
     }
 
     void whatCannotBeReadIsToldAndTheValueStays() {
@@ -108,16 +109,17 @@ private slots:
             const char* refusal;
         };
         const auto type = [&](const Typed& typed) {
-            QDoubleSpinBox* box = window_->panel().row(typed.key)->number();
+            QDoubleSpinBox* box = window_->viewer().panel.row(typed.key)->number();
             const double before = box->value();
             box->setFocus();
             box->selectAll();
             QTest::keyClicks(box, typed.text);
             QTest::keyClick(box, Qt::Key_Return);
-            QVERIFY2(eventually([&] { return window_->notice().isVisible() && window_->notice().text().contains(typed.refusal); }),
-                     qPrintable(QString(typed.text) + ": " + window_->notice().text()));
+            QVERIFY2(
+                eventually([&] { return window_->viewer().notice.isVisible() && window_->viewer().notice.text().contains(typed.refusal); }),
+                qPrintable(QString(typed.text) + ": " + window_->viewer().notice.text()));
             QCOMPARE(box->value(), before);
-            window_->notice().hide();
+            window_->viewer().notice.hide();
         };
         type({"lower", "abc", "Lower threshold: \"abc\" is not a number"});
         type({"lower", "2000 m", "Lower threshold: "});
@@ -126,12 +128,12 @@ private slots:
         use(edges::Settings{});
         type({"min-length", "2.5", "2.5 is not a whole number"});
         type({"crease", "400", "Crease angle: 400 is outside 15 to 90 degrees"});
-        QDoubleSpinBox* box = window_->panel().row("crease")->number();
+        QDoubleSpinBox* box = window_->viewer().panel.row("crease")->number();
         box->selectAll();
         QTest::keyClicks(box, "44 degrees");
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window_->engine().settings().creaseDeg, 44.0);
-        QVERIFY(!window_->notice().isVisible());
+        QCOMPARE(window_->viewer().engine.settings().creaseDeg, 44.0);
+        QVERIFY(!window_->viewer().notice.isVisible());
     }
 
     void anAutomaticValueIsShownAsItIs() {
@@ -142,49 +144,49 @@ private slots:
         const std::string path = (folder_ / "loud.json").string();
         QVERIFY(bool(files::saveScan(sim::simulate(loud)->scan, path)));
         use(edges::Settings{});
-        window_->files().open({QString::fromStdString(path)});
+        window_->viewer().files.open({QString::fromStdString(path)});
         QVERIFY(on_->settled());
-        QDoubleSpinBox* box = window_->panel().row("noise")->number();
-        const double measured = window_->engine().picture()->detection->responses->noise.at(5.0);
+        QDoubleSpinBox* box = window_->viewer().panel.row("noise")->number();
+        const double measured = window_->viewer().engine.picture()->detection->responses->noise.at(5.0);
         QVERIFY(measured > 35); // beyond the limit for typed values
         QVERIFY(std::abs(box->value() - measured) < 0.006);
-        QVERIFY(std::isnan(window_->engine().settings().noiseMm));
-        auto* automatic = window_->panel().findChild<QCheckBox*>("auto-noise");
+        QVERIFY(std::isnan(window_->viewer().engine.settings().noiseMm));
+        auto* automatic = window_->viewer().panel.findChild<QCheckBox*>("auto-noise");
         automatic->setChecked(false); // typed values are limited to 30
-        QCOMPARE(window_->engine().settings().noiseMm, 30.0);
+        QCOMPARE(window_->viewer().engine.settings().noiseMm, 30.0);
         QCOMPARE(box->value(), 30.0);
     }
 
     void anotherMethodKeepsTheMeaningOfTheThreshold() {
         use(edges::cannySettings());
-        QComboBox* method = window_->panel().row("method")->choice();
+        QComboBox* method = window_->viewer().panel.row("method")->choice();
         const auto choose = [&](const char* label) {
             method->setCurrentText(label);
             QVERIFY(on_->settled());
         };
         choose("Kirsch");
-        const edges::Settings kirsch = window_->engine().settings();
+        const edges::Settings kirsch = window_->viewer().engine.settings();
         QVERIFY(std::abs(kirsch.lower / edges::stepGain(kirsch).straight - 4.0) < 0.1); // halfway between 2 and 6
         choose("EdgeScan+");
         choose("Canny (thesis)");
-        QVERIFY(std::abs(window_->engine().settings().lower - 6.0) < 0.11);
+        QVERIFY(std::abs(window_->viewer().engine.settings().lower - 6.0) < 0.11);
     }
 
     void theCurveCountsWhatTheThresholdWouldGive() {
         use(edges::cannySettings());
-        CountCurve* curve = window_->panel().curve("lower");
+        CountCurve* curve = window_->viewer().panel.curve("lower");
         QVERIFY(curve->isVisible());
-        QVERIFY(!window_->panel().curve("sensitivity")->isVisible());
+        QVERIFY(!window_->viewer().panel.curve("sensitivity")->isVisible());
         QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const edges::EdgeCountCurve counts = *curve->curve();
         for (const std::size_t n : {counts.thresholds.size() / 4, counts.thresholds.size() / 2}) {
-            edges::Settings at = window_->engine().settings();
+            edges::Settings at = window_->viewer().engine.settings();
             at.lower = counts.thresholds[n];
             use(at);
-            QCOMPARE(window_->engine().picture()->detection->edges->size(), counts.edges[n]);
+            QCOMPARE(window_->viewer().engine.picture()->detection->edges->size(), counts.edges[n]);
             QVERIFY(curve->curve().has_value()); // another threshold of the same curve
         }
-        edges::Settings other = window_->engine().settings();
+        edges::Settings other = window_->viewer().engine.settings();
         other.kernel = 5;
         use(other);
         QVERIFY(!curve->curve().has_value());
@@ -196,24 +198,24 @@ private slots:
         between.method = edges::Method::Kirsch;
         between.lower = 58.5;
         use(between);
-        CountCurve* curve = window_->panel().curve("lower");
+        CountCurve* curve = window_->viewer().panel.curve("lower");
         QVERIFY(eventually([&] { return curve->curve().has_value(); }));
-        const auto edges = static_cast<qulonglong>(window_->engine().picture()->detection->edges->size());
+        const auto edges = static_cast<qulonglong>(window_->viewer().engine.picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));
         edges::Settings share = edges::cannySettings();
         share.method = edges::Method::LogRange;
         share.stepPercent = 4.0;
         use(share);
-        QCOMPARE(window_->panel().findChild<QLabel*>("upper")->text(), QString("Strong from  12.5 % of range"));
+        QCOMPARE(window_->viewer().panel.findChild<QLabel*>("upper")->text(), QString("Strong from  12.5 % of range"));
     }
 
     void whyAnswersForTheCellClicked() {
         use(edges::cannySettings());
-        const std::uint32_t cell = window_->engine().picture()->detection->edges->at(5);
+        const std::uint32_t cell = window_->viewer().engine.picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
-        const QString text = window_->explanation().card()->text();
+        const QString text = window_->viewer().explanation.card()->text();
         QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
     }
@@ -221,11 +223,11 @@ private slots:
     // On the card: the verdict, the points on both sides of a jump with their fitted lines, the numbers, in this order.
     void theVerdictComesFirstThenThePictureOfBothSides() {
         use(edges::Settings{});
-        const edges::Detection& detection = *window_->engine().picture()->detection;
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
         const std::uint32_t cell = edgeWithNeighbours(detection);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
-        const WhyCard& card = *window_->explanation().card();
+        const WhyCard& card = *window_->viewer().explanation.card();
         QVERIFY2(card.verdict().startsWith("Edge: ") && !card.verdict().contains('\n'), qPrintable(card.verdict()));
         const auto* verdict = card.findChild<QLabel*>("why-verdict");
         const edges::EdgeProfile& profile = card.picture().profile();
@@ -246,14 +248,14 @@ private slots:
     // After a click on a cell next to the intended edge, one more click reaches this edge.
     void theEdgeBesideTheCellIsAButtonAway() {
         use(edges::Settings{});
-        const edges::Detection& detection = *window_->engine().picture()->detection;
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
         const auto& mask = detection.mask->cells;
         std::size_t next = 1;
         while (next < mask.size() && (mask[next] != 0 || mask[next - 1] == 0 || next % 160 == 0)) ++next;
         QVERIFY(next < mask.size());
         askWhy(static_cast<std::uint32_t>(next));
         if (QTest::currentTestFailed()) return;
-        const WhyCard& card = *window_->explanation().card();
+        const WhyCard& card = *window_->viewer().explanation.card();
         auto* button = card.findChild<QPushButton*>("why-beside");
         QTRY_VERIFY(button->isVisible() && card.verdict().startsWith("No edge: "));
         QTest::mouseClick(button, Qt::LeftButton);
@@ -263,15 +265,15 @@ private slots:
 
     void theCardTellsWhatWasMeasuredAndFramesTheChain() {
         use(edges::Settings{});
-        const std::uint32_t cell = window_->engine().picture()->detection->edges->at(5);
+        const std::uint32_t cell = window_->viewer().engine.picture()->detection->edges->at(5);
         askWhy(cell);
         if (QTest::currentTestFailed()) return;
-        const QString text = window_->explanation().card()->text();
+        const QString text = window_->viewer().explanation.card()->text();
         for (const char* words :
              {"class jump", "Step in depth: ", " mm to line ", "limit ", "Range noise used: sigma ", "Chain: ", "Edge strength"})
             QVERIFY2(text.contains(words), qPrintable(text));
         QVERIFY2(!text.contains("ensitivity"), qPrintable(text));
-        for (ImageView* each : {&window_->views().gray(), &window_->views().edges()}) {
+        for (ImageView* each : {&window_->viewer().views.gray(), &window_->viewer().views.edges()}) {
             const EdgeTrail& trail = each->trail();
             QVERIFY(trail.cells.size() >= 4);
             QVERIFY(std::ranges::count(trail.cells, QPoint(static_cast<int>(cell % 160), static_cast<int>(cell / 160))) == 1);
@@ -291,7 +293,7 @@ private slots:
         edges::Settings other;
         other.creaseDeg = 60; // another picture
         use(other);
-        QVERIFY(window_->views().edges().trail().cells.empty());
+        QVERIFY(window_->viewer().views.edges().trail().cells.empty());
     }
 };
 

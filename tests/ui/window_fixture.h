@@ -38,25 +38,25 @@ struct WindowFixture {
     }
     /// Waits until the shown picture belongs to the newest settings and scan.
     [[nodiscard]] bool settled() {
-        return eventually(
-            [this] { return window.engine().picture() != nullptr && !window.engine().behind() && !window.engine().working(); });
+        return eventually([this] { return viewer.engine.picture() != nullptr && !viewer.engine.behind() && !viewer.engine.working(); });
     }
     [[nodiscard]] bool open(const std::string& path) {
-        window.files().open({QString::fromStdString(path)});
+        viewer.files.open({QString::fromStdString(path)});
         return settled();
     }
     /// Shows the window and opens the scan.
     [[nodiscard]] bool showWith(const std::string& path) { return show() && open(path); }
     [[nodiscard]] bool use(const edges::Settings& settings) {
-        window.tuning().useSettings(settings);
+        viewer.tuning.useSettings(settings);
         return settled();
     }
 
-    [[nodiscard]] const Picture& picture() { return *window.engine().picture(); }
-    [[nodiscard]] QSlider* slider(const char* key) { return window.panel().row(key)->slider(); }
+    [[nodiscard]] const Picture& picture() { return *viewer.engine.picture(); }
+    [[nodiscard]] QSlider* slider(const char* key) { return viewer.panel.row(key)->slider(); }
 
     Memory memory;
     MainWindow window;
+    Viewer& viewer = window.viewer();
 };
 
 /// A real corridor scan, or a simulated one in `folder` where ../shared is absent.

@@ -3,7 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -18,8 +18,6 @@
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 namespace edgescan::ui {
 namespace {
@@ -53,49 +51,18 @@ bool isTyping(const QWidget* widget) {
 
 } // namespace
 
-/// An undo step between two kept scans. The pictures may be freed meanwhile: the scan is then read again.
-class KeptChange : public QUndoCommand {
-public:
-    KeptChange(const QString& name, Comparing& comparing, const std::shared_ptr<const Picture>& after, const std::optional<SourceOfA>& from)
-        : QUndoCommand(name),
-          comparing_(comparing), before_{comparing.pictureA_, comparing.pictureA_ == nullptr, comparing.sourceOfA_}, after_{after,
-                                                                                                                            after ==
-                                                                                                                                nullptr,
-                                                                                                                            from} {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    struct State {
-        std::weak_ptr<const Picture> picture;
-        bool none;
-        std::optional<SourceOfA> from;
-    };
-    void apply(const State& state) {
-        const auto picture = state.picture.lock();
-        if (state.none || picture)
-            comparing_.use(picture, state.from);
-        else if (state.from)
-            comparing_.read(*state.from, false);
-        else
-            setObsolete(true); // of a sweep that was not recorded to a file
-    }
-
-    Comparing& comparing_;
-    State before_, after_;
-};
+Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& reading) {
+    const auto& [scan, settings] = reading.from;
+    if (reading.scan) return ui::pictureOf(reading.scan, settings);
+    if (!inspect::hasPath(scan.kind)) return earlierDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast, settings);
+    return earlierPicture(exactText(scan.path.string()), scan.reading, settings);
+}
 
 Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
                      QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), memory_(memory), undo_(undo),
       reader_(
-          Urgency::Soon,
-          [](const Reading& reading) {
-              return reading.scan        ? pictureOf(reading.scan, reading.from.settings)
-                     : reading.from.demo ? earlierDemo(*reading.from.demo, reading.from.settings)
-                                         : earlierPicture(reading.from.path, reading.from.reading, reading.from.settings);
-          },
+          Urgency::Soon, [](const Reading& reading) { return pictureOf(reading); },
           [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
           [this](const QString& what) {
               takeRead({}, Error{what.toStdString(), "", "choose another scan"});
@@ -109,7 +76,6 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
               showLegend();
               notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
-    connect(&engine_, &Engine::pictureReady, this, &Comparing::follow);
     connect(&legend_, &ChangeLegend::rowsRequested, this, [this](const ChangeRows& rows) {
         rows_ = rows;
         ask();
@@ -126,23 +92,41 @@ void Comparing::keep() {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
         return;
     }
-    undo_.push(new KeptChange(stepName("Keep as A"), *this, engine_.picture(), fromShown()));
+    push(stepName("Keep as A"), engine_.picture(), fromShown());
 }
 
 void Comparing::forget() {
-    if (pictureA_) undo_.push(new KeptChange(stepName("Forget A"), *this, nullptr, std::nullopt));
+    if (pictureA_) push(stepName("Forget A"), nullptr, std::nullopt);
 }
 
-std::optional<SourceOfA> Comparing::fromShown() const {
-    if (files_.path().isEmpty() && !files_.demo()) return std::nullopt;
+void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from) {
+    // The picture may be freed when the step is undone: it is then made again.
+    struct State {
+        std::weak_ptr<const Picture> picture;
+        bool some;
+        std::optional<inspect::EarlierScan> from;
+    };
+    undo_.push(
+        new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
+            const auto picture = state.picture.lock();
+            if (picture || !state.some)
+                use(picture, state.from);
+            else if (state.from)
+                read(*state.from, false);
+            return picture || !state.some || state.from; // else of a sweep that was not recorded to a file
+        }));
+}
+
+std::optional<inspect::EarlierScan> Comparing::fromShown() const {
     const edges::Detection& detection = *engine_.picture()->detection;
-    return SourceOfA{files_.path(), files_.demo(), files_.options(), detection.settings, detection.scan->sha256, detection.scan->name};
+    const auto scan = files_.scanShown(*detection.scan);
+    return scan ? std::optional(inspect::EarlierScan{*scan, detection.settings}) : std::nullopt;
 }
 
-void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<SourceOfA> from) {
+void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from) {
     flip(false);
     pictureA_ = std::move(kept);
-    sourceOfA_ = std::move(from);
+    earlier_ = std::move(from);
     comparison_ = nullptr;
     show();
     emit pictureAChanged(pictureA_ != nullptr);
@@ -158,15 +142,21 @@ void Comparing::compareWith(const QString& path) {
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
     reading.scanIndex = 0; // the index belongs to the file on the screen
-    read({path, std::nullopt, reading, engine_.settings(), {}, {}}, true);
+    read({inspect::fileScan(path.toStdString(), reading), engine_.settings()}, true);
 }
 
-void Comparing::restore(const SourceOfA& from) { read(from, false); }
+void Comparing::setPart(const std::optional<inspect::EarlierScan>& part) {
+    if (part)
+        read(*part, false);
+    else if (pictureA_)
+        forget();
+}
 
-void Comparing::read(const SourceOfA& from, bool asStep) {
-    const std::optional<SourceOfA> shown = engine_.picture() ? fromShown() : std::nullopt;
-    const bool same = shown && !from.sha256.empty() && shown->sha256 == from.sha256 && shown->name == from.name &&
-                      shown->path == from.path && readingFlags(shown->reading) == readingFlags(from.reading);
+void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
+    const std::optional<inspect::EarlierScan> shown = engine_.picture() ? fromShown() : std::nullopt;
+    const bool same = shown && !from.scan.identity.sha256.empty() && shown->scan.identity.sha256 == from.scan.identity.sha256 &&
+                      shown->scan.identity.name == from.scan.identity.name && shown->scan.path == from.scan.path &&
+                      readingFlags(shown->scan.reading) == readingFlags(from.scan.reading);
     reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
 }
 
@@ -179,18 +169,19 @@ void Comparing::askScan() {
 void Comparing::takeRead(const Reading& asked, const Read& read) {
     if (!read) return notice_.showError(read.error());
     const std::shared_ptr<const Picture>& picture = *read;
-    SourceOfA from = asked.from;
+    inspect::EarlierScan from = asked.from;
     const Scan& scan = *picture->detection->scan;
-    if (!from.sha256.empty() && from.sha256 != scan.sha256) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(from.path)));
+    const std::string& sha256 = from.scan.identity.sha256;
+    if (!sha256.empty() && sha256 != scan.sha256) {
+        notice_.showNotice(
+            NoticeBar::Kind::Warning,
+            tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(exactText(from.scan.path.string()))));
         return;
     }
-    from.sha256 = scan.sha256;
-    from.name = scan.name;
+    from.scan.identity = inspect::notebookScan(scan);
     if (!asked.asStep) return use(picture, from);
     notice_.hide();
-    undo_.push(new KeptChange(stepName("Compare with Scan"), *this, picture, from));
+    push(stepName("Compare with Scan"), picture, from);
 }
 
 bool Comparing::comparable() const {
@@ -198,8 +189,8 @@ bool Comparing::comparable() const {
     return pictureA_ && now && pictureA_->detection != now->detection && !now->source.growth.growing;
 }
 
-/// A new picture is on the screen: the views have already ended a flip.
-void Comparing::follow() {
+/// The views have already ended a flip.
+void Comparing::followPicture() {
     emit flipped(false);
     legend_.showFlipped(false);
     if (!pictureA_) return;

@@ -1,7 +1,7 @@
 // A/B comparison: keeps a picture as A and compares the picture on the screen with it. A key flips between both in all views.
 #pragma once
 
-#include "core/scan/grid/reading_options.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/change/comparison.h"
 
@@ -21,16 +21,6 @@ class Memory;
 class NoticeBar;
 class Engine;
 
-/// The data needed to make A again.
-struct SourceOfA {
-    QString path;             ///< empty: a demo
-    std::optional<bool> demo; ///< true: after the blast, false: before
-    ReadingOptions reading;
-    edges::Settings settings;
-    std::string sha256; ///< of the scan; empty: unknown so far
-    std::string name;
-};
-
 /// GUI thread only. The objects passed to it must outlive it.
 class Comparing : public QObject {
     Q_OBJECT
@@ -38,17 +28,19 @@ public:
     Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
               QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// The picture on the screen becomes A, until another one is kept or A is removed. Each of these actions is one undo step. A step
     /// stores no picture: it makes the picture again.
     void keep();
     void forget();
     [[nodiscard]] const std::shared_ptr<const Picture>& pictureA() const { return pictureA_; }
-    /// The source of A; empty: no A, or A comes from no file.
-    [[nodiscard]] const std::optional<SourceOfA>& sourceOfA() const { return sourceOfA_; }
+    /// A, as it can be made again; empty: there is none, or it is of no file.
+    [[nodiscard]] const std::optional<inspect::EarlierScan>& part() const { return earlier_; }
+    void setPart(const std::optional<inspect::EarlierScan>& part);
     /// Another scan becomes A. It is read off the GUI thread, with the reading options of the scan on the screen, and its edges are found
     /// with the current settings.
     void compareWith(const QString& path);
-    void restore(const SourceOfA& from);
     void askScan();
 
     /// Off: edges have their normal colours; the key still shows A.
@@ -74,22 +66,22 @@ signals:
     void flipped(bool on);
 
 private:
-    friend class KeptChange;
     struct Reading {
-        SourceOfA from;
+        inspect::EarlierScan from;
         std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
         bool asStep = false;              ///< the result becomes an undo step
     };
     using Read = Result<std::shared_ptr<const Picture>>;
     using Compared = Result<std::shared_ptr<const Comparison>>;
-    void follow();
+    [[nodiscard]] static Read pictureOf(const Reading& reading); // pool's thread
     void ask();
     [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
     void take(const Compared& made);
     void takeRead(const Reading& asked, const Read& read);
-    void use(std::shared_ptr<const Picture> kept, std::optional<SourceOfA> from);
-    void read(const SourceOfA& from, bool asStep);
-    [[nodiscard]] std::optional<SourceOfA> fromShown() const;
+    void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
+    void read(const inspect::EarlierScan& from, bool asStep);
+    void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from);
+    [[nodiscard]] std::optional<inspect::EarlierScan> fromShown() const;
     void show();
     void showLegend();
     [[nodiscard]] bool comparable() const;
@@ -102,7 +94,7 @@ private:
     Memory& memory_;
     QUndoStack& undo_;
     std::shared_ptr<const Picture> pictureA_;
-    std::optional<SourceOfA> sourceOfA_;
+    std::optional<inspect::EarlierScan> earlier_;
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;

@@ -44,7 +44,6 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
         draw();
         emit changed();
     });
-    connect(&engine_, &Engine::pictureReady, this, &Confidence::follow);
     connect(&targets_, &Targets::cardChanged, this, &Confidence::followCard);
     connect(&views_, &LinkedViews::picturesChanged, this, [this] { legend_.setVisible(views_.scene().legend == OverlayName::Confidence); });
     connect(&views_, &LinkedViews::edgeColoursChanged, this, [this] {
@@ -79,7 +78,7 @@ bool Confidence::needed() const {
 }
 
 /// The known values belong to another picture: until the new values are computed, its edges are shown normally.
-void Confidence::follow() {
+void Confidence::followPicture() {
     confidence_.giveUp();
     drawn_.giveUp();
     made_ = nullptr;

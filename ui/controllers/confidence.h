@@ -23,6 +23,8 @@ class Confidence : public QObject {
 public:
     Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
 
+    /// A new picture is on the screen.
+    void followPicture();
     void setOn(bool on);
     /// Only edges with at least this confidence are shown, percent.
     void setLeast(int percent);
@@ -45,7 +47,6 @@ private:
         EdgeColours colours;
     };
     [[nodiscard]] std::shared_ptr<const edges::EdgeConfidence> workOut(const Picture& picture, const Asker& asker); // pool's thread
-    void follow();
     void followCard();
     void begin();
     void draw();

@@ -58,7 +58,7 @@ std::optional<std::size_t> nearestEdge(const edges::Detection& detection, std::s
 
 } // namespace
 
-Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& notice)
+Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
       why_(
           Urgency::Now, [](const Question& question) { return edges::whyCell(*question.picture->detection, question.cell); },
@@ -73,8 +73,6 @@ Explanation::Explanation(const Engine& engine, LinkedViews& views, NoticeBar& no
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
     });
-    // The chain belongs to the picture for which it was computed.
-    connect(&engine, &Engine::pictureReady, this, &Explanation::forgetTrail);
 }
 
 void Explanation::explain(std::size_t cell) {

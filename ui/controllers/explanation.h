@@ -19,7 +19,7 @@ class WhyCard;
 class Explanation : public QObject {
     Q_OBJECT
 public:
-    Explanation(const Engine& engine, LinkedViews& views, NoticeBar& notice);
+    Explanation(LinkedViews& views, NoticeBar& notice);
 
     void explain(std::size_t cell);
     /// Explains the cell under the mouse or the clicked cell.

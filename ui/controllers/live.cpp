@@ -45,12 +45,16 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
     connectPanel();
     connectScanner();
     connect(&engine_, &Engine::opened, this, &Live::loadTimeline);
-    connect(&engine_, &Engine::pictureReady, this, &Live::reportSweepEnd);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         if (scanner_.connected()) showHealth();
     });
     connect(&timeline_, &Timeline::arrived, this, &Live::showReplayed);
     connect(&timeline_, &Timeline::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
+}
+
+void Live::followPicture() {
+    scanner_.followPicture();
+    reportSweepEnd();
 }
 
 void Live::connectPanel() {

@@ -21,6 +21,8 @@ class Live : public QObject {
 public:
     Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// Connects to a live scanner; EdgeScan sends only read requests and a subscription.
     void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep);
     void record(bool on);

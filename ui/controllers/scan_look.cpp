@@ -52,17 +52,18 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
         showWindow();
         remember();
     });
-    connect(&engine_, &Engine::pictureReady, this, &ScanLook::follow);
 }
 
 void ScanLook::setColourBy(ColourBy by) {
     if (by == by_) return;
     by_ = by;
     memory_.keep(kColourBy, QString(colourKey(by)));
-    follow();
+    followPicture();
     emit colourByChanged(by);
     emit changed();
 }
+
+const std::optional<RangeSpan>& ScanLook::rangeWindow() const { return views_.rangeWindow(); }
 
 void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locked) {
     window_.setLocked(false); // the window still belongs to the previous scan
@@ -70,7 +71,7 @@ void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locke
     window_.setLocked(locked && window);
 }
 
-void ScanLook::follow() {
+void ScanLook::followPicture() {
     showWindow();
     const auto& picture = engine_.picture();
     if (!picture) return;

@@ -23,6 +23,8 @@ class ScanLook : public QObject {
 public:
     ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// The choice is stored in the settings memory.
     void setColourBy(ColourBy by);
     [[nodiscard]] ColourBy colourBy() const { return by_; }
@@ -30,7 +32,8 @@ public:
     [[nodiscard]] bool settled() const { return !colours_.behind(); }
     /// Locked: the window of the range image stays when another scan is opened.
     [[nodiscard]] bool rangeLocked() const { return window_.locked(); }
-    /// Empty: the method scales the ranges.
+    /// Of the range image; empty: as the method scales the ranges.
+    [[nodiscard]] const std::optional<RangeSpan>& rangeWindow() const;
     void setRangeWindow(const std::optional<RangeSpan>& window, bool locked);
 
 signals:
@@ -49,7 +52,6 @@ private:
         std::optional<RangeHistogram> histogram; ///< empty: already on the screen
         CloudColours colours;
     };
-    void follow();
     void take(const Asked& asked, const Answer& answer);
     void showWindow();
 

@@ -6,14 +6,13 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/engine/worker_bridge/edge_counter.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/panels/tuning/edges_panel.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QUndoCommand>
 
 #include <functional>
 #include <vector>
@@ -34,35 +33,12 @@ QString describe(const edges::Settings& before, const edges::Settings& after) {
     return stepName("settings");
 }
 
-// Changes with the same drag number are merged into one undo step; 0 is never merged.
-class SettingsChange : public QUndoCommand {
-public:
-    SettingsChange(Engine& engine, const edges::Settings& after, int drag)
-        : QUndoCommand(describe(engine.settings(), after)), engine_(engine), before_(engine.settings()), after_(after), drag_(drag) {}
-
-    void undo() override { engine_.setSettings(before_); }
-    void redo() override { engine_.setSettings(after_); }
-    [[nodiscard]] int id() const override { return drag_ == 0 ? -1 : drag_; }
-    bool mergeWith(const QUndoCommand* later) override {
-        if (later->id() != id()) return false;
-        after_ = static_cast<const SettingsChange*>(later)->after_;
-        setText(describe(before_, after_));
-        return true;
-    }
-
-private:
-    Engine& engine_;
-    edges::Settings before_;
-    edges::Settings after_;
-    int drag_;
-};
-
 } // namespace
 
 Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
     connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
-    connect(&panel_, &EdgesPanel::editEnded, this, [this] { ++drag_; });
+    connect(&panel_, &EdgesPanel::editEnded, this, [this] { drag_ = nextDrag(); });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connect(&panel_, &EdgesPanel::presetChosen, this, &Tuning::usePreset);
     connect(&panel_, &EdgesPanel::openPresetRequested, this, &Tuning::askOpenPreset);
@@ -71,7 +47,6 @@ Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& mem
     connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
     connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
     connect(&engine_, &Engine::settingsChanged, this, &Tuning::noteChange);
-    connect(&engine_, &Engine::pictureReady, this, &Tuning::showResult);
     recall();
 }
 
@@ -89,7 +64,7 @@ void Tuning::noteChange() {
     if (!starting_) memory_.keepSettings(engine_.settings());
 }
 
-void Tuning::showResult() {
+void Tuning::followPicture() {
     const Picture& picture = *engine_.picture();
     const bool newScan = std::exchange(shownScan_, picture.detection->scan) != picture.detection->scan;
     updateMs_ = sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : picture.detection->totalMs;
@@ -108,7 +83,11 @@ void Tuning::change(const edges::Settings& settings, bool dragging) {
         if (edges::formatValue(p, p.get(settings)) != edges::formatValue(p, p.get(engine_.settings()))) differs.push_back(&p);
     }
     if (differs.size() == 1 && !differs.front()->several) lastChanged_ = differs.front(); // a preset changes several
-    undo_.push(new SettingsChange(engine_, settings, dragging ? drag_ : 0));
+    const auto use = [this](const edges::Settings& value) {
+        engine_.setSettings(value);
+        return true;
+    };
+    undo_.push(new UndoStep<edges::Settings>(dragging ? drag_ : nextDrag(), describe, engine_.settings(), settings, use));
 }
 
 const edges::Parameter& Tuning::lastChanged() const {
@@ -126,6 +105,16 @@ void Tuning::usePreset(const edges::Preset& preset) {
 void Tuning::useSettings(const edges::Settings& settings) {
     engine_.setSettings(settings);
     panel_.show(engine_.settings());
+}
+
+inspect::TuningPart Tuning::part() const {
+    const edges::Preset& preset = panel_.preset();
+    return {engine_.settings(), preset.path.empty() ? preset.name : preset.path};
+}
+
+void Tuning::setPart(const inspect::TuningPart& part) {
+    if (const auto preset = edges::findPreset(part.preset); preset && !part.preset.empty()) panel_.setPreset(*preset);
+    useSettings(part.settings);
 }
 
 void Tuning::setParameter(const char* key, double value) {

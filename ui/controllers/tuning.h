@@ -3,6 +3,7 @@
 
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/engine.h"
 
 #include <QElapsedTimer>
@@ -22,8 +23,12 @@ class Tuning : public QObject {
 public:
     Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     void usePreset(const edges::Preset& preset);
     void useSettings(const edges::Settings& settings);
+    [[nodiscard]] inspect::TuningPart part() const;
+    void setPart(const inspect::TuningPart& part);
     /// Changes one parameter of the table as if the operator had used its row in the panel.
     void setParameter(const char* key, double value);
     /// Settings of the command line: for this start only, not stored until the operator changes a setting.
@@ -41,7 +46,6 @@ private:
     void recall();
     void change(const edges::Settings& settings, bool dragging);
     void noteChange();
-    void showResult();
 
     Engine& engine_;
     EdgesPanel& panel_;
@@ -49,7 +53,7 @@ private:
     Memory& memory_;
     QUndoStack& undo_;
     EdgeCounter* counts_; // child
-    int drag_ = 1;        // number of the current drag, for undo
+    int drag_ = 0;        // number of the current drag, for undo
     bool starting_ = false;
     const edges::Parameter* lastChanged_ = nullptr;
     QElapsedTimer sinceChange_;

@@ -14,8 +14,8 @@
 namespace edgescan::ui {
 
 void MainWindow::useCab(bool on) {
-    tools_->setVisible(!on);
-    showAlone(on ? cloud_ : nullptr);
+    viewer_.tools.setVisible(!on);
+    showAlone(on ? &viewer_.cloud : nullptr);
     for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
 }
 

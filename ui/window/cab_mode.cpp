@@ -35,7 +35,8 @@ constexpr int kCancelAfterMs = 300;
 
 CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
-      corner_(new CornerPicture(&window.views().cloud())), back_(new CornerPicture(&window.views().gray())), menu_(new QMenu(&window)) {
+      corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
+      menu_(new QMenu(&window)) {
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
     back_->setObjectName("cab-back");
@@ -58,22 +59,22 @@ void CabMode::connectHead() {
         menu_->addActions(window_.menuBar()->actions());
         menu_->popup(button->mapToGlobal(QPoint(0, button->height())));
     });
-    connect(head.open(), &QToolButton::clicked, this, [this] { window_.files().ask(); });
+    connect(head.open(), &QToolButton::clicked, this, [this] { window_.viewer().files.ask(); });
     connect(head.connectScanner(), &QToolButton::clicked, this, [this] {
-        LivePanel& live = window_.live().panel();
-        live.setVisible(!live.isVisible() || window_.live().scanner().connected());
+        LivePanel& live = window_.viewer().live.panel();
+        live.setVisible(!live.isVisible() || window_.viewer().live.scanner().connected());
         if (live.isVisible()) live.askAddress();
     });
-    connect(head.warnings(), &QToolButton::clicked, &window_.warnings(), &QToolButton::click);
-    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.engine().cancel(); });
+    connect(head.warnings(), &QToolButton::clicked, &window_.viewer().warnings, &QToolButton::click);
+    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.viewer().engine.cancel(); });
     connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.locked(), &HoldButton::releasedEarly, this,
-            [this] { window_.notice().showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
+            [this] { window_.viewer().notice.showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
     connect(&cancelSoon_, &QTimer::timeout, head.cancel(), &QWidget::show);
-    connect(&window_.engine(), &Engine::workStarted, this, [this] { cancelSoon_.start(); });
-    connect(&window_.engine(), &Engine::workEnded, this, [this, cancel = head.cancel()] {
+    connect(&window_.viewer().engine, &Engine::workStarted, this, [this] { cancelSoon_.start(); });
+    connect(&window_.viewer().engine, &Engine::workEnded, this, [this, cancel = head.cancel()] {
         cancelSoon_.stop();
         cancel->hide();
     });
@@ -81,10 +82,10 @@ void CabMode::connectHead() {
 
 void CabMode::connectSide() {
     NumbersSide& side = frame_->side();
-    connect(&side, &NumbersSide::stepped, &window_.panel(),
-            [this](const QString& key, int steps) { window_.panel().step(key.toUtf8().constData(), steps); });
-    connect(&side, &NumbersSide::stepEnded, &window_.panel(), &EdgesPanel::editEnded);
-    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) { window_.targets().goTo(by); });
+    connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
+            [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
+    connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
+    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) { window_.viewer().targets.goTo(by); });
 }
 
 /// Updates all numbers and pictures of this mode.
@@ -95,17 +96,17 @@ void CabMode::follow() {
         showCorner();
     });
     connect(&window_, &MainWindow::originShown, this, &CabMode::showScan);
-    connect(&window_.engine(), &Engine::settingsChanged, this, &CabMode::showSettings);
-    connect(&window_.targets(), &Targets::cardChanged, this, [this] {
+    connect(&window_.viewer().engine, &Engine::settingsChanged, this, &CabMode::showSettings);
+    connect(&window_.viewer().targets, &Targets::cardChanged, this, [this] {
         showNumbers();
         showCorner();
     });
-    connect(&window_.rocks(), &Rocks::rocksShown, this, &CabMode::showNumbers);
-    connect(&window_.rocks(), &Rocks::shownChanged, this, &CabMode::showNumbers);
-    connect(&window_.warnings(), &WarningButton::warningsRaised, this, &CabMode::showScan);
-    connect(&window_.warnings(), &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
-    connect(&window_.live().scanner(), &ScannerLink::connectedChanged, this, [this](bool connected) {
-        if (on_) window_.live().panel().setVisible(connected);
+    connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
+    connect(&window_.viewer().rocks, &Rocks::shownChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().warnings, &WarningButton::warningsRaised, this, &CabMode::showScan);
+    connect(&window_.viewer().warnings, &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
+    connect(&window_.viewer().live.scanner(), &ScannerLink::connectedChanged, this, [this](bool connected) {
+        if (on_) window_.viewer().live.panel().setVisible(connected);
     });
 }
 
@@ -117,12 +118,12 @@ void CabMode::set(bool on) {
     if (!on) useTheme(application, false);
     window_.useCab(on);
     lockDocks(on);
-    window_.legend().setBrief(on);
-    window_.notice().setBrief(on);
+    window_.viewer().legend.setBrief(on);
+    window_.viewer().notice.setBrief(on);
     frame_->setCab(on);
-    for (ImageView* view : {&window_.views().gray(), &window_.views().edges()}) view->setForGloves(on);
-    window_.views().cloud().setForGloves(on);
-    window_.live().panel().setVisible(!on || window_.live().scanner().connected());
+    for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
+    window_.viewer().views.cloud().setForGloves(on);
+    window_.viewer().live.panel().setVisible(!on || window_.viewer().live.scanner().connected());
     showCorner();
     if (on) {
         useTheme(application, true); // last: large widgets that are hidden must not enlarge the window
@@ -144,14 +145,14 @@ void CabMode::lockDocks(bool on) {
 
 void CabMode::showScan() {
     if (!on_) return;
-    const Picture* picture = window_.engine().picture().get();
-    const PictureOrigin origin = originOf(picture, window_.live().scanner());
+    const Picture* picture = window_.viewer().engine.picture().get();
+    const PictureOrigin origin = originOf(picture, window_.viewer().live.scanner());
     badge_->showState(origin.sign, origin.badge);
     badge_->setToolTip(origin.more);
-    const QStringList warnings = window_.warnings().warnings();
+    const QStringList warnings = window_.viewer().warnings.warnings();
     QToolButton* button = frame_->head().warnings();
     button->setText("▲ " + QString::number(warnings.size()));
-    button->setAccessibleName(window_.warnings().text());
+    button->setAccessibleName(window_.viewer().warnings.text());
     button->setVisible(!warnings.isEmpty());
     if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
     const Scan& scan = *picture->detection->scan;

@@ -33,44 +33,44 @@ QMenu* menuWith(const MainWindow& window, const QString& action) {
 
 void CabMode::addTools() {
     ToolColumn& column = frame_->tools();
-    LinkedViews& views = window_.views();
+    LinkedViews& views = window_.viewer().views;
     QToolButton* pin = column.add("cab-pin", "pin", tr("Pin"));
     pin->setCheckable(true);
     connect(pin, &QToolButton::clicked, this, [this] {
-        window_.measures().stop();
-        window_.views().setTool(Tool::Pin);
+        window_.viewer().measures.stop();
+        window_.viewer().views.setTool(Tool::Pin);
     });
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
     measure->setCheckable(true);
     auto* kinds = new QMenu(measure);
     addMeasures(*kinds);
     const auto followTool = [this, pin, measure] {
-        pin->setChecked(window_.views().tool() == Tool::Pin);
-        measure->setChecked(window_.measures().kind().has_value());
+        pin->setChecked(window_.viewer().views.tool() == Tool::Pin);
+        measure->setChecked(window_.viewer().measures.kind().has_value());
     };
     connect(measure, &QToolButton::clicked, this, [kinds, measure, followTool] {
         followTool(); // the chosen tool determines which button is on
         openNextTo(*kinds, *measure);
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
-    connect(&window_.measures(), &Measures::kindChanged, this, followTool);
+    connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
     followTool();
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, &window_.rocks(), &Rocks::setShown);
-    connect(&window_.rocks(), &Rocks::shownChanged, rocks, &QToolButton::setChecked);
+    connect(rocks, &QToolButton::clicked, &window_.viewer().rocks, &Rocks::setShown);
+    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, &QToolButton::setChecked);
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
     connect(compare, &QToolButton::clicked, this, [this, compare] {
         if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
     });
     QToolButton* why = column.add("cab-why", "why", tr("Why"));
-    connect(why, &QToolButton::clicked, &window_.explanation(), &Explanation::explainMarked);
+    connect(why, &QToolButton::clicked, &window_.viewer().explanation, &Explanation::explainMarked);
     QToolButton* scanner = column.add("cab-scanner", "view-from-scanner", tr("Scanner"));
     connect(scanner, &QToolButton::clicked, &views.cloud(), &CloudView::viewFromScanner);
     QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
     connect(fit, &QToolButton::clicked, this, [this] {
-        window_.views().cloud().zoomToFit();
-        window_.views().gray().viewPort()->fit();
+        window_.viewer().views.cloud().zoomToFit();
+        window_.viewer().views.gray().viewPort()->fit();
     });
     QToolButton* images = column.add("cab-images", "images", tr("Images"));
     connect(images, &QToolButton::clicked, this, [this] {
@@ -79,62 +79,64 @@ void CabMode::addTools() {
         showCorner();
     });
     QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
-    connect(undo, &QToolButton::clicked, &window_.undoStack(), &QUndoStack::undo);
-    connect(&window_.undoStack(), &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
-    undo->setEnabled(window_.undoStack().canUndo());
+    connect(undo, &QToolButton::clicked, &window_.viewer().undo, &QUndoStack::undo);
+    connect(&window_.viewer().undo, &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
+    undo->setEnabled(window_.viewer().undo.canUndo());
     column.setFoot(undo);
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
     QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
-    connect(report, &QToolButton::clicked, this, [this] { window_.report().ask(); });
+    connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
-    connect(out, &QToolButton::clicked, this, [this] { window_.exports().ask(exports::ExportContent::EdgeCloud); });
+    connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(exports::ExportContent::EdgeCloud); });
     for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
 }
 
 void CabMode::addMeasures(QMenu& menu) {
     for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
-        menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.measures().start(kind); });
+        menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
     }
     menu.addSeparator();
     menu.addAction(tr("Take the last click back"), this, [this] {
-        if (!window_.measures().removeLastPick()) window_.measures().stop();
+        if (!window_.viewer().measures.removeLastPick()) window_.viewer().measures.stop();
     });
 }
 
 std::optional<QPoint> CabMode::markedPlace() const {
-    const auto cell = window_.views().marked();
-    return cell && window_.engine().picture() ? std::optional(window_.views().placeOf(*cell)) : std::nullopt;
+    const auto cell = window_.viewer().views.marked();
+    return cell && window_.viewer().engine.picture() ? std::optional(window_.viewer().views.placeOf(*cell)) : std::nullopt;
 }
 
 void CabMode::showCorner() {
-    const bool some = on_ && window_.engine().picture() != nullptr && shown_ != Corner::None;
+    const bool some = on_ && window_.viewer().engine.picture() != nullptr && shown_ != Corner::None;
     corner_->setVisible(some);
-    window_.views().cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
+    window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
     if (!some) return;
     const bool range = shown_ == Corner::Range;
     corner_->setWords(range ? tr("Range image – tap to swap") : tr("Edge map – tap to swap"));
-    corner_->show((range ? window_.views().gray() : window_.views().edges()).image(), markedPlace());
+    corner_->show((range ? window_.viewer().views.gray() : window_.viewer().views.edges()).image(), markedPlace());
 }
 
 /// Exchanges the large view and the corner: image and cloud.
 void CabMode::swap() {
     swapped_ = !swapped_;
-    ImageView& image = shown_ == Corner::Edges ? window_.views().edges() : window_.views().gray();
+    ImageView& image = shown_ == Corner::Edges ? window_.viewer().views.edges() : window_.viewer().views.gray();
     back_->setParent(&image);
     image.installEventFilter(back_);
-    window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.views().cloud());
+    window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(swapped_);
     back_->setWords(back_->text()); // at the same place
 }
 
 void CabMode::showSettings() {
     if (!on_) return;
-    const edges::Settings& settings = window_.engine().settings();
+    const edges::Settings& settings = window_.viewer().engine.settings();
     const edges::Parameter& first = edges::sweptParameter(settings.method);
     std::vector<SteppedSetting> shown;
-    const auto add = [&](const edges::Parameter& p) { shown.push_back({p.key, QObject::tr(p.label), window_.panel().valueText(p.key)}); };
+    const auto add = [&](const edges::Parameter& p) {
+        shown.push_back({p.key, QObject::tr(p.label), window_.viewer().panel.valueText(p.key)});
+    };
     add(first);
     for (const edges::Parameter& p : edges::parameters()) {
         if (p.usedBy(settings) && !p.several && &p != &first) add(p);
@@ -144,7 +146,7 @@ void CabMode::showSettings() {
 
 TargetNumbers CabMode::numbers() const {
     TargetNumbers numbers;
-    const Targets& targets = window_.targets();
+    const Targets& targets = window_.viewer().targets;
     const inspect::PinnedTarget* target = targets.active();
     if (target == nullptr) return numbers;
     const auto& all = targets.notebook().targets;

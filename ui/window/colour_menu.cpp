@@ -2,16 +2,14 @@
 #include "ui/window/colour_menu.h"
 
 #include "ui/controllers/scan_look.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QActionGroup>
 
 namespace edgescan::ui {
 
-Command colourMenu(MainWindow& window) {
-    auto* group = new QActionGroup(&window);
-    ScanLook& look = window.look();
+Command colourMenu(QObject& parent, ScanLook& look) {
+    auto* group = new QActionGroup(&parent);
     const auto row = [group, &look](Command made, ColourBy by) {
         made.set = [&look, by](bool) { look.setColourBy(by); };
         return linked(made, [group, &look, by](QAction& action) {

@@ -5,8 +5,9 @@
 
 namespace edgescan::ui {
 
-class MainWindow;
+class ScanLook;
 
-[[nodiscard]] Command colourMenu(MainWindow& window);
+/// `parent`: of the group of its actions.
+[[nodiscard]] Command colourMenu(QObject& parent, ScanLook& look);
 
 } // namespace edgescan::ui

@@ -14,8 +14,7 @@
 
 namespace edgescan::ui {
 
-Command compareMenu(MainWindow& w) {
-    Comparing& comparing = w.comparing();
+Command compareMenu(Comparing& comparing) {
     const auto whileKept = [&comparing](QAction& action) {
         action.setEnabled(false);
         QObject::connect(&comparing, &Comparing::pictureAChanged, &action, &QAction::setEnabled);
@@ -44,24 +43,27 @@ Command compareMenu(MainWindow& w) {
 }
 
 void addChangeLegend(MainWindow& w) {
-    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
-    over->insertWidget(over->indexOf(&w.legend()), &w.changeLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.views().cloud(), &CloudView::edgesCovered, &w.changeLegend(), &ChangeLegend::showCovered);
-    const auto follow = [&w] { w.legend().setVisible(w.views().scene().picture != nullptr && w.views().scene().instead == nullptr); };
-    QObject::connect(&w.views(), &LinkedViews::picturesChanged, &w, follow);
+    auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
+    over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
+    QObject::connect(&w.viewer().views.cloud(), &CloudView::edgesCovered, &w.viewer().changeLegend, &ChangeLegend::showCovered);
+    const auto follow = [&w] {
+        w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().instead == nullptr);
+    };
+    QObject::connect(&w.viewer().views, &LinkedViews::picturesChanged, &w, follow);
 }
 
-Command confidenceCommand(MainWindow& w) {
-    return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&w](bool on) { w.confidence().setOn(on); }), [](QAction& action) {
-        action.setObjectName("edge-confidence");
-        action.setProperty(kInSessions, "edges/confidence");
-        action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
-    });
+Command confidenceCommand(Confidence& confidence) {
+    return linked(toggle("Edge Con&fidence", "Shift+W", nullptr, false, [&confidence](bool on) { confidence.setOn(on); }),
+                  [](QAction& action) {
+                      action.setObjectName("edge-confidence");
+                      action.setProperty(kInSessions, "edges/confidence");
+                      action.setToolTip(QObject::tr("Colours and sizes of edges by how many settings near these find them too"));
+                  });
 }
 
 void addConfidenceLegend(MainWindow& w) {
-    auto* over = qobject_cast<QVBoxLayout*>(w.views().cloud().layout());
-    over->insertWidget(over->indexOf(&w.legend()), &w.confidenceLegend(), 0, Qt::AlignLeft | Qt::AlignBottom);
+    auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
+    over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().confidenceLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
 }
 
 } // namespace edgescan::ui

@@ -5,15 +5,17 @@
 
 namespace edgescan::ui {
 
+class Comparing;
+class Confidence;
 class MainWindow;
 
-[[nodiscard]] Command compareMenu(MainWindow& window);
+[[nodiscard]] Command compareMenu(Comparing& comparing);
 
 /// Over the cloud, above the legend of the edges, which is hidden while a difference is shown.
 void addChangeLegend(MainWindow& window);
 
 /// Edge confidence: its switch, and its legend at the same place; hidden while a difference is shown.
-[[nodiscard]] Command confidenceCommand(MainWindow& window);
+[[nodiscard]] Command confidenceCommand(Confidence& confidence);
 void addConfidenceLegend(MainWindow& window);
 
 } // namespace edgescan::ui

@@ -36,6 +36,7 @@
 #include "ui/window/rock_docks.h"
 #include "ui/window/session_menu.h"
 #include "ui/window/target_dock.h"
+#include "ui/window/theme_menu.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
 #include "ui/window/warned_picture.h"
@@ -65,19 +66,7 @@ constexpr int kRememberAfterMs = 300;
 
 } // namespace
 
-MainWindow::MainWindow(Memory& memory, QWidget* parent)
-    : QMainWindow(parent), memory_(memory), gray_(new ImageView), edges_(new ImageView(gray_->viewPort())), cloud_(new CloudView),
-      panel_(new EdgesPanel), livePanel_(new LivePanel), timeline_(new Timeline), rocksPanel_(new RocksPanel), rockTable_(new RockTable),
-      targetsPanel_(new TargetsPanel), tools_(new ToolBar), origin_(new StateBadge), notice_(new NoticeBar), status_(new StatusLine),
-      warnings_(new WarningButton), legend_(new EdgeLegend), changeLegend_(new ChangeLegend), confidenceLegend_(new ConfidenceLegend),
-      rail_(new DockRail), rangeWindow_(new RangeWindow), views_(engine_, *gray_, *edges_, *cloud_),
-      files_(engine_, *notice_, memory, undo_), opening_(engine_, files_, *notice_), exports_(engine_, files_, *notice_, memory),
-      tuning_(engine_, *panel_, *notice_, memory, undo_), live_(engine_, *livePanel_, *timeline_, views_, files_, *notice_, memory),
-      explanation_(engine_, views_, *notice_), rocks_(engine_, views_, *rocksPanel_, *rockTable_, *notice_, memory, undo_),
-      targets_(engine_, views_, rocks_, *targetsPanel_, *notice_, memory, undo_), measures_(views_, targets_, *notice_),
-      selection_(engine_, views_, rocks_, *notice_, undo_), comparing_(engine_, views_, *changeLegend_, files_, *notice_, memory, undo_),
-      confidence_(engine_, views_, targets_, *confidenceLegend_, memory), markedEdges_(engine_, views_, targets_, undo_, *notice_),
-      report_(engine_, files_, rocks_, targets_, comparing_, *notice_, memory), audit_(memory.place(), engine_, views_, undo_, *notice_) {
+MainWindow::MainWindow(Memory& memory, QWidget* parent) : QMainWindow(parent), viewer_(memory), rail_(new DockRail) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -85,53 +74,54 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent)
     layOutLegend();
     addChangeLegend(*this);
     addConfidenceLegend(*this);
-    keepLegendsOffPins(*cloud_, views_);
-    look_ = new ScanLook(engine_, views_, *new ScalePlate(cloud_), *rangeWindow_, memory_);
-    look_->setParent(this);
+    keepLegendsOffPins(viewer_.cloud, viewer_.views);
+    viewer_.scalePlate.raise();
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
-    addDock(tr("Edges"), "dock-edges", panel_);
+    addDock(tr("Edges"), "dock-edges", &viewer_.panel);
     connect(rail_, &DockRail::changedByOperator, this, [this](QDockWidget* dock, bool open) {
         dock->setProperty(kByHand, open ? "open" : "folded");
-        memory_.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
+        viewer_.memory.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
         arrange();
     });
-    addRockDocks(*this, rocks_, *rocksPanel_, *rockTable_);
-    addTargetDock(*this, targets_, *targetsPanel_);
-    setStatusBar(status_);
-    status_->addPinned(warnings_);
-    connect(warnings_, &QToolButton::clicked, this,
-            [this] { notice_->showNotice(NoticeBar::Kind::Warning, warnings_->warnings().join('\n')); });
-    connect(&report_, &ScanReport::saved, &audit_, [this](const QString& path) { audit_.noteExport("report", path); });
-    connect(warnings_, &WarningButton::warningsRaised, &audit_, &AuditTrail::noteWarnings);
-    connect(warnings_, &WarningButton::warningsAcknowledged, &audit_, [this] {
-        audit_.note("acknowledged", {{"warnings", warnings_->warnings().size()}});
+    addRockDocks(*this, viewer_.rocks, viewer_.rocksPanel, viewer_.rockTable);
+    addTargetDock(*this, viewer_.targets, viewer_.targetsPanel);
+    setStatusBar(&viewer_.statusLine);
+    viewer_.statusLine.addPinned(&viewer_.warnings);
+    connect(&viewer_.warnings, &QToolButton::clicked, this,
+            [this] { viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n')); });
+    connect(&viewer_.report, &ScanReport::saved, &viewer_.audit, [this](const QString& path) { viewer_.audit.noteExport("report", path); });
+    connect(&viewer_.warnings, &WarningButton::warningsRaised, &viewer_.audit, &AuditTrail::noteWarnings);
+    connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
+        viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    for (const Command& menu : menusOf(*this, memory_))
-        addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, memory_, menu.source);
-    recallKeys(keyedCommands(actions()), memory_);
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
+                                  cabCommand(*cab_, viewer_.memory)};
+    for (const Command& menu : menusOf(viewer_, *this, commands))
+        addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.memory, menu.source);
+    recallKeys(keyedCommands(actions()), viewer_.memory);
     addToolButtons(*this);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
-    new CellCursor(views_, this);
+    new CellCursor(viewer_.views, this);
     connectSession();
-    sessions_ = sessionsOf(*this, memory_);
+    sessions_ = sessionsOf(*this, viewer_.memory);
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
     restoreLayout();
-    if (memory_.flag("view/cab", false)) cab_->set(true);
-    status_->showRenderer(checkGl().renderer);
+    if (viewer_.memory.flag("view/cab", false)) cab_->set(true);
+    viewer_.statusLine.showRenderer(checkGl().renderer);
 }
 
 MainWindow::~MainWindow() = default;
 
 void MainWindow::layOutViews() {
-    gray_->setObjectName("gray");
-    edges_->setObjectName("edges");
-    cloud_->setObjectName("cloud");
-    auto* grayPane = new Pane(tr("Range image"), gray_);
-    auto* edgePane = new Pane(tr("Edge map"), edges_);
-    auto* cloudPane = new Pane(tr("Cloud"), cloud_);
+    viewer_.gray.setObjectName("gray");
+    viewer_.edges.setObjectName("edges");
+    viewer_.cloud.setObjectName("cloud");
+    auto* grayPane = new Pane(tr("Range image"), &viewer_.gray);
+    auto* edgePane = new Pane(tr("Edge map"), &viewer_.edges);
+    auto* cloudPane = new Pane(tr("Cloud"), &viewer_.cloud);
     panes_ = {grayPane, edgePane, cloudPane};
     keepPaneNotes(*this, *grayPane, *edgePane, *cloudPane);
     for (Pane* pane : panes_)
@@ -147,7 +137,7 @@ void MainWindow::layOutViews() {
     under->setContentsMargins(0, 0, 0, 0);
     under->setSpacing(0);
     under->addWidget(images_, 1);
-    under->addWidget(rangeWindow_);
+    under->addWidget(&viewer_.rangeWindow);
     splitter_ = new QSplitter(Qt::Horizontal);
     splitter_->addWidget(pictures_);
     splitter_->addWidget(cloudPane);
@@ -162,17 +152,17 @@ void MainWindow::layOutViews() {
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(notice_);
+    column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
-    column->addWidget(timeline_);
-    column->addWidget(livePanel_);
+    column->addWidget(&viewer_.timeline);
+    column->addWidget(&viewer_.livePanel);
     cab_ = new CabMode(*this, centre);
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
-    dock->setProperty(kByHand, memory_.text("window/" + dock->objectName()));
+    dock->setProperty(kByHand, viewer_.memory.text("window/" + dock->objectName()));
     dock->setWidget(content);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     rail_->add(dock);
@@ -182,27 +172,27 @@ QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget
 
 // Over a free part of the cloud; more legends go above it.
 void MainWindow::layOutLegend() {
-    auto* over = new QVBoxLayout(cloud_);
+    auto* over = new QVBoxLayout(&viewer_.cloud);
     over->setContentsMargins(8, 8, 8, 8);
     over->addStretch(1);
-    over->addWidget(legend_, 0, Qt::AlignLeft | Qt::AlignBottom);
-    connect(cloud_, &CloudView::edgesCovered, legend_, &EdgeLegend::showCovered);
-    connect(legend_, &EdgeLegend::classesRequested, this, [this](int classes) { tuning_.setParameter("classes", classes); });
+    over->addWidget(&viewer_.legend, 0, Qt::AlignLeft | Qt::AlignBottom);
+    connect(&viewer_.cloud, &CloudView::edgesCovered, &viewer_.legend, &EdgeLegend::showCovered);
+    connect(&viewer_.legend, &EdgeLegend::classesRequested, this, [this](int classes) { viewer_.tuning.setParameter("classes", classes); });
 }
 
 // The badge is in the corner of the menu bar, where it is visible at every width.
 void MainWindow::layOutTools() {
-    addToolBar(Qt::TopToolBarArea, tools_);
-    tools_->toggleViewAction()->setVisible(false);
-    origin_->setObjectName("origin");
-    menuBar()->setCornerWidget(origin_, Qt::TopRightCorner);
-    connect(&measures_, &Measures::asked, tools_, &ToolBar::showAsked);
-    connect(&selection_, &Selection::changed, this, [this] { tools_->showSelected(selection_.words()); });
-    connect(&selection_, &Selection::exportRequested, this, [this] { exports_.askSelected(); });
-    connect(&selection_, &Selection::changed, this, [this] { exports_.setSelection(selection_.cells()); });
-    connect(&targets_, &Targets::explanationRequested, &explanation_, &Explanation::explain);
-    connect(&targets_, &Targets::measureRequested, &measures_, &Measures::startAt);
-    const ScannerLink& scanner = live_.scanner();
+    addToolBar(Qt::TopToolBarArea, &viewer_.tools);
+    viewer_.tools.toggleViewAction()->setVisible(false);
+    viewer_.origin.setObjectName("origin");
+    menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner);
+    connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
+    connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
+    connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
+    connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
+    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation, &Explanation::explain);
+    connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
+    const ScannerLink& scanner = viewer_.live.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
         connect(&scanner, told, this, &MainWindow::showOrigin);
     connect(&scanner, &ScannerLink::healthChanged, this, &MainWindow::showOrigin);
@@ -210,34 +200,35 @@ void MainWindow::layOutTools() {
 }
 
 void MainWindow::showOrigin() {
-    const PictureOrigin origin = originOf(engine_.picture().get(), live_.scanner());
-    const QSize before = origin_->sizeHint();
-    origin_->showState(origin.sign, origin.badge);
-    origin_->setToolTip(origin.more);
-    // the menu bar reads the size only in this call
-    if (origin_->sizeHint() != before) menuBar()->setCornerWidget(origin_, Qt::TopRightCorner);
-    targets_.setSource(origin.badge);
+    const PictureOrigin origin = originOf(viewer_.engine.picture().get(), viewer_.live.scanner());
+    const QSize before = viewer_.origin.sizeHint();
+    viewer_.origin.showState(origin.sign, origin.badge);
+    viewer_.origin.setToolTip(origin.more);
+    if (viewer_.origin.sizeHint() != before)
+        menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner); // it asks for the size only then
+    viewer_.targets.setSource(origin.badge);
     emit originShown();
 }
 
 void MainWindow::connectSession() {
-    connect(&engine_, &Engine::workStarted, status_, &StatusLine::startWork);
-    connect(&engine_, &Engine::workProgressed, status_, &StatusLine::showProgress);
-    connect(&engine_, &Engine::workEnded, status_, &StatusLine::endWork);
-    connect(status_, &StatusLine::cancelRequested, &engine_, &Engine::cancel);
-    connect(&engine_, &Engine::settingsChanged, this, [this] { status_->showSettings(engine_.settings()); });
-    status_->showSettings(engine_.settings());
-    connect(&engine_, &Engine::failed, this, [this](const QString& sentence) { notice_->showNotice(NoticeBar::Kind::Error, sentence); });
-    connect(&views_, &LinkedViews::probed, status_, &StatusLine::showProbe);
-    connect(&views_, &LinkedViews::boxed, status_, &StatusLine::showBox);
-    connect(&engine_, &Engine::pictureReady, this, [this] {
-        const edges::Detection& detection = *engine_.picture()->detection;
-        status_->showCounts(detection);
-        status_->showPlace(*detection.scan);
-        const ScannerLink& scanner = live_.scanner();
-        status_->showTimeOf(*detection.scan, scanner.connected() && engine_.picture()->source.stream == scanner.stream());
-        status_->showTime(tuning_.updateMs());
-        legend_->showResult(detection);
+    connect(&viewer_.engine, &Engine::workStarted, &viewer_.statusLine, &StatusLine::startWork);
+    connect(&viewer_.engine, &Engine::workProgressed, &viewer_.statusLine, &StatusLine::showProgress);
+    connect(&viewer_.engine, &Engine::workEnded, &viewer_.statusLine, &StatusLine::endWork);
+    connect(&viewer_.statusLine, &StatusLine::cancelRequested, &viewer_.engine, &Engine::cancel);
+    connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
+    viewer_.statusLine.showSettings(viewer_.engine.settings());
+    connect(&viewer_.engine, &Engine::failed, this,
+            [this](const QString& sentence) { viewer_.notice.showNotice(NoticeBar::Kind::Error, sentence); });
+    connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, &StatusLine::showProbe);
+    connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
+    connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
+        const edges::Detection& detection = *viewer_.engine.picture()->detection;
+        viewer_.statusLine.showCounts(detection);
+        viewer_.statusLine.showPlace(*detection.scan);
+        const ScannerLink& scanner = viewer_.live.scanner();
+        viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && viewer_.engine.picture()->source.stream == scanner.stream());
+        viewer_.statusLine.showTime(viewer_.tuning.updateMs());
+        viewer_.legend.showResult(detection);
         showWarnings();
         showTitle();
         showOrigin();
@@ -247,33 +238,33 @@ void MainWindow::connectSession() {
 
 // The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.
 void MainWindow::showTitle() {
-    setWindowTitle(shownName(exactText(engine_.picture()->detection->scan->name)) + files_.placeInSeries() + " - EdgeScan");
+    setWindowTitle(shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() + " - EdgeScan");
 }
 
 void MainWindow::showWarnings() {
-    const Scan& scan = *engine_.picture()->detection->scan;
+    const Scan& scan = *viewer_.engine.picture()->detection->scan;
     QStringList warnings;
     for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
         for (const std::string& warning : some) warnings << shownText(warning);
     }
-    warnings_->showWarnings(warnings);
+    viewer_.warnings.showWarnings(warnings);
 }
 
 /// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged.
 QImage MainWindow::screenshot() {
-    const QImage cloud = cloud_->grabFrame(CloudView::Points::All);
+    const QImage cloud = viewer_.cloud.grabFrame(CloudView::Points::All);
     panes_.back()->setRemark(QString()); // its text describes a frame and is wrong for this picture
     QImage image = grab().toImage();
     // The result of grab() for an OpenGL child depends on the platform: the view's own picture replaces it.
     QPainter painter(&image);
-    painter.drawImage(QRect(cloud_->mapTo(this, QPoint(0, 0)), cloud_->size()), cloud);
+    painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
     painter.end();
-    return withWarnings(image, warnings_->warnings(), font());
+    return withWarnings(image, viewer_.warnings.warnings(), font());
 }
 
 bool MainWindow::mayClose() {
-    const bool records = live_.scanner().recording();
-    if (!records && !engine_.saving()) return true;
+    const bool records = viewer_.live.scanner().recording();
+    if (!records && !viewer_.engine.saving()) return true;
     QMessageBox box(QMessageBox::Warning, tr("Close EdgeScan?"),
                     records ? tr("A recording is being written.") : tr("A file is still being written."), QMessageBox::Cancel, this);
     box.setObjectName("close-question");
@@ -288,7 +279,7 @@ bool MainWindow::mayClose() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!mayClose()) return event->ignore();
-    live_.scanner().disconnectScanner();
+    viewer_.live.scanner().disconnectScanner();
     remember();
     QMainWindow::closeEvent(event);
 }
@@ -312,11 +303,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (engine_.opening()) {
-        engine_.cancel();
-        notice_->showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
-    } else if (notice_->isVisible())
-        notice_->hide();
+    if (viewer_.engine.opening()) {
+        viewer_.engine.cancel();
+        viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    } else if (viewer_.notice.isVisible())
+        viewer_.notice.hide();
     else if (maximised_ != nullptr && !cab_->on())
         maximise(maximised_);
     else
@@ -325,14 +316,14 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 // Undoes the last click of a tool, then leaves the tool, then clears the pinned cell.
 void MainWindow::escape() {
-    if (explanation_.closeCard()) return;
-    if (measures_.kind()) {
-        if (!measures_.removeLastPick()) measures_.stop();
-    } else if (views_.tool() != Tool::Pin) {
-        selection_.cells().empty() ? views_.setTool(Tool::Pin) : selection_.select({});
+    if (viewer_.explanation.closeCard()) return;
+    if (viewer_.measures.kind()) {
+        if (!viewer_.measures.removeLastPick()) viewer_.measures.stop();
+    } else if (viewer_.views.tool() != Tool::Pin) {
+        viewer_.selection.cells().empty() ? viewer_.views.setTool(Tool::Pin) : viewer_.selection.select({});
     } else {
-        views_.clearPin();
-        explanation_.forgetTrail();
+        viewer_.views.clearPin();
+        viewer_.explanation.forgetTrail();
     }
 }
 

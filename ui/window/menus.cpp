@@ -19,15 +19,15 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/window/colour_menu.h"
 #include "ui/window/compare_menu.h"
-#include "ui/window/main_window.h"
-#include "ui/window/session_menu.h"
 #include "ui/window/theme_menu.h"
+#include "ui/window/viewer.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
+#include <QMainWindow>
 #include <QMenu>
 
 #include <algorithm>
@@ -44,49 +44,50 @@ std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
     };
 }
 
-Command fileMenu(MainWindow& w) {
+Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
     std::vector<Command> exports;
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.window.menu == nullptr) continue;
-        exports.push_back(command(kind.window.menu, kind.window.keys, [&w, content = kind.content] { w.exports().ask(content); }));
+        exports.push_back(command(kind.window.menu, kind.window.keys, [&v, content = kind.content] { v.exports.ask(content); }));
     }
-    exports.push_back(command("&Selected Cells…", "", [&w] { w.exports().askSelected(); }));
+    exports.push_back(command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }));
     Command recent = submenu("Open &Recent", {});
-    recent.fill = [&w](QMenu& menu) { w.files().fillRecent(menu); };
-    Command menu = submenu("&File", {
-                                        command("&Open…", "Ctrl+O", [&w] { w.files().ask(); }),
-                                        recent,
-                                        command("Open &Demo Draw-Bell", "", [&w] { w.files().openDemo(); }),
-                                        command("Open Demo after the &Blast", "", [&w] { w.files().openDemo(true); }),
-                                        command("&Connect to Scanner…", "Ctrl+L", [&w] { w.live().panel().askAddress(); }),
-                                        command("Re&load", "F5", [&w] { w.files().reload(); }),
-                                        kLine,
-                                        submenu("&Export", exports),
-                                        command("Re&port…", "", [&w] { w.report().ask(); }),
-                                        command("&Screenshot…", "F12", [&w] { w.exports().askScreenshot(w.screenshot()); }),
-                                        command("&Copy as Command", "", [&w] { w.exports().copyCommand(); }),
-                                        kLine,
-                                        command("&Quit", "Ctrl+Q", [&w] { w.close(); }),
-                                    });
-    const std::vector<Command> sessions = sessionCommands(w);
-    menu.submenu.insert(menu.submenu.begin() + 6, sessions.begin(), sessions.end()); // after the commands that open scans
+    recent.fill = [&v](QMenu& menu) { v.files.fillRecent(menu); };
+    Command menu =
+        submenu("&File", {
+                             command("&Open…", "Ctrl+O", [&v] { v.files.ask(); }),
+                             recent,
+                             command("Open &Demo Draw-Bell", "", [&v] { v.files.openDemo(); }),
+                             command("Open Demo after the &Blast", "", [&v] { v.files.openDemo(true); }),
+                             command("&Connect to Scanner…", "Ctrl+L", [&v] { v.live.panel().askAddress(); }),
+                             command("Re&load", "F5", [&v] { v.files.reload(); }),
+                             kLine,
+                             submenu("&Export", exports),
+                             command("Re&port…", "", [&v] { v.report.ask(); }),
+                             command("&Screenshot…", "F12", [&v, shot = commands.screenshot] { v.exports.askScreenshot(shot()); }),
+                             command("&Copy as Command", "", [&v] { v.exports.copyCommand(); }),
+                             kLine,
+                             command("&Quit", "Ctrl+Q", [&window] { window.close(); }),
+                         });
+    menu.submenu.insert(menu.submenu.begin() + 6, commands.sessions.begin(), commands.sessions.end()); // after the commands that open scans
     return menu;
 }
 
-Command editMenu(MainWindow& w) {
-    Command undo{.keys = "Ctrl+Z", .made = w.undoStack().createUndoAction(&w, QObject::tr("&Undo"))};
-    Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = w.undoStack().createRedoAction(&w, QObject::tr("&Redo"))};
+Command editMenu(Viewer& v, QMainWindow& window) {
+    Command undo{.keys = "Ctrl+Z", .made = v.undo.createUndoAction(&window, QObject::tr("&Undo"))};
+    Command redo{.keys = "Ctrl+Y; Ctrl+Shift+Z", .made = v.undo.createRedoAction(&window, QObject::tr("&Redo"))};
     undo.made->setObjectName("Undo"); // their texts name the step
     redo.made->setObjectName("Redo");
     undo.made->setProperty(kPlainName, QObject::tr("&Undo"));
     redo.made->setProperty(kPlainName, QObject::tr("&Redo"));
-    const auto copyProbe = [&w] { QGuiApplication::clipboard()->setText(w.statusLine().probeShown()); };
+    const auto copyProbe = [&v] { QGuiApplication::clipboard()->setText(v.statusLine.probeShown()); };
     return submenu("&Edit", {undo, redo, kLine, command("&Copy Probe Values", "Ctrl+C", copyProbe)});
 }
 
-Command mouseMenu(MainWindow& w, Memory& memory) {
-    auto* presets = new QActionGroup(&w);
-    CloudView& cloud = w.views().cloud();
+Command mouseMenu(Viewer& v, QMainWindow& window) {
+    auto* presets = new QActionGroup(&window);
+    CloudView& cloud = v.cloud;
+    Memory& memory = v.memory;
     const auto preset = [&](const char* text, const QString& name, MousePreset mouse) {
         Command made = toggle(text, "", nullptr, false, [&cloud, &memory, name, mouse](bool) {
             cloud.setMousePreset(mouse);
@@ -108,15 +109,14 @@ Command mouseMenu(MainWindow& w, Memory& memory) {
                              });
 }
 
-Command languageMenu(MainWindow& w, Memory& memory) {
-    auto* languages = new QActionGroup(&w);
+Command languageMenu(Viewer& v, QMainWindow& window) {
+    auto* languages = new QActionGroup(&window);
     Command menu = submenu("Lan&guage", {});
     for (const Language& language : kLanguages) {
         const QString code = language.code;
-        Command made{.text = QString::fromUtf8(language.name), .set = [&w, &memory, code](bool) {
-                         memory.keep("language", code);
-                         w.notice().showNotice(NoticeBar::Kind::Done,
-                                               QObject::tr("The window speaks this language from its next start on."));
+        Command made{.text = QString::fromUtf8(language.name), .set = [&v, code](bool) {
+                         v.memory.keep("language", code);
+                         v.notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window speaks this language from its next start on."));
                      }};
         menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
             languages->addAction(&action);
@@ -127,14 +127,14 @@ Command languageMenu(MainWindow& w, Memory& memory) {
     return menu;
 }
 
-std::vector<Command> lookCommands(MainWindow& w) {
-    LinkedViews& views = w.views();
+std::vector<Command> lookCommands(Viewer& v) {
+    LinkedViews& views = v.views;
     CloudView& cloud = views.cloud();
-    EdgeLegend& legend = w.legend();
+    EdgeLegend& legend = v.legend;
     const auto setColourBlind = [&](bool on) {
         const EdgeColours& colours = on ? kColourBlindColours : kUsualColours;
         views.setEdgeColours(colours);
-        w.panel().setEdgeColours(colours);
+        v.panel.setEdgeColours(colours);
         legend.showColours(colours);
     };
     const auto setByClass = [&](bool on) {
@@ -162,8 +162,8 @@ std::vector<Command> lookCommands(MainWindow& w) {
     };
 }
 
-Command viewMenu(MainWindow& w, Memory& memory) {
-    LinkedViews& views = w.views();
+Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
+    LinkedViews& views = v.views;
     CloudView& cloud = views.cloud();
     Command menu = submenu("&View", {
                                         command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
@@ -181,35 +181,35 @@ Command viewMenu(MainWindow& w, Memory& memory) {
                                         kLine,
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
-    add(lookCommands(w));
-    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }), colourMenu(w)});
+    add(lookCommands(v));
+    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }),
+         colourMenu(window, v.look)});
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
-         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(w, memory), themeMenu(w, memory),
-         languageMenu(w, memory), kLine});
-    for (const QDockWidget* dock : w.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
-    add({command("Reset &Layout", "", [&w] { w.resetLayout(); }), cabCommand(w, memory),
-         command("Full Scree&n", "F11", [&w] { w.isFullScreen() ? w.showNormal() : w.showFullScreen(); })});
+         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(v, window),
+         themeMenu(window, v.memory), languageMenu(v, window), kLine});
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
+    add({command("Reset &Layout", "", commands.resetLayout), commands.cab,
+         command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
     return menu;
 }
 
-Command calibrateCommand(MainWindow& w, Memory& memory) {
-    auto* calibrating = new Calibrating(w.engine(), w.files(), w.notice(), memory, &w);
-    QObject::connect(calibrating, &Calibrating::saved, &w.audit(),
-                     [&w](const QString& path) { w.audit().noteExport("calibration", path); });
+Command calibrateCommand(Viewer& v, QMainWindow& window) {
+    auto* calibrating = new Calibrating(v.engine, v.files, v.notice, v.memory, &window);
+    QObject::connect(calibrating, &Calibrating::saved, &v.audit, [&v](const QString& path) { v.audit.noteExport("calibration", path); });
     return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
 }
 
-Command scanMenu(MainWindow& w, Memory& memory) {
-    Files& files = w.files();
-    Live& live = w.live();
+Command scanMenu(Viewer& v, QMainWindow& window) {
+    Files& files = v.files;
+    Live& live = v.live;
     const auto connected = onlyWhile(live.scanner(), &ScannerLink::connectedChanged);
     const auto playable = onlyWhile(live.timeline(), &Timeline::activeChanged);
     const auto step = [&](const char* text, const char* keys, int lines) {
         return linked(command(text, keys, [&live, lines] { live.timeline().stepBy(lines); }), playable);
     };
-    const auto showProperties = [&w] {
-        if (w.engine().picture()) showScanProperties(&w, *w.engine().picture()->detection->scan);
+    const auto showProperties = [&v, &window] {
+        if (v.engine.picture()) showScanProperties(&window, *v.engine.picture()->detection->scan);
     };
     const auto followStraightening = [&files](QAction& action) {
         action.setObjectName("straighten-beams");
@@ -236,16 +236,16 @@ Command scanMenu(MainWindow& w, Memory& memory) {
             kLine,
             linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
             command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
-            calibrateCommand(w, memory),
-            command("Does This Look &Right?", "", [&w] { w.opening().show(); }),
+            calibrateCommand(v, window),
+            command("Does This Look &Right?", "", [&v] { v.opening.show(); }),
             command("&Properties…", "", showProperties),
         });
 }
 
-Command edgesMenu(MainWindow& w) {
-    Tuning& tuning = w.tuning();
-    EdgesPanel& panel = w.panel();
-    auto* sheets = new ContactSheets(w.engine(), tuning, w.notice(), &w);
+Command edgesMenu(Viewer& v, QMainWindow& window) {
+    Tuning& tuning = v.tuning;
+    EdgesPanel& panel = v.panel;
+    auto* sheets = new ContactSheets(v.engine, tuning, v.notice, &window);
     Command presets = submenu("&Presets", {});
     for (const edges::Preset& preset : edges::builtInPresets())
         presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
@@ -261,23 +261,23 @@ Command edgesMenu(MainWindow& w) {
         "&Edges",
         {
             presets,
-            compareMenu(w),
+            compareMenu(v.comparing),
             linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
-            command("This &Is an Edge", "Shift+E", [&w] { w.markedEdges().mark(w.views().marked(), true); }),
-            command("This Is &No Edge", "Shift+X", [&w] { w.markedEdges().mark(w.views().marked(), false); }),
-            command("Settings for These &Marks…", "", [&w] { w.markedEdges().propose(); }),
+            command("This &Is an Edge", "Shift+E", [&v] { v.markedEdges.mark(v.views.marked(), true); }),
+            command("This Is &No Edge", "Shift+X", [&v] { v.markedEdges.mark(v.views.marked(), false); }),
+            command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
-            command("Clear the Mar&ks", "", [&w] { w.markedEdges().clear(); }),
-            command("&Why Is This Cell an Edge, or None?", "W", [&w] { w.explanation().explainMarked(); }),
-            confidenceCommand(w),
-            command("&Reset to Preset", "", [&w] { w.tuning().usePreset(w.panel().preset()); }),
-            command("Restore the &Default Settings", "Ctrl+D", [&w] { w.tuning().usePreset(edges::builtInPresets().front()); }),
+            command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),
+            command("&Why Is This Cell an Edge, or None?", "W", [&v] { v.explanation.explainMarked(); }),
+            confidenceCommand(v.confidence),
+            command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
+            command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),
         });
 }
 
-Command rocksMenu(MainWindow& w) {
-    Rocks& rocks = w.rocks();
-    CloudView& cloud = w.views().cloud();
+Command rocksMenu(Viewer& v, QMainWindow& window) {
+    Rocks& rocks = v.rocks;
+    CloudView& cloud = v.views.cloud();
     const auto step = [&rocks](double by) {
         rocks::RockSettings settings = rocks.settings();
         const rocks::RockParameter& level = rocks::rockParameters().front();
@@ -309,36 +309,36 @@ Command rocksMenu(MainWindow& w) {
                        tool("Draw Region of &Interest", "G", RockTool::Region),
                        command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
                        kLine,
-                       {.made = w.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
+                       {.made = window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
                        command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
                    });
 }
 
 /// A tool. `on`: true while it is in use.
-Command tool(MainWindow& w, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
-    const auto set = [&w, start = std::move(start)](bool wanted) { wanted ? start() : w.views().setTool(Tool::Pin); };
-    return linked(toggle(text, keys, nullptr, false, set), [&w, on = std::move(on)](QAction& action) {
+Command tool(Viewer& v, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
+    const auto set = [&v, start = std::move(start)](bool wanted) { wanted ? start() : v.views.setTool(Tool::Pin); };
+    return linked(toggle(text, keys, nullptr, false, set), [&v, on = std::move(on)](QAction& action) {
         const auto follow = [&action, on] { action.setChecked(on()); };
-        QObject::connect(&w.views(), &LinkedViews::toolChanged, &action, follow);
-        QObject::connect(&w.measures(), &Measures::kindChanged, &action, follow);
+        QObject::connect(&v.views, &LinkedViews::toolChanged, &action, follow);
+        QObject::connect(&v.measures, &Measures::kindChanged, &action, follow);
         follow();
     });
 }
 
-Command measureMenu(MainWindow& w) {
-    LinkedViews& views = w.views();
-    Measures& measures = w.measures();
-    Selection& selection = w.selection();
+Command measureMenu(Viewer& v) {
+    LinkedViews& views = v.views;
+    Measures& measures = v.measures;
+    Selection& selection = v.selection;
     const auto usual = [&](const char* text, const char* keys, Tool wanted) {
         return tool(
-            w, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
+            v, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
     };
     const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
         return tool(
-            w, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
+            v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
     };
-    const auto letGo = [&w] {
-        if (const inspect::PinnedTarget* target = w.targets().active()) w.targets().remove(target->number);
+    const auto letGo = [&v] {
+        if (const inspect::PinnedTarget* target = v.targets.active()) v.targets.remove(target->number);
     };
     return submenu("&Measure", {
                                    usual("&Pin", "P", Tool::Pin),
@@ -352,36 +352,36 @@ Command measureMenu(MainWindow& w) {
                                    usual("&Lasso", "L", Tool::Lasso),
                                    kLine,
                                    command("Let &Go of This Target", "Del", letGo),
-                                   command("Let Go of All &Targets", "", [&w] { w.targets().removeAll(); }),
-                                   command("&Copy This Target", "", [&w] { w.targets().copyCard(); }),
+                                   command("Let Go of All &Targets", "", [&v] { v.targets.removeAll(); }),
+                                   command("&Copy This Target", "", [&v] { v.targets.copyCard(); }),
                                    kLine,
                                    command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),
                                    command("&Hide Selected", "Shift+I", [&selection] { selection.hideSelected(); }),
                                    command("Sho&w All", "Ctrl+I", [&selection] { selection.showAll(); }),
                                    command("Clip to Bo&x round Selected", "", [&selection] { selection.clipToSelected(); }),
                                    command("&Range Gate…", "Shift+G", [&selection] { selection.askRangeGate(); }),
-                                   command("Hide &Farther than This Cell", "", [&w] { w.selection().hideFartherThan(w.views().marked()); }),
-                                   command("Hide Nearer than This Cell", "", [&w] { w.selection().hideNearerThan(w.views().marked()); }),
+                                   command("Hide &Farther than This Cell", "", [&v] { v.selection.hideFartherThan(v.views.marked()); }),
+                                   command("Hide Nearer than This Cell", "", [&v] { v.selection.hideNearerThan(v.views.marked()); }),
                                    command("&Zoom to Selected", "Z", [&selection] { selection.zoomTo(); }),
                                    command("Select &Nothing", "", [&selection] { selection.select({}); }),
-                                   command("&Export Selected…", "", [&w] { w.exports().askSelected(); }),
+                                   command("&Export Selected…", "", [&v] { v.exports.askSelected(); }),
                                });
 }
 
 } // namespace
 
-std::vector<Command> menusOf(MainWindow& window, Memory& memory) {
+std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCommands& commands) {
     const auto showKeys = [&window] { showShortcuts(&window, window.actions()); };
-    return {fileMenu(window),
-            editMenu(window),
-            viewMenu(window, memory),
-            scanMenu(window, memory),
-            edgesMenu(window),
-            rocksMenu(window),
-            measureMenu(window),
+    return {fileMenu(viewer, window, commands),
+            editMenu(viewer, window),
+            viewMenu(viewer, window, commands),
+            scanMenu(viewer, window),
+            edgesMenu(viewer, window),
+            rocksMenu(viewer, window),
+            measureMenu(viewer),
             submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
                               command("&Keys and Mouse", "F1; H; ?", showKeys),
-                              command("&Change Keys…", "", [&window, &memory] { editKeys(window, memory); }),
+                              command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.memory); }),
                               command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }
 

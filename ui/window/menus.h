@@ -3,12 +3,23 @@
 
 #include "ui/panels/keys/commands.h"
 
+#include <QImage>
+
+class QMainWindow;
+
 namespace edgescan::ui {
 
-class MainWindow;
-class Memory;
+struct Viewer;
 
-/// One entry per menu of the menu bar. Window and memory must outlive everything made from them.
-[[nodiscard]] std::vector<Command> menusOf(MainWindow& window, Memory& memory);
+/// What the window itself does.
+struct WindowCommands {
+    std::function<QImage()> screenshot;
+    std::function<void()> resetLayout;
+    std::vector<Command> sessions;
+    Command cab;
+};
+
+/// One entry per menu of the menu bar, for the window that holds the viewer. Both must outlive everything made from them.
+[[nodiscard]] std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCommands& commands);
 
 } // namespace edgescan::ui

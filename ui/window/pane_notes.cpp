@@ -12,15 +12,15 @@ namespace edgescan::ui {
 namespace {
 
 QString rangeNote(MainWindow& window) {
-    const RangeSpan ranges = window.views().rangesShown();
+    const RangeSpan ranges = window.viewer().views.rangesShown();
     QString note = Pane::tr("%1 to %2 m").arg(ranges.nearM, 0, 'f', 2).arg(ranges.farM, 0, 'f', 2);
-    const Growth& growth = window.engine().picture()->source.growth;
-    if (growth.growing) note = Pane::tr("line %1").arg(window.engine().picture()->detection->scan->lines()) + " · " + note;
+    const Growth& growth = window.viewer().engine.picture()->source.growth;
+    if (growth.growing) note = Pane::tr("line %1").arg(window.viewer().engine.picture()->detection->scan->lines()) + " · " + note;
     return note;
 }
 
 QString edgeNote(MainWindow& window) {
-    const LinkedViews& views = window.views();
+    const LinkedViews& views = window.viewer().views;
     const OverlayEdges* instead = views.scene().insteadNow();
     const edges::Detection& detection = *views.shown()->detection;
     const std::size_t all = detection.edges->size();
@@ -33,12 +33,12 @@ QString edgeNote(MainWindow& window) {
 }
 
 QString cloudNote(MainWindow& window) {
-    const CloudView& cloud = window.views().cloud();
+    const CloudView& cloud = window.viewer().views.cloud();
     if (!cloud.geometryOfCloud()) return {};
-    const std::size_t all = window.views().shown()->cloud->validCount, shown = cloud.geometryOfCloud()->validCount;
+    const std::size_t all = window.viewer().views.shown()->cloud->validCount, shown = cloud.geometryOfCloud()->validCount;
     QString note =
         shown == all ? Pane::tr("%1 points").arg(countText(all)) : Pane::tr("%1 of %2 points").arg(countText(shown), countText(all));
-    if (window.engine().picture()->source.growth.growing) note += ", " + Pane::tr("growing");
+    if (window.viewer().engine.picture()->source.growth.growing) note += ", " + Pane::tr("growing");
     return note;
 }
 
@@ -52,15 +52,15 @@ QString cloudRemark(const CloudView& cloud) {
 
 void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
     const auto update = [&] {
-        if (!window.engine().picture() || !window.views().shown()) return;
+        if (!window.viewer().engine.picture() || !window.viewer().views.shown()) return;
         range.setNote(rangeNote(window));
         edges.setNote(edgeNote(window));
         cloud.setNote(cloudNote(window));
-        cloud.setRemark(cloudRemark(window.views().cloud()));
+        cloud.setRemark(cloudRemark(window.viewer().views.cloud()));
     };
-    QObject::connect(&window.views(), &LinkedViews::picturesChanged, &window, update);
+    QObject::connect(&window.viewer().views, &LinkedViews::picturesChanged, &window, update);
     QObject::connect(&window, &MainWindow::pictureShown, &window, update);
-    CloudView& view = window.views().cloud();
+    CloudView& view = window.viewer().views.cloud();
     for (const auto changed : {&CloudView::parallelChanged, &CloudView::turntableChanged})
         QObject::connect(&view, changed, &window, update);
     QObject::connect(&view, &CloudView::pointsChanged, &window, update);

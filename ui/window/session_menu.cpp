@@ -15,12 +15,36 @@
 
 namespace edgescan::ui {
 
+namespace {
+
+/// In the order in which a session gives them back.
+std::vector<StatePart> partsOf(MainWindow& w) {
+    using enum GivenBack;
+    LinkedViews& views = w.viewer().views;
+    std::vector<StatePart> parts{
+        partOf(w.viewer().tuning, &inspect::ViewerState::tuning, BeforeScan),
+        partOf(w.viewer().targets, &inspect::ViewerState::targets, OnScan),
+        partOf(w.viewer().selection, &inspect::ViewerState::selection, OnScan, &Selection::changed),
+        partOf(w.viewer().markedEdges, &inspect::ViewerState::marks, OnScan, &MarkedEdges::changed),
+        partOf(w.viewer().rocks, &inspect::ViewerState::rocks, OnScan, &Rocks::changed, &Rocks::shownChanged, &Rocks::rocksShown),
+        viewPart(views),
+        switchesPart(w),
+    };
+    const std::vector<StatePart> looks = looksParts(w.viewer().look, views, w.viewer().confidence, w.viewer().comparing);
+    parts.insert(parts.end(), looks.begin(), looks.end());
+    parts.push_back(
+        partOf(w.viewer().comparing, &inspect::ViewerState::earlier, OnScan, &Comparing::pictureAChanged, &Comparing::rowsChanged));
+    parts.push_back({[&w](inspect::ViewerState& state) { state.layout = w.layoutKept(); },
+                     [&w](const inspect::ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
+    return parts;
+}
+
+} // namespace
+
 std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
-    auto sessions = std::make_unique<Sessions>(Desk{w, w.engine(), w.files(), w.tuning(), w.panel(), w.views(), w.targets(), w.selection(),
-                                                    w.rocks(), w.markedEdges(), w.comparing(), w.confidence(), w.look(), w.live(),
-                                                    w.notice(), memory, w.undoStack(), [&w] { return w.layoutKept(); },
-                                                    [&w](const std::map<std::string, std::string>& layout) { w.useLayout(layout); }});
-    w.exports().setCarried([made = sessions.get()](const QImage& image, const QString& path) {
+    auto sessions = std::make_unique<Sessions>(w.viewer().engine, w.viewer().files, w.viewer().live, w.viewer().notice, memory,
+                                               w.viewer().undo, partsOf(w));
+    w.viewer().exports.setCarried([made = sessions.get()](const QImage& image, const QString& path) {
         return withSession(image, made->textFor(QFileInfo(path).absolutePath()));
     });
     return sessions;

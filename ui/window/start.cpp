@@ -28,8 +28,9 @@ constexpr int kSettleMs = 400; // time until docks have their positions
 class OverViews : public QObject {
 public:
     OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page) {
-        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.notice()),
-                                 static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.live().panel())})
+        for (QObject* watched :
+             {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.viewer().notice),
+              static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().live.panel())})
             watched->installEventFilter(this);
         settle_.setSingleShot(true);
         settle_.setInterval(kSettleMs);
@@ -45,9 +46,9 @@ public:
         if (watched == &window_ && (type == QEvent::Hide || type == QEvent::Show)) gone_ = type == QEvent::Hide;
         // An OpenGL picture under other widgets leaves the line next to it black.
         if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show))
-            window_.views().cloud().setVisible(type == QEvent::Hide);
+            window_.viewer().views.cloud().setVisible(type == QEvent::Hide);
         if (gone_ || !page_.isVisible()) return false;
-        if (watched == &window_.live().panel() && type == QEvent::Show)
+        if (watched == &window_.viewer().live.panel() && type == QEvent::Show)
             page_.hide();
         else if (type == QEvent::Show || ((type == QEvent::Resize || type == QEvent::Hide || type == QEvent::Move) && watched != &page_))
             place();
@@ -57,9 +58,9 @@ public:
 private:
     void place() {
         const QWidget& centre = *window_.centralWidget();
-        const NoticeBar& notice = window_.notice();
+        const NoticeBar& notice = window_.viewer().notice;
         const int top = centre.mapTo(&window_, QPoint(0, 0)).y() + (notice.isVisible() ? notice.geometry().bottom() + 1 : 0);
-        page_.setGeometry(0, top, window_.width(), std::max(0, window_.statusLine().mapTo(&window_, QPoint(0, 0)).y() - top));
+        page_.setGeometry(0, top, window_.width(), std::max(0, window_.viewer().statusLine.mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
         settle_.start();
     }
@@ -78,13 +79,13 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
                               : QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/recent";
     auto* page = new StartPage(cache, &w);
     new OverViews(w, *page);
-    QObject::connect(page, &StartPage::openRequested, &w, [&w] { w.files().ask(); });
+    QObject::connect(page, &StartPage::openRequested, &w, [&w] { w.viewer().files.ask(); });
     QObject::connect(page, &StartPage::connectRequested, &w, [&w, page] {
         page->hide();
-        w.live().panel().askAddress();
+        w.viewer().live.panel().askAddress();
     });
     QObject::connect(page, &StartPage::continueRequested, &w, [&w] { w.sessions().continueLast(); });
-    QObject::connect(page, &StartPage::demoRequested, &w, [&w] { w.files().openDemo(); });
+    QObject::connect(page, &StartPage::demoRequested, &w, [&w] { w.viewer().files.openDemo(); });
     QObject::connect(page, &StartPage::scanRequested, &w, [&w](const QString& path) { w.sessions().open({path}); });
     QObject::connect(page, &StartPage::locateRequested, &w, [&w, &memory, page](const QString& path) {
         const QString now =
@@ -103,7 +104,7 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
         if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
     });
     QObject::connect(page, &StartPage::keysRequested, &w, [&w] { showShortcuts(&w, w.actions()); });
-    QObject::connect(&w.engine(), &Engine::pictureReady, page, &QWidget::hide);
+    QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
     page->showRecent(memory.recentFiles());
     page->showSession(w.sessions().toGoOn());
     page->show();

@@ -4,18 +4,17 @@
 #include "ui/base/themes.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/window/cab_mode.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QActionGroup>
 
 namespace edgescan::ui {
 
-Command themeMenu(MainWindow& window, Memory& memory) {
+Command themeMenu(QObject& parent, Memory& memory) {
     constexpr const char* kKey = "view/theme";
     const Theme& remembered = themeOf(memory.text(kKey));
     if (&remembered != &themeInUse()) useColours(remembered);
-    auto* group = new QActionGroup(&window);
+    auto* group = new QActionGroup(&parent);
     Command menu = submenu("&Theme", {});
     for (const Theme& theme : themes()) {
         Command made = toggle(theme.label, "", nullptr, false, [&memory, &theme](bool) {
@@ -31,14 +30,13 @@ Command themeMenu(MainWindow& window, Memory& memory) {
     return menu;
 }
 
-Command cabCommand(MainWindow& window, Memory& memory) {
+Command cabCommand(CabMode& cab, Memory& memory) {
     constexpr const char* kKey = "view/cab";
-    CabMode& cab = window.cab();
     const auto use = [&cab, &memory](bool on) {
         cab.set(on);
         memory.keep(kKey, on);
     };
-    QObject::connect(&cab, &CabMode::leaveRequested, &window, [use] { use(false); });
+    QObject::connect(&cab, &CabMode::leaveRequested, &cab, [use] { use(false); });
     return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {
         action.setObjectName("cab-mode");
         const auto follow = [&action](bool on) {

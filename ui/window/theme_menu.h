@@ -5,13 +5,13 @@
 
 namespace edgescan::ui {
 
-class MainWindow;
+class CabMode;
 class Memory;
 
 /// One entry per theme; the choice is remembered and applied at once.
-[[nodiscard]] Command themeMenu(MainWindow& window, Memory& memory);
+[[nodiscard]] Command themeMenu(QObject& parent, Memory& memory);
 
 /// View > Cab Mode: this command switches it on; only holding Locked switches it off.
-[[nodiscard]] Command cabCommand(MainWindow& window, Memory& memory);
+[[nodiscard]] Command cabCommand(CabMode& cab, Memory& memory);
 
 } // namespace edgescan::ui

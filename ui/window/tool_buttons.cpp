@@ -106,7 +106,7 @@ void addMenu(ToolBar& bar, const QList<KeyedCommand>& commands, const MenuRow& r
 
 void addToolButtons(MainWindow& window) {
     const QList<KeyedCommand> commands = keyedCommands(window.actions());
-    ToolBar& bar = window.tools();
+    ToolBar& bar = window.viewer().tools;
     addRows(bar, commands, kBefore);
     for (const MenuRow* row : {&kMeasures, &kSelections}) addMenu(bar, commands, *row);
     addRows(bar, commands, kBehind);

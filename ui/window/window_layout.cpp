@@ -84,37 +84,37 @@ void MainWindow::maximise(Pane* pane) {
         each->setVisible(maximised_ == nullptr || maximised_ == each);
         each->showAlone(maximised_ == each);
     }
-    pictures_->setVisible(maximised_ == nullptr || maximised_->content() != cloud_);
+    pictures_->setVisible(maximised_ == nullptr || maximised_->content() != &viewer_.cloud);
     showRangeWindow();
 }
 
 /// Not if the images would lose their space, and not next to the edge map alone.
 void MainWindow::showRangeWindow() {
-    const bool wanted = maximised_ == nullptr || maximised_->content() == gray_;
-    rangeWindow_->setVisible(wanted && height() >= kRangeWindowFrom);
+    const bool wanted = maximised_ == nullptr || maximised_->content() == &viewer_.gray;
+    viewer_.rangeWindow.setVisible(wanted && height() >= kRangeWindowFrom);
 }
 
 void MainWindow::remember() {
     if (cab_->on()) return; // the layout outside cab mode is the one to store
-    memory_.keep("window/geometry", saveGeometry());
-    memory_.keep("window/state", saveState());
-    memory_.keep("window/views", splitter_->saveState());
-    memory_.keep("window/images", images_->saveState());
-    memory_.keep("window/images-width", QString::number(arrangedImages_));
-    memory_.keep("window/panel-width", QString::number(arrangedPanel_));
+    viewer_.memory.keep("window/geometry", saveGeometry());
+    viewer_.memory.keep("window/state", saveState());
+    viewer_.memory.keep("window/views", splitter_->saveState());
+    viewer_.memory.keep("window/images", images_->saveState());
+    viewer_.memory.keep("window/images-width", QString::number(arrangedImages_));
+    viewer_.memory.keep("window/panel-width", QString::number(arrangedPanel_));
 }
 
 void MainWindow::restoreLayout() {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
     const QSize title(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
     resize(usualWindow({screen.topLeft(), screen.size() - title}));
-    restoreGeometry(memory_.bytes("window/geometry"));
-    restoreState(memory_.bytes("window/state"));
-    images_->restoreState(memory_.bytes("window/images"));
+    restoreGeometry(viewer_.memory.bytes("window/geometry"));
+    restoreState(viewer_.memory.bytes("window/state"));
+    images_->restoreState(viewer_.memory.bytes("window/images"));
     images_->setOrientation(Qt::Vertical); // a former version may have stored them side by side
-    splitter_->restoreState(memory_.bytes("window/views"));
-    arrangedImages_ = memory_.text("window/images-width").toInt();
-    arrangedPanel_ = memory_.text("window/panel-width").toInt();
+    splitter_->restoreState(viewer_.memory.bytes("window/views"));
+    arrangedImages_ = viewer_.memory.text("window/images-width").toInt();
+    arrangedPanel_ = viewer_.memory.text("window/panel-width").toInt();
     // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
     const QScreen* at = nullptr;
     for (const QScreen* each : QGuiApplication::screens()) {
@@ -139,7 +139,7 @@ void MainWindow::resetLayout() {
     if (maximised_ != nullptr) maximise(maximised_);
     for (QDockWidget* dock : docks_) {
         dock->setProperty(kByHand, QString());
-        memory_.keep("window/" + dock->objectName(), QString());
+        viewer_.memory.keep("window/" + dock->objectName(), QString());
         dock->setFloating(false);
         addDockWidget(Qt::RightDockWidgetArea, dock);
     }

@@ -1,6 +1,6 @@
 // Sessions of a sweep that is being recorded.
 #include "core/base/sha256.h"
-#include "core/inspect/session_file/session_file.h"
+#include "core/inspect/session_file/viewer_state.h"
 
 #include <algorithm>
 #include <span>
@@ -24,11 +24,11 @@ ScanHead scanHead(const Scan& scan, int lines) {
 ViewerState cutTo(ViewerState state, std::size_t cells) {
     const auto gone = [cells](std::uint32_t cell) { return cell >= cells; };
     const auto someGone = [&gone](const auto& one) { return std::ranges::any_of(one.cells, gone); };
-    std::erase_if(state.notebook.targets, [&gone](const PinnedTarget& target) { return gone(target.cell); });
-    std::erase_if(state.notebook.measures, someGone);
-    if (state.active && gone(*state.active)) state.active.reset();
-    cut(state.selected, cells);
-    cut(state.hidden, cells);
+    std::erase_if(state.targets.notebook.targets, [&gone](const PinnedTarget& target) { return gone(target.cell); });
+    std::erase_if(state.targets.notebook.measures, someGone);
+    if (state.targets.active && gone(*state.targets.active)) state.targets.active.reset();
+    cut(state.selection.selected, cells);
+    cut(state.selection.hidden, cells);
     std::erase_if(state.marks.wanted, gone);
     std::erase_if(state.marks.unwanted, gone);
     if (state.rocks) std::erase_if(state.rocks->edits, someGone);

@@ -144,11 +144,11 @@ Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSessio
     const NotebookScan& of = state.scan.identity;
     const Result<edges::Settings> settings = usableSettings(fields, where);
     if (!settings) return settings.error();
-    state.settings = *settings;
+    state.tuning.settings = *settings;
     if (const nlohmann::json& targets = fields.value("targets"); !targets.is_null()) {
         auto notebook = notebookFromText(jsonText(targets), of, where);
         if (!notebook) return notebook.error();
-        state.notebook = std::move(*notebook);
+        state.targets.notebook = std::move(*notebook);
     }
     if (const nlohmann::json& rocks = fields.value("rocks"); !rocks.is_null()) {
         auto preset = rocks::rockPresetFromText(jsonText(rocks), of.lines, of.beams, of.sha256, where);
@@ -162,23 +162,25 @@ Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSessio
 
 std::string sessionText(const ViewerState& state, const fs::path& folder, const std::string& savedUtc) {
     const NotebookScan& of = state.scan.identity;
-    Json whole{{"format", kSessionFormat}, {"program", version()},
-               {"saved_utc", savedUtc},    {"scan", sessionScanJson(state.scan, folder)},
-               {"preset", state.preset},   {"settings", edges::settingsToJson(state.settings)}};
+    Json whole{{"format", kSessionFormat},      {"program", version()},
+               {"saved_utc", savedUtc},         {"scan", sessionScanJson(state.scan, folder)},
+               {"preset", state.tuning.preset}, {"settings", edges::settingsToJson(state.tuning.settings)}};
     const auto text = [](const std::string& nested) {
         const auto json = parseOrderedJson(nested, "session");
         return json ? *json : Json();
     };
-    whole["targets"] = text(notebookText(state.notebook, of));
-    if (state.active) whole["active"] = *state.active;
-    whole["selected"] = runsJson(state.selected);
-    whole["hidden"] = runsJson(state.hidden);
+    whole["targets"] = text(notebookText(state.targets.notebook, of));
+    if (state.targets.active) whole["active"] = *state.targets.active;
+    whole["selected"] = runsJson(state.selection.selected);
+    whole["hidden"] = runsJson(state.selection.hidden);
     if (state.rocks) whole["rocks"] = text(rocks::rockPresetText(*state.rocks, of.lines, of.beams));
     whole["marked"] = {{"edge", state.marks.wanted}, {"no_edge", state.marks.unwanted}};
-    if (state.kept)
-        whole["kept"] = {{"scan", sessionScanJson(state.kept->scan, folder)}, {"settings", edges::settingsToJson(state.kept->settings)}};
-    if (state.camera) whole["camera"] = cameraJson(*state.camera);
-    if (state.images) whole["images"] = {{"beam", state.images->beam}, {"line", state.images->line}, {"zoom", state.images->zoom}};
+    if (state.earlier)
+        whole["kept"] = {{"scan", sessionScanJson(state.earlier->scan, folder)},
+                         {"settings", edges::settingsToJson(state.earlier->settings)}};
+    if (state.view.camera) whole["camera"] = cameraJson(*state.view.camera);
+    if (state.view.images)
+        whole["images"] = {{"beam", state.view.images->beam}, {"line", state.view.images->line}, {"zoom", state.view.images->zoom}};
     whole["switches"] = state.switches;
     whole["looks"] = state.looks;
     whole["layout"] = state.layout;
@@ -203,11 +205,11 @@ Result<ReadSession> sessionFromText(std::string_view text, const fs::path& folde
     state.scan = std::move(scan->scan);
     read.places = std::move(scan->places);
     const std::size_t cells = static_cast<std::size_t>(state.scan.identity.lines) * static_cast<std::size_t>(state.scan.identity.beams);
-    state.preset = shortPath(fields, "preset");
+    state.tuning.preset = shortPath(fields, "preset");
     if (auto nested = nestedFrom(fields, where, read); !nested) return nested.error();
-    if (fields.has("active")) state.active = static_cast<std::uint32_t>(fields.wholeNumber("active", 0, cells - 1));
-    state.selected = runsFrom(fields, "selected", cells);
-    state.hidden = runsFrom(fields, "hidden", cells);
+    if (fields.has("active")) state.targets.active = static_cast<std::uint32_t>(fields.wholeNumber("active", 0, cells - 1));
+    state.selection.selected = runsFrom(fields, "selected", cells);
+    state.selection.hidden = runsFrom(fields, "hidden", cells);
     JsonFields marked = fields.object("marked");
     state.marks = {cellsFrom(marked, "edge", cells), cellsFrom(marked, "no_edge", cells)};
     marked.done();
@@ -218,14 +220,13 @@ Result<ReadSession> sessionFromText(std::string_view text, const fs::path& folde
         const Result<edges::Settings> settings = usableSettings(kept, where);
         if (!settings) return settings.error();
         kept.done();
-        state.kept = EarlierScan{std::move(of->scan), *settings};
-        read.keptPlaces = std::move(of->places);
+        state.earlier = EarlierScan{std::move(of->scan), *settings};
     }
-    if (fields.has("camera")) state.camera = cameraFrom(fields.object("camera"));
+    if (fields.has("camera")) state.view.camera = cameraFrom(fields.object("camera"));
     if (fields.has("images")) {
         JsonFields images = fields.object("images");
-        state.images = SessionImages{images.neededNumber("beam", {-1e9, 1e9}), images.neededNumber("line", {-1e9, 1e9}),
-                                     images.neededNumber("zoom", {1e-4, 1e4})};
+        state.view.images = SessionImages{images.neededNumber("beam", {-1e9, 1e9}), images.neededNumber("line", {-1e9, 1e9}),
+                                          images.neededNumber("zoom", {1e-4, 1e4})};
         images.done();
     }
     state.switches = switchesFrom(fields, "switches");

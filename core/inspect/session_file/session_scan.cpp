@@ -57,7 +57,16 @@ std::string pathThere(const std::vector<fs::path>& paths) {
     return paths.empty() ? std::string() : paths.front().string();
 }
 
+fs::path absolutePath(const fs::path& path) { return path.empty() ? path : fs::absolute(path).lexically_normal(); }
+
 } // namespace
+
+SessionScan fileScan(const fs::path& path, ReadingOptions reading, const NotebookScan& identity) {
+    reading.pose = absolutePath(reading.pose).string();
+    reading.calibration = absolutePath(reading.calibration).string();
+    reading.progress = nullptr;
+    return {SessionScan::Kind::File, absolutePath(path), identity, {}, std::move(reading)};
+}
 
 nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const fs::path& folder) {
     nlohmann::ordered_json json{{"kind", kScanKinds[static_cast<std::size_t>(scan.kind)]}};

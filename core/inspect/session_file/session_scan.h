@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/json_fields.h"
-#include "core/inspect/session_file/session_file.h"
+#include "core/inspect/session_file/viewer_state.h"
 
 namespace edgescan::inspect {
 

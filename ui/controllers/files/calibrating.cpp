@@ -10,7 +10,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/files/calibration_words.h"
 #include "ui/controllers/files/files.h"
 #include "ui/engine/worker_bridge/engine.h"

@@ -5,7 +5,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/files/file_filters.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/panels/dialogs/reading_dialog.h"
@@ -14,7 +14,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QUndoStack>
 
 #include <algorithm>
 
@@ -38,29 +37,6 @@ QStringList scansInFolder(const QString& path) {
 }
 
 } // namespace
-
-/// An undo step for the reading options. Once another file is on the screen, the step is obsolete, and undo continues with the step before.
-class ReadingChange : public QUndoCommand {
-public:
-    ReadingChange(Files& files, QUndoStack& stack, const QString& what, const ReadingOptions& before, const ReadingOptions& after)
-        : QUndoCommand(what), files_(files), stack_(stack), path_(files.path_), before_(before), after_(after) {}
-
-    void undo() override { use(before_, &QUndoStack::undo); }
-    void redo() override { use(after_, &QUndoStack::redo); }
-
-private:
-    void use(const ReadingOptions& options, void (QUndoStack::*next)()) {
-        if (files_.readAs(path_, options)) return;
-        setObsolete(true);
-        QMetaObject::invokeMethod(
-            &stack_, [stack = &stack_, next] { (stack->*next)(); }, Qt::QueuedConnection);
-    }
-
-    Files& files_;
-    QUndoStack& stack_;
-    QString path_;
-    ReadingOptions before_, after_;
-};
 
 Files::Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), notice_(notice), memory_(memory), undo_(undo) {
@@ -145,7 +121,10 @@ void Files::straighten(bool wanted) {
 void Files::readAgain(const ReadingOptions& options, const QString& what) { readAgain(options, what, options_); }
 
 void Files::readAgain(const ReadingOptions& options, const QString& what, const ReadingOptions& before) {
-    undo_.push(new ReadingChange(*this, undo_, what, before, options));
+    auto* step = new UndoStep<ReadingOptions>(what, before, options,
+                                              [this, path = path_](const ReadingOptions& value) { return readAs(path, value); });
+    step->giveWayIn(undo_);
+    undo_.push(step);
 }
 
 bool Files::readAs(const QString& path, const ReadingOptions& options) {
@@ -206,6 +185,13 @@ void Files::fillRecent(QMenu& menu) {
     if (files.isEmpty()) menu.addAction(tr("No file yet; demos are not listed"))->setEnabled(false);
     menu.addSeparator();
     menu.addAction(tr("Clear"), this, [this] { memory_.forgetRecentFiles(); });
+}
+
+std::optional<inspect::SessionScan> Files::scanShown(const Scan& scan) const {
+    if (path_.isEmpty() && !demo_) return std::nullopt;
+    inspect::SessionScan of = inspect::fileScan(path_.toStdString(), options_, inspect::notebookScan(scan));
+    if (demo_) of.kind = *demo_ ? inspect::SessionScan::Kind::DemoAfterBlast : inspect::SessionScan::Kind::Demo;
+    return of;
 }
 
 QString Files::placeInSeries() const { return series_.size() > 1 ? tr(" (%1 of %2)").arg(place_ + 1).arg(series_.size()) : QString(); }

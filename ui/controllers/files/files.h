@@ -1,6 +1,7 @@
 // The file on the screen: opening, the series, recent files, reading it again with straightened beams.
 #pragma once
 
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/engine.h"
 
 #include <QObject>
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] std::optional<bool> demo() const { return demo_; }
     /// The options of the file on the screen.
     [[nodiscard]] const ReadingOptions& options() const { return options_; }
+    /// `scan`, which is on the screen, as it can be opened again; empty: it comes from no file.
+    [[nodiscard]] std::optional<inspect::SessionScan> scanShown(const Scan& scan) const;
     /// " (2 of 3)" in a series, else empty.
     [[nodiscard]] QString placeInSeries() const;
     /// The filters of a dialog that asks for a scan.
@@ -55,7 +58,6 @@ signals:
     void straightened(bool on);
 
 private:
-    friend class ReadingChange;
     /// False: another file is on the screen meanwhile.
     bool readAs(const QString& path, const ReadingOptions& options);
     void setOptions(const ReadingOptions& options);

@@ -1,12 +1,8 @@
 // The operator's edits of rocks: merge, split, rock or not a rock, undo.
 #include "ui/base/notice_bar.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/panels/rocks/rocks_panel.h"
-
-#include <QElapsedTimer>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 #include <utility>
@@ -14,31 +10,6 @@
 namespace edgescan::ui {
 namespace {
 
-class RockEditStep : public QUndoCommand {
-public:
-    RockEditStep(const QString& name, Rocks& rocks, const Engine& engine, OperatorEdits after)
-        : QUndoCommand(name), rocks_(rocks), engine_(engine), stream_(streamNow()), before_(rocks.operatorEdits()),
-          after_(std::move(after)) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    [[nodiscard]] std::uint64_t streamNow() const { return engine_.picture() ? engine_.picture()->source.stream : 0; }
-    void apply(const OperatorEdits& byHand) {
-        if (streamNow() == stream_)
-            rocks_.setOperatorEdits(byHand);
-        else
-            setObsolete(true); // the scan was closed, and its edits with it
-    }
-
-    Rocks& rocks_;
-    const Engine& engine_;
-    std::uint64_t stream_;
-    OperatorEdits before_, after_;
-};
-
-constexpr int kRockTurning = 0x40000000; // of QUndoCommand::id(): differs from the drag numbers in Tuning
 constexpr qint64 kOneTurnMs = 1000;
 
 QString nameOfTurn(const rocks::RockSettings& before, const rocks::RockSettings& after) {
@@ -48,50 +19,36 @@ QString nameOfTurn(const rocks::RockSettings& before, const rocks::RockSettings&
     return stepName("region of interest");
 }
 
-/// Changes without a pause between them are one step.
-class RockTurn : public QUndoCommand {
-public:
-    RockTurn(Rocks& rocks, const rocks::RockSettings& after)
-        : QUndoCommand(nameOfTurn(rocks.settings(), after)), rocks_(rocks), before_(rocks.settings()), after_(after) {
-        since_.start();
-    }
-
-    void undo() override { turnTo(before_); }
-    void redo() override { turnTo(after_); }
-    [[nodiscard]] int id() const override { return kRockTurning; }
-    bool mergeWith(const QUndoCommand* later) override {
-        const auto* next = dynamic_cast<const RockTurn*>(later);
-        if (next == nullptr || next->text() != text() || since_.elapsed() > kOneTurnMs) return false;
-        after_ = next->after_;
-        since_.restart();
-        return true;
-    }
-
-private:
-    // The region belongs to one scan and has its own undo steps.
-    void turnTo(rocks::RockSettings settings) {
-        settings.region = rocks_.settings().region;
-        rocks_.useSettings(settings);
-    }
-
-    Rocks& rocks_;
-    rocks::RockSettings before_, after_;
-    QElapsedTimer since_; // since the last change
-};
-
 } // namespace
 
 void Rocks::change(const rocks::RockSettings& settings) {
-    if (settings != settings_) undo_.push(new RockTurn(*this, settings));
+    if (settings == settings_) return;
+    const QString name = nameOfTurn(settings_, settings);
+    if (turned_ != name || !sinceTurn_.isValid() || sinceTurn_.elapsed() > kOneTurnMs) turn_ = nextDrag();
+    turned_ = name;
+    sinceTurn_.start();
+    undo_.push(new UndoStep<rocks::RockSettings>(
+        turn_, [name](const rocks::RockSettings&, const rocks::RockSettings&) { return name; }, settings_, settings,
+        [this](rocks::RockSettings value) {
+            value.region = settings_.region; // it belongs to one scan and has its own undo steps
+            useSettings(value);
+            return true;
+        }));
 }
 
-void Rocks::restore(const rocks::Preset& preset) {
+std::optional<rocks::Preset> Rocks::part() const {
+    if (!on_ || !engine_.picture()) return std::nullopt;
+    return rocks::Preset{settings_, edits_, engine_.picture()->detection->scan->sha256};
+}
+
+void Rocks::setPart(const std::optional<rocks::Preset>& part) {
+    if (!part) return;
     if (sidecar_.reading()) {
-        restored_ = preset;
+        restored_ = part;
         return;
     }
-    rocks::RockSettings settings = preset.settings.value_or(settings_);
-    const OperatorEdits byHandThen{preset.edits, settings.region};
+    const rocks::RockSettings settings = part->settings.value_or(settings_);
+    const OperatorEdits byHandThen{part->edits, settings.region};
     change(settings);
     if (byHandThen == operatorEdits()) return;
     const bool replaces = operatorEdits() != OperatorEdits{};
@@ -113,7 +70,10 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
 }
 
 void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
-    undo_.push(new RockEditStep(name, *this, engine_, std::move(after)));
+    undo_.push(new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), [this, stream = stream_](const OperatorEdits& value) {
+        if (stream_ == stream) setOperatorEdits(value);
+        return stream_ == stream; // else the scan was closed, and its edits with it
+    }));
 }
 
 void Rocks::push(const QString& name, rocks::Edit edit) {

@@ -1,7 +1,7 @@
 // Mouse and wheel of the rock tools: choosing segments of a rock, lines, the region of interest.
 #include "core/rocks/selection/region_of_interest.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/views/cloud/cloud_view.h"

@@ -30,8 +30,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
       sidecar_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
-    connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::follow);
-    connect(&engine_, &Engine::pictureReady, this, &Rocks::follow);
+    connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
     connect(&finder_, &RockFinder::found, this, &Rocks::take);
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
@@ -53,8 +52,8 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
     connect(&sidecar_, &RockSidecar::found, this, &Rocks::takePreset);
     connect(&sidecar_, &RockSidecar::readEnded, this, [this] {
-        follow();
-        if (restored_) restore(*std::exchange(restored_, std::nullopt));
+        followPicture();
+        setPart(std::exchange(restored_, std::nullopt));
     });
     connect(&sidecar_, &RockSidecar::failed, this,
             [this](const QString& sentence) { notice_.showNotice(NoticeBar::Kind::Warning, sentence); });
@@ -84,7 +83,7 @@ void Rocks::setShown(bool on) {
     if (on == on_) return;
     on_ = on;
     if (on)
-        follow();
+        followPicture();
     else
         forget();
     emit shownChanged(on);
@@ -104,8 +103,7 @@ bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() ||
 
 bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (sidecar_.reading() || finder_.behind() || ofAnotherPicture()); }
 
-// A new picture is on the screen.
-void Rocks::follow() {
+void Rocks::followPicture() {
     const std::shared_ptr<const Picture>& shown = engine_.picture();
     if (!shown) return;
     if (std::exchange(stream_, shown->source.stream) != shown->source.stream) {

@@ -7,6 +7,7 @@
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/rocks/rock_finder.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -48,6 +49,8 @@ class Rocks : public QObject {
 public:
     Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// Off: rocks are not computed.
     void setShown(bool on);
     [[nodiscard]] bool shown() const { return on_; }
@@ -60,8 +63,10 @@ public:
     [[nodiscard]] const rocks::RockSettings& settings() const { return settings_; }
     /// The same as one undo step; consecutive changes by a slider are merged into one step.
     void change(const rocks::RockSettings& settings);
+    /// Empty while they are not shown.
+    [[nodiscard]] std::optional<rocks::Preset> part() const;
     /// Restores settings and edits as undo steps, after the scan's sidecar was read.
-    void restore(const rocks::Preset& preset);
+    void setPart(const std::optional<rocks::Preset>& part);
 
     /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
@@ -98,7 +103,6 @@ signals:
 
 private:
     void connectViews();
-    void follow();
     void ask();
     void take(const std::shared_ptr<const RockPicture>& picture);
     void show();
@@ -143,7 +147,11 @@ private:
     std::size_t familyCell_ = 0;
     rocks::WheelPieces family_;
     std::size_t piece_ = 0; // index in the family
-    QTimer nextOfSweep_;    // a growing sweep is processed once a second
+    // Turning on without a pause is one step of undo: the number of the last one, what it turned, and when.
+    int turn_ = 0;
+    QString turned_;
+    QElapsedTimer sinceTurn_;
+    QTimer nextOfSweep_; // a growing sweep is processed once a second
     RockFinder finder_;
 };
 

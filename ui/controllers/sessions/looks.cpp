@@ -1,11 +1,10 @@
-// The table of display settings, and reading and restoring with it.
-#include "ui/controllers/sessions/looks.h"
+// The table of looks.
+#include "ui/controllers/sessions/parts.h"
 
 #include "ui/base/shown_text.h"
 #include "ui/controllers/comparing.h"
 #include "ui/controllers/confidence.h"
 #include "ui/controllers/scan_look.h"
-#include "ui/controllers/sessions/desk.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/views/cloud/cloud_view.h"
 
@@ -13,7 +12,6 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -34,104 +32,89 @@ std::optional<std::vector<double>> numbersIn(const QStringList& words) {
     return numbers;
 }
 
-QString colourText(const Desk& desk) { return colourKey(desk.look.colourBy()); }
+QString colourText(ScanLook& look) { return colourKey(look.colourBy()); }
 
-void useColour(const Desk& desk, QStringList words) {
-    if (const auto by = colourOfKey(words.join(' ').toStdString())) desk.look.setColourBy(*by);
+void useColour(ScanLook& look, QStringList words) {
+    if (const auto by = colourOfKey(words.join(' ').toStdString())) look.setColourBy(*by);
 }
 
-QString rangeText(const Desk& desk) {
-    const auto& window = desk.views.rangeWindow();
+QString rangeText(ScanLook& look) {
+    const auto& window = look.rangeWindow();
     if (!window) return "automatic";
-    return numberText(window->nearM) + " " + numberText(window->farM) + (desk.look.rangeLocked() ? " locked" : "");
+    return numberText(window->nearM) + " " + numberText(window->farM) + (look.rangeLocked() ? " locked" : "");
 }
 
-void useRange(const Desk& desk, QStringList words) {
-    if (words == QStringList{"automatic"}) return desk.look.setRangeWindow(std::nullopt, false);
+void useRange(ScanLook& look, QStringList words) {
+    if (words == QStringList{"automatic"}) return look.setRangeWindow(std::nullopt, false);
     const bool locked = words.removeAll("locked") > 0;
     const auto ends = numbersIn(words);
     if (ends && ends->size() == 2 && (*ends)[0] >= 0.0 && (*ends)[1] > (*ends)[0])
-        desk.look.setRangeWindow(RangeSpan{(*ends)[0], (*ends)[1]}, locked);
+        look.setRangeWindow(RangeSpan{(*ends)[0], (*ends)[1]}, locked);
 }
 
-QString pointText(const Desk& desk) {
-    const CloudView& cloud = desk.views.cloud();
+QString pointText(CloudView& cloud) {
     if (const auto factor = cloud.pointSizeFactor()) return "spacing " + numberText(*factor);
     return numberText(cloud.pointSize());
 }
 
-void usePoints(const Desk& desk, QStringList words) {
+void usePoints(CloudView& cloud, QStringList words) {
     const bool follows = words.removeAll("spacing") > 0;
     const auto size = numbersIn(words);
     if (!size || size->size() != 1 || size->front() <= 0.0) return;
     if (follows)
-        desk.views.cloud().setPointSizeFollows(true, size->front());
+        cloud.setPointSizeFollows(true, size->front());
     else
-        desk.views.cloud().setPointSize(size->front());
+        cloud.setPointSize(size->front());
 }
 
-QString clipText(const Desk& desk) {
-    const CloudClip& clip = desk.views.cloud().clip();
-    return numberText(clip.nearShare) + " " + numberText(clip.farShare);
+QString clipText(CloudView& cloud) { return numberText(cloud.clip().nearShare) + " " + numberText(cloud.clip().farShare); }
+
+void useClip(CloudView& cloud, QStringList words) {
+    if (const auto shares = numbersIn(words); shares && shares->size() == 2) cloud.setClip({(*shares)[0], (*shares)[1]});
 }
 
-void useClip(const Desk& desk, QStringList words) {
-    if (const auto shares = numbersIn(words); shares && shares->size() == 2) desk.views.cloud().setClip({(*shares)[0], (*shares)[1]});
-}
+QString leastText(Confidence& confidence) { return QString::number(confidence.least()); }
 
-QString leastText(const Desk& desk) { return QString::number(desk.confidence.least()); }
-
-void useLeast(const Desk& desk, QStringList words) {
+void useLeast(Confidence& confidence, QStringList words) {
     if (const auto least = numbersIn(words); least && least->size() == 1)
-        desk.confidence.setLeast(static_cast<int>(std::clamp(least->front(), 0.0, 100.0)));
+        confidence.setLeast(static_cast<int>(std::clamp(least->front(), 0.0, 100.0)));
 }
 
-QString changesText(const Desk& desk) {
+QString changesText(Comparing& comparing) {
     QString text;
-    for (const bool on : desk.comparing.rows()) text += on ? '1' : '0';
+    for (const bool on : comparing.rows()) text += on ? '1' : '0';
     return text;
 }
 
-void useChanges(const Desk& desk, QStringList words) {
+void useChanges(Comparing& comparing, QStringList words) {
     ChangeRows rows{};
     if (words.size() != 1 || words[0].size() != kChangeRows) return;
     for (int n = 0; n < kChangeRows; ++n) rows[static_cast<std::size_t>(n)] = words[0][n] == '1';
-    desk.comparing.setRows(rows);
+    comparing.setRows(rows);
 }
 
-struct Look {
-    const char* key;
-    QString (*taken)(const Desk& desk);
-    void (*use)(const Desk& desk, QStringList words);
-    bool ofScan; ///< restored when the scan is opened
-};
-
-const std::array kLooks{
-    Look{"cloud-colour", colourText, useColour, false},
-    Look{"range-window-m", rangeText, useRange, true},
-    Look{"point-size", pointText, usePoints, false},
-    Look{"clip-shares", clipText, useClip, true},
-    Look{"least-confidence-percent", leastText, useLeast, false},
-    Look{"changes-shown", changesText, useChanges, false},
-};
-
-void use(const Desk& desk, const std::map<std::string, std::string>& looks, bool ofScanAlone) {
-    for (const Look& look : kLooks) {
-        const auto found = looks.find(look.key);
-        if (found != looks.end() && (look.ofScan || !ofScanAlone)) look.use(desk, exactText(found->second).split(' '));
-    }
+/// `key`: in the session. Opening a scan puts some looks back: those are given back once more when it is open.
+template <class Of, class... Signals>
+StatePart lookPart(const char* key, Of& of, QString (*taken)(Of&), void (*use)(Of&, QStringList), GivenBack when, Signals... changes) {
+    return {[key, &of, taken](inspect::ViewerState& state) { state.looks[key] = taken(of).toStdString(); },
+            [key, &of, use](const inspect::ViewerState& state) {
+                if (const auto found = state.looks.find(key); found != state.looks.end()) use(of, exactText(found->second).split(' '));
+            },
+            when, changesOf(of, changes...)};
 }
 
 } // namespace
 
-std::map<std::string, std::string> looksOf(const Desk& desk) {
-    std::map<std::string, std::string> looks;
-    for (const Look& look : kLooks) looks[look.key] = look.taken(desk).toStdString();
-    return looks;
+std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, Confidence& confidence, Comparing& comparing) {
+    CloudView& cloud = views.cloud();
+    return {
+        lookPart("cloud-colour", look, colourText, useColour, GivenBack::BeforeScan, &ScanLook::changed),
+        lookPart("range-window-m", look, rangeText, useRange, GivenBack::Both),
+        lookPart("point-size", cloud, pointText, usePoints, GivenBack::BeforeScan),
+        lookPart("clip-shares", cloud, clipText, useClip, GivenBack::Both),
+        lookPart("least-confidence-percent", confidence, leastText, useLeast, GivenBack::BeforeScan, &Confidence::changed),
+        lookPart("changes-shown", comparing, changesText, useChanges, GivenBack::BeforeScan),
+    };
 }
-
-void useLooks(const Desk& desk, const std::map<std::string, std::string>& looks) { use(desk, looks, false); }
-
-void useLooksOfScan(const Desk& desk, const std::map<std::string, std::string>& looks) { use(desk, looks, true); }
 
 } // namespace edgescan::ui

@@ -7,24 +7,12 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
-#include "ui/controllers/comparing.h"
-#include "ui/controllers/confidence.h"
 #include "ui/controllers/files/files.h"
 #include "ui/controllers/live.h"
-#include "ui/controllers/rocks/rocks.h"
-#include "ui/controllers/scan_look.h"
 #include "ui/controllers/sessions/session_store.h"
-#include "ui/controllers/targets/marked_edges.h"
-#include "ui/controllers/targets/selection.h"
-#include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/in_background.h"
 #include "ui/engine/worker_bridge/memory.h"
-#include "ui/panels/keys/commands.h"
-#include "ui/views/cloud/cloud_view.h"
-#include "ui/views/image/image_view.h"
-#include "ui/views/image/viewport.h"
 
-#include <QAction>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -49,19 +37,29 @@ bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
 
 } // namespace
 
-Sessions::Sessions(const Desk& desk)
-    : desk_(desk), autosaves_(desk.memory.dataFolder().isEmpty() ? QString() : desk.memory.dataFolder() + "/sessions"),
+Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo,
+                   std::vector<StatePart> parts)
+    : engine_(engine), files_(files), live_(live), notice_(notice), memory_(memory), undo_(undo), parts_(std::move(parts)),
+      autosaves_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/sessions"),
       written_(
           Urgency::Now, [this](const Job& job) { return write(job); },
           [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
-          [this](const QString& what) {
-              desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what));
-          },
+          [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what)); },
           Older::Delivered) {
     soon_.setSingleShot(true);
     soon_.setInterval(kSaveSoonMs);
     connect(&soon_, &QTimer::timeout, this, &Sessions::save);
-    connectDesk();
+    const auto change = [this] { changed(); };
+    for (const StatePart& part : parts_) {
+        if (part.follow) part.follow(*this, change);
+    }
+    changesOf(engine_, &Engine::pictureReady, &Engine::settingsChanged)(*this, change);
+    changesOf(undo_, &QUndoStack::indexChanged)(*this, change);
+    changesOf(live_.scanner(), &ScannerLink::recordingChanged, &ScannerLink::written)(*this, change);
+    connect(&engine_, &Engine::streamChanged, this, &Sessions::followStream);
+    connect(&engine_, &Engine::failed, this, [this](const QString& sentence) {
+        if (wanted_ && !engine_.opening()) askForPlace(sentence);
+    });
 }
 
 Sessions::~Sessions() {
@@ -76,46 +74,54 @@ Sessions::~Sessions() {
     autosaves_.end();
 }
 
-void Sessions::connectDesk() {
-    const auto follow = [this](auto* sender, auto signal) { connect(sender, signal, this, &Sessions::changed); };
-    follow(&desk_.engine, &Engine::pictureReady);
-    follow(&desk_.engine, &Engine::settingsChanged);
-    follow(&desk_.undo, &QUndoStack::indexChanged);
-    follow(&desk_.views, &LinkedViews::pinChanged);
-    follow(&desk_.selection, &Selection::changed);
-    follow(&desk_.rocks, &Rocks::changed);
-    follow(&desk_.rocks, &Rocks::shownChanged);
-    follow(&desk_.rocks, &Rocks::rocksShown);
-    follow(&desk_.marked, &MarkedEdges::changed);
-    follow(&desk_.comparing, &Comparing::pictureAChanged);
-    follow(&desk_.comparing, &Comparing::rowsChanged);
-    follow(&desk_.confidence, &Confidence::changed);
-    follow(&desk_.look, &ScanLook::changed);
-    follow(&desk_.views, &LinkedViews::rangeWindowChanged);
-    follow(&desk_.live.scanner(), &ScannerLink::recordingChanged);
-    follow(&desk_.live.scanner(), &ScannerLink::written);
-    follow(&desk_.views.cloud(), &CloudView::frameDrawn);
-    follow(desk_.views.gray().viewPort().get(), &ViewPort::changed);
-    for (QAction* action : desk_.window.actions()) {
-        if (action->property(kInSessions).isValid()) follow(action, &QAction::toggled);
-    }
-    connect(&desk_.engine, &Engine::streamChanged, this, &Sessions::followStream);
-    connect(&desk_.engine, &Engine::failed, this, [this](const QString& sentence) {
-        if (wanted_ && !desk_.engine.opening()) askForPlace(sentence);
-    });
-}
-
 void Sessions::changed() {
     if (!soon_.isActive() && !wanted_ && !reading_) soon_.start();
 }
 
+std::optional<inspect::SessionScan> Sessions::scanTaken() const {
+    const Picture& picture = *engine_.picture();
+    const Scan& scan = *picture.detection->scan;
+    if (picture.source.growth.sweep < 0) return scan.sha256.empty() ? std::nullopt : files_.scanShown(scan);
+    const QString recording = live_.recordingOf(picture.source.stream);
+    if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
+    inspect::SessionScan of = inspect::fileScan(recording.toStdString(), {}, inspect::notebookScan(scan));
+    of.kind = inspect::SessionScan::Kind::Recording;
+    of.identity.sha256.clear(); // of a file that grows
+    of.head = inspect::scanHead(scan);
+    return of;
+}
+
+std::optional<inspect::ViewerState> Sessions::taken() const {
+    auto scan = engine_.picture() ? scanTaken() : std::nullopt;
+    if (!scan) return std::nullopt;
+    inspect::ViewerState state;
+    state.scan = std::move(*scan);
+    for (const StatePart& part : parts_) part.take(state);
+    if (state.rocks) state.rocks->sha256 = state.scan.identity.sha256;
+    return state;
+}
+
+void Sessions::give(const inspect::ViewerState& state, GivenBack when) {
+    for (const StatePart& part : parts_) {
+        if (part.when == when || part.when == GivenBack::Both) part.use(state);
+    }
+}
+
+bool Sessions::isShown(const inspect::SessionScan& scan) const {
+    const Scan& shown = *engine_.picture()->detection->scan;
+    if (scan.kind == inspect::SessionScan::Kind::Recording)
+        return shown.beams() == scan.identity.beams && inspect::scanHead(shown, scan.head.lines) == scan.head &&
+               (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
+    return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
+}
+
 std::optional<Sessions::Job> Sessions::job() {
     if (wanted_ || reading_) return std::nullopt; // the session's scan is not on the screen yet
-    auto state = taken(desk_);
+    auto state = taken();
     if (!state) return std::nullopt;
     state->keptIn = file_.toStdString();
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
-    const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && desk_.live.scanner().recordingClosed();
+    const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && live_.scanner().recordingClosed();
     return Job{std::move(*state), autosaves_.own(), file_, closed};
 }
 
@@ -150,18 +156,17 @@ QString Sessions::write(const Job& job) {
 }
 
 void Sessions::take(const QString& trouble) {
-    if (!trouble.isEmpty() && !failing_)
-        desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
+    if (!trouble.isEmpty() && !failing_) notice_.showNotice(NoticeBar::Kind::Warning, tr("▲ The session is not saved: %1").arg(trouble));
     failing_ = !trouble.isEmpty();
     if (written_.behind() || !std::exchange(toTell_, false)) return;
-    if (!failing_ && !file_.isEmpty()) desk_.notice.showSaved(file_, tr("from now on saved as it changes"));
+    if (!failing_ && !file_.isEmpty()) notice_.showSaved(file_, tr("from now on saved as it changes"));
 }
 
 void Sessions::saveAs(const QString& path) {
-    const auto state = taken(desk_);
+    const auto state = taken();
     if (!state) {
-        desk_.notice.showNotice(NoticeBar::Kind::Warning,
-                                tr("There is nothing to save yet: open a scan first. A live sweep is kept by recording it."));
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("There is nothing to save yet: open a scan first. A live sweep is kept by recording it."));
         return;
     }
     file_ = QFileInfo(path).absoluteFilePath();
@@ -172,25 +177,25 @@ void Sessions::saveAs(const QString& path) {
 }
 
 void Sessions::askSaveAs() {
-    if (!taken(desk_)) return saveAs({});
-    const QString scan = QFileInfo(desk_.files.path().isEmpty() ? "demo" : desk_.files.path()).completeBaseName();
+    if (!taken()) return saveAs({});
+    const QString scan = QFileInfo(files_.path().isEmpty() ? "demo" : files_.path()).completeBaseName();
     SaveQuestion question{
-        tr("Save session"), QDir(desk_.memory.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
+        tr("Save session"), QDir(memory_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
     question.keeps = [](const QString& there) {
         return inspect::readSession(there.toStdString()) ? QString()
                                                          : tr("%1 is no session and stays as it is: choose another name.").arg(there);
     };
-    const QString path = askWhereToSave(desk_.notice.window(), question);
+    const QString path = askWhereToSave(notice_.window(), question);
     if (path.isEmpty()) return;
-    desk_.memory.keepFolder("sessions", path);
+    memory_.keepFolder("sessions", path);
     saveAs(path);
 }
 
 void Sessions::ask() {
-    const QString path = QFileDialog::getOpenFileName(desk_.notice.window(), tr("Open session"), desk_.memory.folder("sessions"),
+    const QString path = QFileDialog::getOpenFileName(notice_.window(), tr("Open session"), memory_.folder("sessions"),
                                                       filterOfSessions() + ";;" + tr("Screenshots (*.png)"));
     if (path.isEmpty()) return;
-    desk_.memory.keepFolder("sessions", path);
+    memory_.keepFolder("sessions", path);
     openSession(path);
 }
 
@@ -199,7 +204,7 @@ void Sessions::openSession(const QString& path) { open({path}); }
 void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
     if (paths.isEmpty()) return;
     const QString first = paths.front();
-    if (!isSessionName(first) && !first.endsWith(".png", Qt::CaseInsensitive)) return desk_.files.open(paths, options);
+    if (!isSessionName(first) && !first.endsWith(".png", Qt::CaseInsensitive)) return files_.open(paths, options);
     reading_ = true;
     inBackground(
         this,
@@ -213,16 +218,16 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 if (number != readings_) return;
                 reading_ = false;
                 if (!read)
-                    desk_.files.open(paths, options);
+                    files_.open(paths, options);
                 else if (!*read)
-                    desk_.notice.showError(read->error());
+                    notice_.showError(read->error());
                 else
                     restore(**read, isSessionName(first) ? first : QString());
             };
         },
         [this](const QString& what) {
             reading_ = false;
-            desk_.notice.showNotice(NoticeBar::Kind::Error, what);
+            notice_.showNotice(NoticeBar::Kind::Error, what);
         });
 }
 
@@ -234,25 +239,25 @@ void Sessions::restore(inspect::ReadSession read, const QString& file) {
     autosaves_.markContinued(file);
     place_ = 0;
     file_.clear();
-    desk_.undo.clear();
-    layOut(desk_, wanted_->state);
+    undo_.clear();
+    give(wanted_->state, GivenBack::BeforeScan);
     openNextPlace();
 }
 
 void Sessions::openNextPlace() {
     const inspect::SessionScan& scan = wanted_->state.scan;
-    if (!inspect::hasPath(scan.kind)) return desk_.files.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
-    if (place_ < wanted_->places.size()) return desk_.files.open({exactText(wanted_->places[place_].string())}, scan.reading);
+    if (!inspect::hasPath(scan.kind)) return files_.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
+    if (place_ < wanted_->places.size()) return files_.open({exactText(wanted_->places[place_].string())}, scan.reading);
     askForPlace(tr("%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest "
                    "comes with the scan.")
                     .arg(shownName(exactText(scan.path.string()))));
 }
 
 void Sessions::askForPlace(const QString& sentence) {
-    desk_.notice.showNotice(NoticeBar::Kind::Warning, sentence);
-    desk_.notice.offer(tr("Locate…"), [this] {
-        const QString path = QFileDialog::getOpenFileName(desk_.notice.window(), tr("Where is the scan now?"), desk_.memory.folder("scans"),
-                                                          Files::filters());
+    notice_.showNotice(NoticeBar::Kind::Warning, sentence);
+    notice_.offer(tr("Locate…"), [this] {
+        const QString path =
+            QFileDialog::getOpenFileName(notice_.window(), tr("Where is the scan now?"), memory_.folder("scans"), Files::filters());
         if (!path.isEmpty()) locate(path);
     });
 }
@@ -267,32 +272,31 @@ void Sessions::locate(const QString& path) {
 /// Another scan is on the screen: the one that the session waits for, or an unrelated one.
 void Sessions::followStream() {
     if (!wanted_) {
-        if (!file_.isEmpty() && !isSame(filed_, inspect::notebookScan(*desk_.engine.picture()->detection->scan))) {
-            if (desk_.notice.isHidden())
-                desk_.notice.showNotice(
-                    NoticeBar::Kind::Done,
-                    tr("The session %1 stays as it was: this is another scan.").arg(shownName(QFileInfo(file_).fileName())));
+        if (!file_.isEmpty() && !isSame(filed_, inspect::notebookScan(*engine_.picture()->detection->scan))) {
+            if (notice_.isHidden())
+                notice_.showNotice(NoticeBar::Kind::Done,
+                                   tr("The session %1 stays as it was: this is another scan.").arg(shownName(QFileInfo(file_).fileName())));
             file_.clear();
             emit nameChanged();
         }
         return;
     }
     const bool isFile = inspect::hasPath(wanted_->state.scan.kind);
-    if (isFile && (place_ >= wanted_->places.size() || desk_.files.path().toStdString() != wanted_->places[place_].string())) {
+    if (isFile && (place_ >= wanted_->places.size() || files_.path().toStdString() != wanted_->places[place_].string())) {
         wanted_.reset(); // the operator opened another scan meanwhile
         return;
     }
-    if (!isShown(desk_, wanted_->state.scan)) {
+    if (!isShown(wanted_->state.scan)) {
         if (isFile && ++place_ < wanted_->places.size()) return openNextPlace();
         askForPlace(tr("%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, "
                        "marks, rocks, A and the camera are not.")
-                        .arg(shownName(exactText(desk_.engine.picture()->detection->scan->name))));
+                        .arg(shownName(exactText(engine_.picture()->detection->scan->name))));
         return;
     }
     const inspect::ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
-    layOutOnScan(desk_, read.state);
+    give(inspect::cutTo(read.state, engine_.picture()->detection->scan->cells()), GivenBack::OnScan);
     file_ = wantedFile_;
-    filed_ = inspect::notebookScan(*desk_.engine.picture()->detection->scan);
+    filed_ = inspect::notebookScan(*engine_.picture()->detection->scan);
     emit nameChanged();
     changed();
 }
@@ -305,18 +309,18 @@ QString Sessions::toGoOn() const {
 void Sessions::continueLast() {
     const QString path = toGoOn();
     if (!path.isEmpty()) return openSession(path);
-    desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("There is no session to go on with yet: open a scan first."));
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no session to go on with yet: open a scan first."));
 }
 
 void Sessions::offerToContinue() {
     const QStringList left = autosaves_.afterCrash();
     if (left.isEmpty()) return;
-    desk_.notice.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is kept."));
-    desk_.notice.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is kept."));
+    notice_.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
 }
 
 std::string Sessions::textFor(const QString& folder) const {
-    const auto state = taken(desk_);
+    const auto state = taken();
     return state ? inspect::sessionText(*state, QDir(folder).absolutePath().toStdString(), utcText(utcNow())) : std::string();
 }
 

@@ -1,8 +1,9 @@
 // Sessions: saved as they change, opened, and continued after a crash.
 #pragma once
 
+#include "core/inspect/session_file/session_file.h"
 #include "ui/controllers/sessions/autosaves.h"
-#include "ui/controllers/sessions/desk.h"
+#include "ui/controllers/sessions/parts.h"
 #include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>
@@ -12,13 +13,21 @@
 #include <optional>
 #include <string>
 
+class QUndoStack;
+
 namespace edgescan::ui {
 
-/// GUI thread only; files are read and written by the pool.
+class Engine;
+class Files;
+class Live;
+class Memory;
+class NoticeBar;
+
+/// GUI thread only. What it is given must outlive it; files are read and written by the pool.
 class Sessions : public QObject {
     Q_OBJECT
 public:
-    explicit Sessions(const Desk& desk);
+    Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo, std::vector<StatePart> parts);
     /// Writes pending changes.
     ~Sessions() override;
 
@@ -53,8 +62,14 @@ private:
         QString own, file;   ///< target paths; either may be empty
         bool closed = false; ///< the recording of the sweep is closed: its hash is known
     };
-    void connectDesk();
     void changed();
+    /// The state now. Empty while there is nothing to come back to: no picture, or one of no file; of a sweep from a scanner, what is not
+    /// being recorded.
+    [[nodiscard]] std::optional<inspect::ViewerState> taken() const;
+    [[nodiscard]] std::optional<inspect::SessionScan> scanTaken() const;
+    /// That the scan on the screen is that one.
+    [[nodiscard]] bool isShown(const inspect::SessionScan& scan) const;
+    void give(const inspect::ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
     [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
     void take(const QString& trouble);
@@ -64,7 +79,13 @@ private:
     void followStream();
     void askForPlace(const QString& sentence);
 
-    Desk desk_;
+    Engine& engine_;
+    Files& files_;
+    Live& live_;
+    NoticeBar& notice_;
+    Memory& memory_;
+    QUndoStack& undo_;
+    std::vector<StatePart> parts_; // in the order in which they are given back
     Autosaves autosaves_;
     QString file_; // chosen by the operator; of the scan below
     inspect::NotebookScan filed_;

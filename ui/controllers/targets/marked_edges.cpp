@@ -5,58 +5,17 @@
 #include "ui/base/cell_marks.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/proposals_card.h"
 
 #include <QMenu>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 
 namespace edgescan::ui {
-namespace {
-
-class AdoptedSettings : public QUndoCommand {
-public:
-    AdoptedSettings(Engine& engine, const edges::Settings& after)
-        : QUndoCommand(stepName("Settings for These Marks")), engine_(engine), before_(engine.settings()), after_(after) {}
-
-    void undo() override { engine_.setSettings(before_); }
-    void redo() override { engine_.setSettings(after_); }
-
-private:
-    Engine& engine_;
-    edges::Settings before_, after_;
-};
-
-} // namespace
-
-/// A step on one scan; it is obsolete once another scan is on the screen.
-class MarksChange : public QUndoCommand {
-public:
-    MarksChange(const QString& name, MarkedEdges& marked, const edges::EdgeMarks& after)
-        : QUndoCommand(name), marked_(marked), stream_(marked.stream_), before_(marked.marks_), after_(after) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    void apply(const edges::EdgeMarks& marks) {
-        if (marked_.stream_ == stream_)
-            marked_.use(marks);
-        else
-            setObsolete(true);
-    }
-
-    MarkedEdges& marked_;
-    std::uint64_t stream_;
-    edges::EdgeMarks before_, after_;
-};
-
 MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice)
     : engine_(engine), views_(views), targets_(targets), undo_(undo), notice_(notice),
       found_(
@@ -68,13 +27,14 @@ MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, Q
               card_->hide();
               notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing could be proposed (%1).").arg(what));
           }) {
-    connect(&engine_, &Engine::pictureReady, this, [this] {
-        if (std::exchange(stream_, engine_.picture()->source.stream) != engine_.picture()->source.stream) use({});
-    });
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
         menu.addAction(tr("This is &no edge"), this, [this, cell] { mark(cell, false); });
     });
+}
+
+void MarkedEdges::followPicture() {
+    if (std::exchange(stream_, engine_.picture()->source.stream) != engine_.picture()->source.stream) use({});
 }
 
 void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
@@ -98,10 +58,14 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
 
 void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
 
-void MarkedEdges::restore(const edges::EdgeMarks& marks) { change(stepName("Open Session"), marks); }
+void MarkedEdges::setPart(const edges::EdgeMarks& marks) { change(stepName("Open Session"), marks); }
 
 void MarkedEdges::change(const QString& what, const edges::EdgeMarks& after) {
-    if (after != marks_) undo_.push(new MarksChange(what, *this, after));
+    if (after == marks_) return;
+    undo_.push(new UndoStep<edges::EdgeMarks>(what, marks_, after, [this, stream = stream_](const edges::EdgeMarks& value) {
+        if (stream_ == stream) use(value);
+        return stream_ == stream;
+    }));
 }
 
 void MarkedEdges::use(const edges::EdgeMarks& marks) {
@@ -165,7 +129,11 @@ void MarkedEdges::makeCard() {
     connect(card_, &ProposalsCard::adoptRequested, this, [this](int row) {
         const edges::Settings adopted = proposals_[static_cast<std::size_t>(row)].settings;
         putBack(); // undo then leads to the settings before the preview
-        undo_.push(new AdoptedSettings(engine_, adopted));
+        undo_.push(new UndoStep<edges::Settings>(stepName("Settings for These Marks"), engine_.settings(), adopted,
+                                                 [this](const edges::Settings& value) {
+                                                     engine_.setSettings(value);
+                                                     return true;
+                                                 }));
         card_->hide();
     });
     connect(card_, &QDialog::rejected, this, [this] {

@@ -25,14 +25,16 @@ class MarkedEdges : public QObject {
 public:
     MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, QUndoStack& undo, NoticeBar& notice);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// Marks the pinned cell or the cell under the mouse; the same mark again removes it.
     void mark(std::optional<std::size_t> cell, bool isEdge);
     void clear();
     /// Restores all marks as one undo step.
-    void restore(const edges::EdgeMarks& marks);
+    void setPart(const edges::EdgeMarks& marks);
     /// Works out off the GUI thread which settings agree, and shows them.
     void propose();
-    [[nodiscard]] const edges::EdgeMarks& marks() const { return marks_; }
+    [[nodiscard]] const edges::EdgeMarks& part() const { return marks_; }
     [[nodiscard]] bool settled() const { return !found_.behind(); }
     /// Null before the first proposals.
     [[nodiscard]] ProposalsCard* card() const { return card_; }
@@ -41,7 +43,6 @@ signals:
     void changed();
 
 private:
-    friend class MarksChange;
     struct Question {
         std::shared_ptr<const Scan> scan;
         edges::Settings settings;

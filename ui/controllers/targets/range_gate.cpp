@@ -1,6 +1,6 @@
 // Range gate and clip box: hide cells by their position.
 #include "ui/base/notice_bar.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/targets/selection.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -24,8 +24,9 @@ void Selection::reportGrowth() {
                        tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
 }
 
-void Selection::restore(inspect::CellSet selected, inspect::CellSet hidden) {
-    change(stepName("Open Session"), {std::move(selected), std::move(hidden)});
+void Selection::setPart(const inspect::SelectionPart& part) {
+    const std::size_t cells = engine_.picture()->detection->scan->cells();
+    change(stepName("Open Session"), {inspect::cellsOf(part.selected, cells), inspect::cellsOf(part.hidden, cells)});
 }
 
 void Selection::hideBeyond(double nearM, double farM) {

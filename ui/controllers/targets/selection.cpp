@@ -4,7 +4,7 @@
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/selected_colour.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -13,8 +13,6 @@
 #include "ui/views/image/viewport.h"
 
 #include <QMenu>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 #include <utility>
@@ -43,28 +41,6 @@ std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected,
 
 } // namespace
 
-/// A step on one scan; it is obsolete once another scan is on the screen.
-class SelectionChange : public QUndoCommand {
-public:
-    SelectionChange(const QString& name, Selection& selection, Selection::State after)
-        : QUndoCommand(name), selection_(selection), stream_(selection.stream_), before_(selection.state_), after_(std::move(after)) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    void apply(const Selection::State& state) {
-        if (selection_.stream_ == stream_)
-            selection_.use(state);
-        else
-            setObsolete(true);
-    }
-
-    Selection& selection_;
-    std::uint64_t stream_;
-    Selection::State before_, after_;
-};
-
 Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), notice_(notice), undo_(undo),
       inside_(
@@ -74,7 +50,6 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
           },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was selected (%1).").arg(what)); },
           Older::Delivered) { // each of them was drawn
-    connect(&engine_, &Engine::pictureReady, this, &Selection::followPicture);
     connect(&views_, &LinkedViews::imageOutlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         const Scan& scan = *views_.shown()->detection->scan;
         std::vector<Eigen::Vector2d> way;
@@ -173,7 +148,11 @@ void Selection::zoomTo() {
 }
 
 void Selection::change(const QString& what, State after) {
-    if (after != state_) undo_.push(new SelectionChange(what, *this, std::move(after)));
+    if (after == state_) return;
+    undo_.push(new UndoStep<State>(what, state_, std::move(after), [this, stream = stream_](const State& value) {
+        if (stream_ == stream) use(value);
+        return stream_ == stream;
+    }));
 }
 
 void Selection::use(const State& state) {

@@ -1,7 +1,7 @@
 // One selection of cells for both images, the cloud and exports; and the hidden cells of the scan.
 #pragma once
 
-#include "core/inspect/measure/cell_sets.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/views/cloud/point_pick.h"
 
@@ -27,6 +27,8 @@ class Selection : public QObject {
 public:
     Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar& notice, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     [[nodiscard]] const inspect::CellSet& cells() const { return state_.selected; }
     [[nodiscard]] const inspect::CellSet& hidden() const { return state_.hidden; }
     /// Each of these functions is one undo step.
@@ -37,7 +39,8 @@ public:
     /// Hides everything except the selection.
     void isolateSelected();
     void showAll();
-    void restore(inspect::CellSet selected, inspect::CellSet hidden);
+    [[nodiscard]] inspect::SelectionPart part() const { return {inspect::runsOf(state_.selected), inspect::runsOf(state_.hidden)}; }
+    void setPart(const inspect::SelectionPart& part);
     /// Also hides nearer and farther cells, metres.
     void hideBeyond(double nearM, double farM);
     /// The same with the range of a cell as one of the limits.
@@ -58,7 +61,6 @@ signals:
     void exportRequested();
 
 private:
-    friend class SelectionChange;
     struct State {
         inspect::CellSet selected, hidden;
         bool operator==(const State&) const = default;
@@ -69,7 +71,6 @@ private:
         QPolygonF corners;
         Qt::KeyboardModifiers modifiers;
     };
-    void followPicture();
     void combine(inspect::CellSet cells, Qt::KeyboardModifiers modifiers);
     void change(const QString& what, State after);
     void use(const State& state);

@@ -3,7 +3,7 @@
 
 #include "core/base/utc_time.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/step_name.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -14,35 +14,11 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QPushButton>
-#include <QUndoCommand>
-#include <QUndoStack>
 
 #include <algorithm>
 #include <utility>
 
 namespace edgescan::ui {
-
-/// A step on one scan; it is obsolete once another scan is on the screen.
-class NotebookChange : public QUndoCommand {
-public:
-    NotebookChange(const QString& name, Targets& targets, inspect::Notebook after)
-        : QUndoCommand(name), targets_(targets), key_(targets.key_), before_(targets.notebook_), after_(std::move(after)) {}
-
-    void undo() override { apply(before_); }
-    void redo() override { apply(after_); }
-
-private:
-    void apply(const inspect::Notebook& notebook) {
-        if (targets_.key_ == key_)
-            targets_.use(notebook);
-        else
-            setObsolete(true);
-    }
-
-    Targets& targets_;
-    QString key_;
-    inspect::Notebook before_, after_;
-};
 
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
@@ -54,7 +30,6 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
               notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
           },
           Older::Delivered) { // while a sweep grows
-    connect(&engine_, &Engine::pictureReady, this, &Targets::followPicture);
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::pinCleared, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
@@ -223,13 +198,25 @@ void Targets::removeMeasure(std::size_t place) {
     change(stepName("Remove Measurement"), std::move(after));
 }
 
-void Targets::restore(const inspect::Notebook& notebook) {
-    if (notebook == notebook_) return;
-    change(stepName("Open Session"), notebook);
-    emit pinned();
+inspect::TargetsPart Targets::part() const {
+    const inspect::PinnedTarget* target = active();
+    return {notebook_, target == nullptr ? std::nullopt : std::optional(target->cell)};
 }
 
-void Targets::change(const QString& what, inspect::Notebook after) { undo_.push(new NotebookChange(what, *this, std::move(after))); }
+void Targets::setPart(const inspect::TargetsPart& part) {
+    if (part.notebook != notebook_) {
+        change(stepName("Open Session"), part.notebook);
+        emit pinned();
+    }
+    if (part.active) views_.pin(*part.active);
+}
+
+void Targets::change(const QString& what, inspect::Notebook after) {
+    undo_.push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), [this, key = key_](const inspect::Notebook& value) {
+        if (key_ == key) use(value);
+        return key_ == key;
+    }));
+}
 
 void Targets::use(const inspect::Notebook& notebook) {
     notebook_ = notebook;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edges/tuning/confidence.h"
-#include "core/inspect/measure/notebook.h"
+#include "core/inspect/session_file/viewer_state.h"
 #include "ui/base/cell_marks.h"
 #include "ui/controllers/targets/target_store.h"
 #include "ui/engine/worker_bridge/derived.h"
@@ -49,6 +49,8 @@ class Targets : public QObject {
 public:
     Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
 
+    /// A new picture is on the screen.
+    void followPicture();
     [[nodiscard]] const inspect::Notebook& notebook() const { return notebook_; }
     /// The file of the notebook; empty: none.
     [[nodiscard]] QString notebookFile() const;
@@ -71,8 +73,9 @@ public:
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
-    /// Restores all targets as one undo step.
-    void restore(const inspect::Notebook& notebook);
+    [[nodiscard]] inspect::TargetsPart part() const;
+    /// As one step of undo.
+    void setPart(const inspect::TargetsPart& part);
     /// Shows the cells picked so far for a measurement; an empty mark removes them.
     void showDraft(const MeasureMark& draft);
     /// The source of the picture in words, for the cards.
@@ -96,14 +99,12 @@ signals:
     void measureRequested(std::size_t cell);
 
 private:
-    friend class NotebookChange;
     struct Question {
         std::shared_ptr<const Picture> picture;
         inspect::Notebook notebook;
     };
     [[nodiscard]] KnownTargets workOut(const Question& question); // pool's thread
     void connectPanel();
-    void followPicture();
     void followPin(std::optional<std::size_t> cell);
     void change(const QString& what, inspect::Notebook after);
     void use(const inspect::Notebook& notebook);

@@ -21,7 +21,6 @@ LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges
     cloud_.setPointSizeFollows(true);
     linkImages();
     linkCloud();
-    connect(&engine_, &Engine::pictureReady, this, &LinkedViews::show);
 }
 
 void LinkedViews::linkImages() {
@@ -124,7 +123,7 @@ void LinkedViews::lookAtBox(const QRect& cells) {
     emit boxed(words);
 }
 
-void LinkedViews::show() {
+void LinkedViews::followPicture() {
     flipTo(nullptr);
     const std::shared_ptr<const Picture> last = std::exchange(picture_, engine_.picture());
     if (!last || last->source.stream != picture_->source.stream)

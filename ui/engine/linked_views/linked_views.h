@@ -31,6 +31,8 @@ class LinkedViews : public QObject {
 public:
     LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges, CloudView& cloud);
 
+    /// A new picture is on the screen.
+    void followPicture();
     /// The picture in all views; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return state_.flippedTo ? state_.flippedTo : picture_; }
     [[nodiscard]] ImageView& gray() { return *images_[0]; }
@@ -116,7 +118,6 @@ private:
     void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
     void click(std::size_t cell);
     void lookAtBox(const QRect& cells);
-    void show();
     void draw();
     void applyScene();
     void showNewScan();

@@ -17,19 +17,20 @@ constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
 ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine) {
     timer_.setInterval(kLinkTickMs);
     connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
-    connect(&engine_, &Engine::pictureReady, this, [this] {
-        if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
-        awaiting_ = false;
-        if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
-        // After each picture the worker is free for the sliders for the time that the picture took.
-        restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
-    });
     connect(&engine_, &Engine::failed, this, [this] { awaiting_ = false; });
     // The operator opened another file: the next scan line must not replace it.
     connect(&engine_, &Engine::opened, this, [this] { follow(false); });
 }
 
 ScannerLink::~ScannerLink() = default;
+
+void ScannerLink::followPicture() {
+    if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
+    awaiting_ = false;
+    if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
+    // After each picture the worker is free for the sliders for the time that the picture took.
+    restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+}
 
 void ScannerLink::runInThread(std::function<std::function<void()>()> work) {
     inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });

@@ -23,6 +23,8 @@ public:
     /// `session` must outlive this.
     explicit ScannerLink(Engine& engine, QObject* parent = nullptr);
     ~ScannerLink() override;
+    /// A new picture is on the screen.
+    void followPicture();
 
     /// Closes an open connection first. EdgeScan sends only read requests and a subscription.
     void connectTo(const scanner::SessionSettings& scanner, const scanner::SweepSettings& sweep);

@@ -204,7 +204,7 @@ void StartPage::showSession(const QString& path) {
             if (read)
                 words = tr("%1, %2 targets, %3 UTC")
                             .arg(shownName(exactText(read->state.scan.identity.name)))
-                            .arg(read->state.notebook.targets.size())
+                            .arg(read->state.targets.notebook.targets.size())
                             .arg(shownText(read->savedUtc).left(16).replace('T', ' '));
             return [this, words] { words.isEmpty() ? session_->setEnabled(false) : session_->setDescription(words); };
         },

@@ -7,6 +7,7 @@
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <random>
 
@@ -23,25 +24,41 @@ TEST(SessionFile, IsReadBackAsItWasWritten) {
     ASSERT_TRUE(bool(read)) << read.error().sentence();
     const ViewerState& now = read->state;
     EXPECT_EQ(read->savedUtc, "2026-11-21T08:00:00Z");
-    EXPECT_EQ(now.settings, before.settings);
-    EXPECT_EQ(now.notebook, before.notebook);
-    EXPECT_EQ(now.active, before.active);
-    EXPECT_EQ(now.selected, before.selected);
-    EXPECT_EQ(now.hidden, before.hidden);
+    EXPECT_EQ(now.tuning.settings, before.tuning.settings);
+    EXPECT_EQ(now.targets.notebook, before.targets.notebook);
+    EXPECT_EQ(now.targets.active, before.targets.active);
+    EXPECT_EQ(now.selection.selected, before.selection.selected);
+    EXPECT_EQ(now.selection.hidden, before.selection.hidden);
     EXPECT_EQ(now.marks.wanted, before.marks.wanted);
     EXPECT_EQ(now.marks.unwanted, before.marks.unwanted);
     EXPECT_EQ(now.rocks->settings, before.rocks->settings);
     EXPECT_EQ(now.rocks->edits, before.rocks->edits);
-    EXPECT_EQ(now.kept->settings, before.kept->settings);
-    EXPECT_EQ(now.kept->scan.path, before.kept->scan.path);
-    EXPECT_EQ(now.camera, before.camera);
-    EXPECT_EQ(now.images, before.images);
+    EXPECT_EQ(now.earlier->settings, before.earlier->settings);
+    EXPECT_EQ(now.earlier->scan.path, before.earlier->scan.path);
+    EXPECT_EQ(now.view.camera, before.view.camera);
+    EXPECT_EQ(now.view.images, before.view.images);
     EXPECT_EQ(now.switches, before.switches);
     EXPECT_EQ(now.looks, before.looks);
     EXPECT_EQ(now.layout, before.layout);
     EXPECT_EQ(now.scan.reading.unitMm, 2.5);
     EXPECT_EQ(now.scan.reading.pose, before.scan.reading.pose);
     EXPECT_EQ(sessionText(now, folder.path() / "sessions", "2026-11-21T08:00:00Z"), text);
+}
+
+TEST(SessionFile, OneThatAnEarlierEdgeScanWroteOpensWithTheSameResult) {
+    const auto bytes =
+        readWholeFile(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/inspect/session_file/written_by_0.1.0.edgescan-session.json");
+    ASSERT_TRUE(bool(bytes));
+    const auto read = sessionFromText(textOf(*bytes), "/sessions", "test");
+    ASSERT_TRUE(bool(read)) << read.error().sentence();
+    EXPECT_EQ(read->state.keptIn, "/sessions/day.edgescan-session.json");
+    // All that it said is said again; what is said more did not exist then.
+    auto then = nlohmann::json::parse(textOf(*bytes));
+    then.erase("program");
+    const auto now = nlohmann::json::parse(sessionText(read->state, "/sessions", read->savedUtc));
+    auto both = now;
+    both.merge_patch(then);
+    EXPECT_EQ(both, now);
 }
 
 TEST(SessionFile, IsFoundAgainWhenItMovedWithItsScan) {
@@ -91,13 +108,13 @@ TEST(SessionFile, ARecordingThatLostItsEndKeepsWhatIsStillThere) {
     const ViewerState whole = cutTo(before, 120000);
     EXPECT_EQ(sessionText(whole, "/sessions", ""), sessionText(before, "/sessions", ""));
     const ViewerState cut = cutTo(before, 100);
-    EXPECT_EQ(cut.notebook.targets.size(), 1U);
-    EXPECT_TRUE(cut.notebook.measures.empty());
-    EXPECT_EQ(cut.active, 77U);
-    EXPECT_EQ(cut.selected, (std::vector<CellRun>{{5, 3}}));
-    EXPECT_EQ(cut.hidden, (std::vector<CellRun>{{0, 2}}));
-    EXPECT_EQ(cutTo(before, 6).selected, (std::vector<CellRun>{{5, 1}}));
-    EXPECT_FALSE(cutTo(before, 77).active);
+    EXPECT_EQ(cut.targets.notebook.targets.size(), 1U);
+    EXPECT_TRUE(cut.targets.notebook.measures.empty());
+    EXPECT_EQ(cut.targets.active, 77U);
+    EXPECT_EQ(cut.selection.selected, (std::vector<CellRun>{{5, 3}}));
+    EXPECT_EQ(cut.selection.hidden, (std::vector<CellRun>{{0, 2}}));
+    EXPECT_EQ(cutTo(before, 6).selection.selected, (std::vector<CellRun>{{5, 1}}));
+    EXPECT_FALSE(cutTo(before, 77).targets.active);
     EXPECT_EQ(cutTo(before, 25).rocks->edits.size(), 1U);
     EXPECT_TRUE(cutTo(before, 9).marks.wanted == std::vector<std::uint32_t>{3} && cutTo(before, 9).marks.unwanted.empty());
 }

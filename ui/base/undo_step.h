@@ -1,0 +1,72 @@
+// An undo step, for every part of the viewer's state; and its name: in the language of the sources for the audit log, and in the language
+// of the window.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoCommand>
+#include <QUndoStack>
+
+#include <functional>
+#include <utility>
+
+namespace edgescan::ui {
+
+/// In the form that QUndoCommand takes: text() before the line break, the menu's text after it. `given` fills %1, %2 ...
+template <class... Given>
+[[nodiscard]] QString stepName(const char* text, const Given&... given) {
+    QString source = QString::fromUtf8(text), shown = QObject::tr(text);
+    ((source = source.arg(given)), ...);
+    ((shown = shown.arg(given)), ...);
+    return source + '\n' + shown;
+}
+
+/// The number of a new drag: steps with the same number become one.
+[[nodiscard]] inline int nextDrag() {
+    static int last = 0;
+    return ++last;
+}
+
+/// Two values of one part of the state.
+template <class Value>
+class UndoStep : public QUndoCommand {
+public:
+    /// Makes the value the part's value. False: the value belongs to another scan than the one on the screen; the step is obsolete.
+    using Use = std::function<bool(const Value& value)>;
+    using Name = std::function<QString(const Value& before, const Value& after)>;
+
+    UndoStep(const QString& name, Value before, Value after, Use use)
+        : QUndoCommand(name), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)) {}
+    /// Of a drag, whose steps become one under the name of all that it changed.
+    UndoStep(int drag, Name name, Value before, Value after, Use use)
+        : QUndoCommand(name(before, after)), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)), drag_(drag),
+          name_(std::move(name)) {}
+
+    /// Where this step is obsolete, undo or redo continues with the next step of the stack.
+    void giveWayIn(QUndoStack& stack) { stack_ = &stack; }
+
+    void undo() override { take(before_, &QUndoStack::undo); }
+    void redo() override { take(after_, &QUndoStack::redo); }
+    [[nodiscard]] int id() const override { return drag_; }
+    bool mergeWith(const QUndoCommand* later) override {
+        if (later->id() != id()) return false;
+        after_ = static_cast<const UndoStep*>(later)->after_;
+        setText(name_(before_, after_));
+        return true;
+    }
+
+private:
+    void take(const Value& value, void (QUndoStack::*next)()) {
+        if (use_(value)) return;
+        setObsolete(true);
+        if (stack_ != nullptr) QMetaObject::invokeMethod(stack_, next, Qt::QueuedConnection);
+    }
+
+    Value before_, after_;
+    Use use_;
+    int drag_ = -1; // QUndoCommand: never merged
+    Name name_;
+    QUndoStack* stack_ = nullptr;
+};
+
+} // namespace edgescan::ui

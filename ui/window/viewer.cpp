@@ -1,0 +1,58 @@
+// Who is made of what, and who learns of a new picture when.
+#include "ui/window/viewer.h"
+
+#include "ui/base/notice_bar.h"
+#include "ui/engine/worker_bridge/memory.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/confidence/confidence_legend.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/timeline.h"
+#include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/panels/tuning/status_line.h"
+#include "ui/panels/tuning/warning_button.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/scale_plate.h"
+#include "ui/views/image/image_view.h"
+#include "ui/window/tool_bar.h"
+
+namespace edgescan::ui {
+
+Viewer::Viewer(Memory& ofPerson)
+    : memory(ofPerson), gray(*new ImageView), edges(*new ImageView(gray.viewPort())), cloud(*new CloudView),
+      scalePlate(*new ScalePlate(&cloud)), panel(*new EdgesPanel), livePanel(*new LivePanel), timeline(*new Timeline),
+      rocksPanel(*new RocksPanel), rockTable(*new RockTable), targetsPanel(*new TargetsPanel), tools(*new ToolBar), origin(*new StateBadge),
+      notice(*new NoticeBar), statusLine(*new StatusLine), warnings(*new WarningButton), legend(*new EdgeLegend),
+      changeLegend(*new ChangeLegend), confidenceLegend(*new ConfidenceLegend), rangeWindow(*new RangeWindow),
+      views(engine, gray, edges, cloud), files(engine, notice, memory, undo), opening(engine, files, notice),
+      exports(engine, files, notice, memory), tuning(engine, panel, notice, memory, undo),
+      live(engine, livePanel, timeline, views, files, notice, memory), explanation(views, notice),
+      rocks(engine, views, rocksPanel, rockTable, notice, memory, undo), targets(engine, views, rocks, targetsPanel, notice, memory, undo),
+      measures(views, targets, notice), selection(engine, views, rocks, notice, undo),
+      comparing(engine, views, changeLegend, files, notice, memory, undo), confidence(engine, views, targets, confidenceLegend, memory),
+      markedEdges(engine, views, targets, undo, notice), look(engine, views, scalePlate, rangeWindow, memory),
+      report(engine, files, rocks, targets, comparing, notice, memory), audit(memory.place(), engine, views, undo, notice) {
+    followPictures();
+}
+
+/// Who learns of a new picture, in this order; the window and the sessions come last.
+void Viewer::followPictures() {
+    const auto next = [this](auto& part, auto follow) { QObject::connect(&engine, &Engine::pictureReady, &part, follow); };
+    next(views, &LinkedViews::followPicture); // the others draw over it
+    next(tuning, &Tuning::followPicture);
+    next(live, &Live::followPicture);
+    next(explanation, &Explanation::forgetTrail);
+    next(rocks, &Rocks::followPicture);
+    next(targets, &Targets::followPicture);
+    next(selection, &Selection::followPicture);
+    next(comparing, &Comparing::followPicture);
+    next(confidence, &Confidence::followPicture);
+    next(markedEdges, &MarkedEdges::followPicture);
+    next(look, &ScanLook::followPicture);
+}
+
+} // namespace edgescan::ui
