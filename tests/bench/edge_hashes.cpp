@@ -1,6 +1,6 @@
-// Prints a hash of every mask, class, response and strength that the methods make of simulated sweeps, of sweeps of noise, and of the
-// scans that are named: what a faster program must print as well.
-// build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same of an older build > old; diff old new
+// Prints a hash of every mask, class, response and strength that the methods compute for simulated sweeps, for sweeps of noise, and for the
+// scans given as arguments. A faster program must print the same. build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same with an
+// older build > old; diff old new
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
@@ -89,7 +89,7 @@ void printSimulated(const char* name, const std::function<void(sim::SimulationSe
     if (simulated) print(name, simulated->scan);
 }
 
-// Ranges that stand for no surface at all, of every size from one cell on.
+// Ranges without any surface, in all sizes from one cell on.
 Scan noise(int lines, int beams) {
     std::mt19937 random(static_cast<unsigned>(1000 * lines + beams));
     Scan scan;

@@ -1,4 +1,4 @@
-// The real telegrams in ../shared/protocol/vectors, and what they decode to.
+// The real telegrams in ../shared/protocol/vectors, and their decoded values.
 #pragma once
 
 #include "core/scanner/sick_lms/scan_telegram.h"
@@ -39,7 +39,7 @@ inline std::string crc32Text(ByteView bytes) {
     return text;
 }
 
-/// Over the values as 16-bit numbers, whatever their width on the wire: as the tables have it.
+/// Over the values as 16-bit numbers, whatever their width on the wire, as in the tables.
 inline std::string crc32Text(const scanner::ScanChannel& channel) {
     Bytes bytes;
     for (const std::uint16_t value : channel.values) {

@@ -1,4 +1,4 @@
-// EdgeScan+ from a scan to its edges in one call; the program keeps what is in between.
+// EdgeScan+ from a scan to its edges in one call; the program stores the intermediate results.
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"

@@ -1,4 +1,4 @@
-// The independent Python tools in ../shared/protocol/tools, as separate programs.
+// The independent Python tools in ../shared/protocol/tools, run as separate programs.
 #pragma once
 
 #include "tests/support/cola_vectors.h"
@@ -19,7 +19,7 @@ inline bool pythonIsThere() {
     return there && std::filesystem::exists(protocolFolder() / "tools" / "cola.py");
 }
 
-/// A program of its own that ends with the test.
+/// A process that ends with the test.
 class Process {
 public:
     explicit Process(std::vector<std::string> words) {

@@ -1,4 +1,4 @@
-// Scoring in one call, for tests that want nothing but the score.
+// The score in one call, for tests that need only the score.
 #pragma once
 
 #include "core/lab/score/score.h"

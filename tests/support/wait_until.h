@@ -1,4 +1,4 @@
-// Waiting for a condition that nobody tells of.
+// Waits for a condition that does not send a signal.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace edgescan::test {
 
-/// Looks every few milliseconds. True as soon as `done` is, false when the time is up.
+/// Checks every few milliseconds. True as soon as `done` is true, false at the timeout.
 template <class Condition>
 [[nodiscard]] bool waitUntil(Condition done, std::chrono::milliseconds timeout = std::chrono::seconds(20)) {
     const auto end = std::chrono::steady_clock::now() + timeout;

@@ -39,7 +39,7 @@ std::vector<Choice> methodChoices() {
     return choices;
 }
 
-// Who takes notice of a parameter.
+// The functions for "used by".
 bool always(const Settings&) { return true; }
 template <unsigned what>
 bool readers(const Settings& s) {
@@ -53,13 +53,13 @@ bool fillEdges(const Settings& s) { return surface(s) && s.fillCells > 0; }
 bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
 bool sigma(const Settings& s) { return reads(s.method, kReadsSigma) || (reads(s.method, kReadsKernel) && s.kernel > 1); }
 
-// What "auto" comes out as; without it a parameter cannot be automatic.
+// The value of "auto"; null: the parameter cannot be automatic.
 using Automatic = double (*)(const Settings&, const Measured&);
 constexpr Automatic kNoAuto = nullptr;
 
 // clang-format off
 const std::vector<Parameter>& table() {
-    //   key, label, unit, help, minimum, maximum, step, decimals, member, slider maximum, what auto comes out as, advanced, choices, several, used by, feeds
+    //   key, label, unit, help, minimum, maximum, step, decimals, member, slider maximum, value of auto, advanced, choices, several, used by, feeds
     static const std::vector<Parameter> rows{
         {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
          0, static_cast<double>(methodTraits().size() - 1), 1, 0, EDGESCAN_NUMBER(Settings, method), static_cast<double>(methodTraits().size() - 1), kNoAuto, !kAdvanced, methodChoices(), !kSeveral, always, Stage::Edges},
@@ -129,7 +129,7 @@ std::string choiceNames(const Parameter& parameter) {
 std::string flag(const Parameter& parameter) { return std::string("--") + parameter.key; }
 
 Result<double> withinLimits(const Parameter& parameter, double value) {
-    // What counts cells holds no fractions.
+    // Counts of cells have no fraction.
     Settings held;
     parameter.set(held, value);
     if (std::abs(value) < 1e9 && parameter.get(held) != value)
@@ -141,7 +141,7 @@ Result<double> withinLimits(const Parameter& parameter, double value) {
                  flag(parameter), "give a value within these limits"};
 }
 
-// "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the unit's own name is always allowed.
+// "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the parameter's own unit is always allowed.
 bool stripUnit(const Parameter& parameter, std::string_view& text, double& factor) {
     const auto ends = [&](std::string_view unit) {
         if (unit.empty() || text.size() <= unit.size() || !text.ends_with(unit)) return false;
@@ -155,7 +155,7 @@ bool stripUnit(const Parameter& parameter, std::string_view& text, double& facto
     return true;
 }
 
-// "jump,concave" -> the sum of their values; "all" and "none" are names too.
+// "jump,concave" -> the sum of their values; "all" and "none" are also accepted.
 Result<double> parseSet(const Parameter& parameter, std::string_view text) {
     if (text == "all") return parameter.maximum;
     if (text == "none") return parameter.minimum;
@@ -182,7 +182,7 @@ std::string formatSet(const Parameter& parameter, double value) {
     return names.empty() ? "none" : names;
 }
 
-// What is fed to one stage is part of what another makes.
+// Whether a stage uses, directly or through other stages, a parameter that is first used in stage `fed`.
 bool reaches(Stage fed, Stage stage) {
     switch (stage) {
     case Stage::Smoothing:

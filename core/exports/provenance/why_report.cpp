@@ -73,7 +73,7 @@ json depthReport(const edges::DepthProbe& depth) {
     return report;
 }
 
-// The text for a person, one sentence or two per line.
+// The text for a person, with one or two sentences per line.
 json linesOf(const std::string& text) {
     json lines = json::array();
     for (std::size_t at = 0; at < text.size();) {

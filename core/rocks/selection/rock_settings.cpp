@@ -1,4 +1,4 @@
-// The table of what can be turned about rocks.
+// The table of the settings for rocks.
 #include "core/rocks/selection/rock_settings.h"
 
 #include "core/base/json_fields.h"

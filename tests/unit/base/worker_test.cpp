@@ -1,4 +1,4 @@
-// The newest-wins worker under many posters: no request older than the newest result is given, and the last one is always done.
+// The newest-wins worker with many posters: a result is never older than the one before, and the last request is always done.
 #include "core/base/worker.h"
 #include "tests/support/wait_until.h"
 
@@ -28,7 +28,7 @@ TEST(Worker, TheNewestOfManyPostsIsDone) {
             for (int i = 0; i < kEach; ++i) worker.post(1 + i * kPosters + p);
         });
     }
-    std::thread taker([&] { // the GUI thread's part
+    std::thread taker([&] { // acts as the GUI thread
         while (!newest) {
             static_cast<void>(worker.take());
             static_cast<void>(worker.takeFailure());

@@ -1,4 +1,4 @@
-// The lines of a sweep shared out among threads: the same to the last bit, wherever the seams lie.
+// The lines of a sweep divided among threads: the same to the last bit, wherever the seams are.
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/sim/simulate.h"
 

@@ -1,4 +1,4 @@
-// What is said to have been measured at a cell is what the whole scan was judged by.
+// The values reported for a cell are those that the detection of the whole scan used.
 #include "core/edges/edgescan_plus/cell_probe.h"
 
 #include "core/edges/explain/why.h"
@@ -57,7 +57,7 @@ void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
         const int line = static_cast<int>(k) / scan.beams();
         const int beam = static_cast<int>(k) % scan.beams();
         const DepthProbe probe = probeDepth(scan, settings, line, beam);
-        // Edges go round gaps: what a filled cell had comes to one beside it.
+        // Edges are moved around gaps: the response of a filled cell moves to a neighbouring cell.
         const auto same = [&](float kept, float held) {
             if (probe.support == Support::Filled) return held == 0.0F;
             return kept == held || (kept == 0.0F && probe.support == Support::Measured && besideFilled(inverse, line, beam));
@@ -130,7 +130,7 @@ TEST(DepthProbe, AStepAndACornerHaveTheirSizes) {
     ASSERT_FALSE(ridge.folds.empty());
     EXPECT_EQ(ridge.folds[0].along, Along::Beams);
     EXPECT_FALSE(ridge.folds[0].convex);             // |x| + z = 5 m: farthest in the middle
-    EXPECT_NEAR(ridge.folds[0].dihedralDeg, 90, 20); // smoothing and the cell beside the fold take some of it
+    EXPECT_NEAR(ridge.folds[0].dihedralDeg, 90, 20); // smoothing and the neighbouring cell reduce it
 }
 
 TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
@@ -206,14 +206,14 @@ TEST(DepthProbe, OtherMethodsSayUnitAndDirection) {
         EXPECT_EQ(why.unit, unit);
         EXPECT_NE(whyText(why, settings).find(unit), std::string::npos);
     }
-    // In percent of the range the threshold is the one that was typed.
+    // In percent of the range, the threshold is the typed value.
     Settings settings;
     settings.method = Method::LogRange;
     settings.stepPercent = 4;
     const Why why = whyCell(*detectEdges(scan, settings), scan->rangeMm.index(15, 15));
     EXPECT_NEAR(why.lower, 4, 1e-9);
     EXPECT_NEAR(why.upper, 100 * (std::pow(1.04, 3) - 1), 1e-9);
-    // Turned by a quarter: along the lines.
+    // Rotated by 90 degrees: along the lines.
     const auto turned =
         std::make_shared<const Scan>(test::makeScan(30, 30, [](int i, int) { return 9000.0F - 200.0F * static_cast<float>(i); }));
     for (const Method method : {Method::Roberts, Method::Sobel, Method::Kirsch, Method::Robinson}) {

@@ -1,4 +1,4 @@
-// Why a cell is an edge: what is said must be what the method does.
+// Why a cell is an edge: the explanation must agree with the method.
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
@@ -36,7 +36,7 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     for (const Settings& settings : everyMethod()) {
         const auto detection = detectEdges(scan, settings);
         for (int n = 0; n < 12; ++n) {
-            // Half of the cells from the edges, half from anywhere.
+            // Half of the cells are edges, half are random cells.
             const std::size_t k = n % 2 == 0 && !detection->edges->empty() ? (*detection->edges)[random() % detection->edges->size()]
                                                                            : random() % scan->cells();
             const Why why = whyCell(*detection, k);
@@ -56,7 +56,7 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
 }
 
 TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
-    // A step in levels that fades out along a column: strong at the top, weak below.
+    // A step in levels that fades along a column: strong at the top, weak below.
     const Scan scan = test::makeScan(30, 20, [](int i, int j) { return j < 10 ? 5000.0F : 5000.0F + static_cast<float>(1200 - 36 * i); });
     Settings s = cannySettings();
     s.scaling = Scaling::Window;
@@ -78,7 +78,7 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     }
     EXPECT_NE(why.verdict.find("its chain reaches"), std::string::npos) << why.verdict;
     EXPECT_NEAR(std::abs(*why.directionDeg), 0, 10);
-    // Beside it the same step is seen a little weaker: lost to the edge.
+    // At the next cell the same step is slightly weaker: the edge suppresses it.
     const Why beside = whyCell(*detection, detection->mask->index(5, beam == 9 ? 10 : 9));
     EXPECT_FALSE(beside.probe.edge);
     ASSERT_TRUE(beside.suppressedBy) << beside.verdict;

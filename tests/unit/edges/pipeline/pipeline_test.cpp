@@ -1,4 +1,4 @@
-// Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
+// Repeating only the changed stages gives the result of a full run, and the newest request always wins.
 #include "core/base/worker.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -89,7 +89,7 @@ std::vector<double> someValues(const Parameter& p) {
     return values;
 }
 
-// What a stage depends on is said by the table alone: whatever parameter is turned, of whatever method, nothing old may stay.
+// Only the table says what a stage depends on: after a change of any parameter of any method, no old result may remain.
 TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(30, 40, 4, 0.05));
     for (const MethodTraits& traits : methodTraits()) {
@@ -97,7 +97,7 @@ TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
             Pipeline pipeline;
             Settings settings = cannySettings();
             settings.method = traits.method;
-            settings.sigma = 1.1; // so that the kernel size alone does not decide
+            settings.sigma = 1.1; // so that the kernel size is not the only influence
             (void)pipeline.run(scan, settings);
             for (const double value : someValues(p)) {
                 SCOPED_TRACE(std::string(traits.key) + " --" + p.key + " " + formatValue(p, value));
@@ -109,7 +109,7 @@ TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
     }
 }
 
-TEST(Pipeline, EveryMethodIsTurnedByOneThreshold) {
+TEST(Pipeline, EveryMethodHasOneMainThreshold) {
     for (const MethodTraits& traits : methodTraits()) {
         Settings settings;
         settings.method = traits.method;
@@ -163,7 +163,7 @@ TEST(Pipeline, AHandOnAThresholdBuildsOneMapAndGetsWhatTheMethodGives) {
     }
 }
 
-TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {
+TEST(Pipeline, ChangingTheDecisionRepeatsNoMeasurement) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(60, 80, 1));
     Pipeline pipeline;
     Settings settings;
@@ -208,11 +208,11 @@ TEST(Worker, ManyPostingsEndWithTheLastOne) {
     EXPECT_EQ(*(*detection)->mask, *detectEdges(scan, settings)->mask);
     EXPECT_FALSE(worker.take());
     EXPECT_EQ(worker.takeFailure(), "");
-    while (ready.load() == 0) std::this_thread::yield(); // told after the result is there
+    while (ready.load() == 0) std::this_thread::yield(); // called after the result is available
     EXPECT_LE(ready.load(), 201);
 }
 
-TEST(Worker, AFailureIsToldOnceAndTheNextRunWorks) {
+TEST(Worker, AFailureIsReportedOnceAndTheNextRunWorks) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(20, 20, 2));
     Pipeline pipeline;
     EdgeWorker worker(
@@ -241,7 +241,7 @@ TEST(Worker, StoppingNeverHangs) {
         EdgeWorker worker([&](const Settings& settings) { return pipeline.run(scan, settings); }, [] {});
         EXPECT_FALSE(worker.busy());
         worker.post(Settings{});
-        if (round % 2 == 0) continue; // destroyed with work under way
+        if (round % 2 == 0) continue; // destroyed during work
         waitFor(worker);
         EXPECT_TRUE(worker.take());
     }

@@ -1,4 +1,4 @@
-// Sheets of pictures: every marked cell is drawn where it is, in its colour and its shape.
+// Sheets of pictures: every marked cell is drawn at its place, in its colour and shape.
 #include "core/lab/reports/comparison_pictures.h"
 #include "tests/support/scans.h"
 #include "tests/support/scores.h"
@@ -22,7 +22,7 @@ SheetLook look(int tilePixels) {
             {{"square", kRed, MarkShape::Square}, {"ring", kBlue, MarkShape::Ring}, {"cross", kGreen, MarkShape::Cross}}};
 }
 
-// One tile whose cells are marked like this; the pixels of the tile alone, which ends one gap above the bottom and beside the right.
+// One tile with these marks; returns the pixels of the tile alone, which ends one gap above the bottom and before the right side.
 Grid<Rgb> tileOf(const Grid<std::uint8_t>& marks, int tilePixels) {
     const Grid<Rgb> sheet = contactSheet({{Grid<std::uint8_t>(marks.lines, marks.beams, 120), marks, "tile", ""}}, look(tilePixels));
     const int lines = marks.lines * tilePixels / marks.beams;
@@ -68,7 +68,7 @@ TEST(ContactSheet, MarksHaveTheirShapesInTheirCells) {
 TEST(ContactSheet, NoMarkIsLostWhereATileHasFewerPixelsThanCells) {
     Grid<std::uint8_t> marks(90, 100);
     marks.at(44, 70) = 1;
-    marks.at(44, 71) = 3; // a later kind hides an earlier one
+    marks.at(44, 71) = 3; // a later kind covers an earlier one
     marks.at(10, 20) = 2;
     const Grid<Rgb> tile = tileOf(marks, 40);
     EXPECT_EQ(tile.at(44 * 36 / 90, 70 * 40 / 100), kGreen);
@@ -115,7 +115,7 @@ TEST(TruthMarks, AreAsManyAsTheScoreCounts) {
         const Grid<std::uint8_t> marks = lab::truthMarks(mask, truth, 1.0);
         EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, lab::kMarkFound)), all.found);
         EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marks.cells, lab::kMarkFalse)), all.false_);
-        // A true cell that was missed can lie under a detection of its neighbour.
+        // A missed true cell can be below a detection of its neighbour.
         EXPECT_LE(static_cast<std::size_t>(std::ranges::count(marks.cells, lab::kMarkMissed)), all.truth - all.found);
     }
 }
@@ -155,7 +155,7 @@ TEST(TruthSheet, DrawsTheThesisAtItsBestThresholdAndEdgeScanPlusAsItIsSet) {
     };
     const auto missed = [&](const lab::ComparedMethod& one) {
         const Grid<Rgb> sheet = lab::truthSheet(scan, {one}, truth, 2.0);
-        // A row of the tile through the true line: rings where it was missed, filled squares where it was found.
+        // A row of the tile through the true line: rings where cells were missed, filled squares where they were found.
         const int cell = (sheet.beams - 20) / 40;
         const int line = sheet.lines - 10 - 30 * cell + 15 * cell + cell / 2;
         return sheet.at(line, 10 + 20 * cell + cell / 2) == sheet.at(line + 2 * cell, 10 + 20 * cell + cell / 2);

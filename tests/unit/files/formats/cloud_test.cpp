@@ -149,7 +149,7 @@ TEST(Pcd, DamagedCompressedPointsAreRefused) {
         const auto scan = openScan(folder / "cloud.pcd");
         return scan ? std::string() : scan.error().sentence();
     };
-    // Twelve bytes as they are, then 24 from twelve before, which overlap.
+    // Twelve literal bytes, then 24 copied from twelve before; the copy overlaps itself.
     const std::string run = "\x0b" + std::string(12, 'a');
     EXPECT_EQ(sentence(run + "\xe0\x0f\x0b").find("the compressed points are damaged"), std::string::npos);
     for (const std::string& bad :

@@ -1,4 +1,4 @@
-// A grid that a point list was measured on is found again, whatever way the list was written.
+// The grid on which a point list was measured is recovered, in whatever order the list was written.
 #include "core/files/grid_recovery/recover_grid.h"
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/point_lists.h"
@@ -76,7 +76,7 @@ TEST(RecogniseGrid, CompleteListsKeepEveryCell) {
             const Scan expected = makeScan(c.shape);
             writeText(folder / "list.xyz", textOf(listOf(expected, c.style), c.style));
             ReadingOptions options;
-            // Centimetres that are no whole millimetres could as well be metres; only the user knows.
+            // Centimetres that are not whole millimetres could also be metres; only the user knows.
             if (c.style.perMetre == 100 && c.shape.fraction > 0) options.unitMm = 10;
             const auto found = openScan(folder / "list.xyz", options);
             ASSERT_TRUE(found) << found.error().sentence();
@@ -92,7 +92,7 @@ TEST(RecogniseGrid, CompleteListsKeepEveryCell) {
     }
 }
 
-// Neighbouring beams that are taken for one lie just where a beam may lie, and the rounding of the numbers lets them pass.
+// Two neighbouring beams mistaken for one are exactly where one beam could be, and the rounding of the numbers hides it.
 TEST(RecogniseGrid, NeighbouringBeamsOfRoundedListsStayTwo) {
     for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
         for (const auto& [lines, beams] : {std::pair{90, 60}, {60, 90}, {64, 32}, {36, 72}, {45, 63}, {48, 16}}) {
@@ -149,7 +149,7 @@ TEST(RecogniseGrid, DroppedAndShuffledPointsFindTheirCells) {
                     ScanShape shape;
                     shape.axis = axis;
                     shape.motorJitter = dropped > 0.1 ? 0.5 : 0;
-                    shape.beamStart = axis == Axis::Sweep ? 20 : -60; // no beam lies on the axis
+                    shape.beamStart = axis == Axis::Sweep ? 20 : -60; // the axis is not on a beam
                     const ListStyle style{.format = format, .shuffled = shuffled, .dropped = dropped, .keepMissing = false};
                     SCOPED_TRACE(describe({"", shape, style}, 1));
                     const Scan expected = makeScan(shape);
@@ -163,7 +163,7 @@ TEST(RecogniseGrid, DroppedAndShuffledPointsFindTheirCells) {
                     const auto& a = std::get<PolarGeometry>(expected.geometry);
                     const auto& b = std::get<PolarGeometry>(found->geometry);
                     ASSERT_EQ(a.lineDeg.size(), b.lineDeg.size());
-                    const bool turned = shuffled; // a shuffled list has lost its direction; angles then ascend
+                    const bool turned = shuffled; // a shuffled list has no direction; angles then ascend
                     for (std::size_t i = 0; i < a.lineDeg.size(); ++i)
                         EXPECT_NEAR(a.lineDeg[turned ? a.lineDeg.size() - 1 - i : i], b.lineDeg[i], 0.01);
                 }
@@ -189,7 +189,7 @@ TEST(RecogniseGrid, FanAcrossTheAxisWithDroppedPoints) {
     }
 }
 
-// Found as planes through the axis, whose beams look to both sides and would go beyond 360 degrees.
+// Found as planes through the axis, whose beams point to both sides and would exceed 360 degrees.
 TEST(RecogniseGrid, SpinningBeamsInAnyOrderAreLinesAllRound) {
     for (const ScanShape& shape :
          {ScanShape{.axis = Axis::Spin, .lines = 240, .beams = 16, .beamStart = -15, .beamStep = 2, .lineStart = 0, .lineStep = 1.5},
@@ -225,7 +225,7 @@ TEST(RecogniseGrid, FullTurnsOfATerrestrialScannerStayFullTurns) {
     }
 }
 
-TEST(RecogniseGrid, LinesStoredTwiceAreLeftOutAndTold) {
+TEST(RecogniseGrid, LinesStoredTwiceAreLeftOutAndReported) {
     const Folder folder;
     const ListStyle style{.doubledLines = true};
     const Scan expected = makeScan({});
@@ -253,7 +253,7 @@ TEST(RecogniseGrid, LinesWithoutAnyReturnTakeTheirAngleFromTheNeighbours) {
     EXPECT_EQ(std::get<PolarGeometry>(found->geometry), std::get<PolarGeometry>(expected.geometry));
 }
 
-TEST(RecogniseGrid, RotationAboutYIsTurnedAndTold) {
+TEST(RecogniseGrid, RotationAboutYIsConvertedAndReported) {
     const Folder folder;
     ScanShape shape{.axis = Axis::Spin, .lines = 30, .beams = 50, .beamStart = -40, .beamStep = 1.5, .lineStart = 10, .lineStep = 2};
     const Scan expected = makeScan(shape);

@@ -1,5 +1,5 @@
-// Files that a version of 20 November 2026 took wrongly (../shared/data/hostile): each is refused or taken with a word. Their kinds are
-// made in tests/unit/files/formats/promises_test.cpp too, for clones without ../shared.
+// Files that a version of 20 November 2026 handled wrongly (../shared/data/hostile): each is refused, or opened with a warning.
+// tests/unit/files/formats/promises_test.cpp makes files of these kinds, too, for clones without ../shared.
 #include "core/files/open_save/open_as_asked.h"
 #include "core/scan/grid/scan.h"
 #include "tests/support/seed_files.h"
@@ -17,7 +17,7 @@ namespace {
 
 const std::filesystem::path kHostile = std::string(EDGESCAN_SHARED_DIR) + "/data/hostile";
 
-/// What must be said of a file; empty: it opens, and what was wrong with it was elsewhere (compare, a terminal).
+/// The expected text for a file; empty: it opens, and the fault was elsewhere (compare, a terminal).
 const std::map<std::string, std::string> kSaid{
     {"eight_lines.json", ""},
     {"eight_lines.u16", ""},
@@ -50,7 +50,7 @@ TEST(HostileFiles, EachIsRefusedOrTakenWithAWord) {
         if (name == "README.md") continue;
         seen.insert(name);
         const auto expected = kSaid.find(name);
-        if (expected == kSaid.end()) continue; // a newer one: it must not crash
+        if (expected == kSaid.end()) continue; // a newer file: it must not crash
         const std::string extension = entry.path().extension().string();
         ReadingOptions options;
         if (extension == ".png" || extension == ".tif") options = seedOptions();

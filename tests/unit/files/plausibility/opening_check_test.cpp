@@ -1,4 +1,4 @@
-// What speaks against a reading: rooms seen with wrong mounting, angles and units, and a room read as it is.
+// Evidence against a reading: rooms seen with wrong mounting, angles and units, and a room read correctly.
 #include "core/files/plausibility/opening_check.h"
 
 #include "core/files/open_save/open_as_asked.h"
@@ -15,7 +15,8 @@
 namespace edgescan::files {
 namespace {
 
-/// A room of 8 x 6 x 5 m with flat walls, aslant to the scanner (a wall across the axis looks alike at any step): each beam to the nearest.
+/// A room of 8 x 6 x 5 m with flat walls, oblique to the scanner (a wall across the axis looks the same for every step); each beam ends on
+/// the nearest wall.
 Scan room(Axis axis, double lineStepDeg) {
     Scan scan;
     PolarGeometry polar;

@@ -1,4 +1,4 @@
-// Recording: what is on the disk whenever the program or the disk ends.
+// Recording: the content of the disk when the program or the disk fails at any time.
 #include "core/files/recording/recording.h"
 #include "core/files/recording/writer.h"
 #include "tests/support/live_lines.h"
@@ -29,7 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostPosts = 4000;
-/// What the child says that it posted, in memory shared with the parent.
+/// The child's count of its posts, in memory shared with the parent.
 struct Posted {
     std::atomic<int> count;
     std::array<std::atomic<std::int64_t>, kMostPosts> atNs; // steady clock
@@ -51,7 +51,7 @@ RecordingMessagePtr numbered(int n, std::size_t size = 3553, std::int64_t hostNs
         RecordingMessage{RecordingTopic::ColaRx, hostNs > 0 ? hostNs : hostNsOfLine(n), payload});
 }
 
-/// How many of the numbered messages are there, from the first one on without a gap; -1 when they are not just that.
+/// How many of the numbered messages are there, from the first one on without a gap; -1 if there are others.
 int numberedIn(const Recording& recording) {
     int expected = 0;
     for (const RecordedMessage& message : recording.messages()) {
@@ -214,7 +214,7 @@ TEST(Recording, StepperJson) {
         EXPECT_FALSE(parsed(bad)) << bad;
 }
 
-// Run by the next test in a program of its own: records until it is killed.
+// The next test runs this in a separate process: records until it is killed.
 TEST(RecordingChild, DISABLED_Records) {
     const char* path = std::getenv("EDGESCAN_TEST_RECORD");
     ASSERT_NE(path, nullptr);
@@ -251,7 +251,7 @@ TEST(Recording, KilledTwentyTimesItLosesNoMoreThanTheLastSecond) {
         }
         children.push_back(child);
     }
-    // A second of recording at least.
+    // At least a second of recording.
     ASSERT_TRUE(waitUntil([&] { return std::ranges::all_of(posted, [](const Posted* p) { return p->count >= 100; }); }));
     double worst = 0;
     int recorded = 0;
@@ -268,7 +268,7 @@ TEST(Recording, KilledTwentyTimesItLosesNoMoreThanTheLastSecond) {
         ASSERT_TRUE(recording) << recording.error().sentence();
         const int there = numberedIn(**recording);
         ASSERT_GE(there, 0) << "not the messages from the first one on";
-        ASSERT_LE(there, count + 1); // one may be posted and not yet counted
+        ASSERT_LE(there, count + 1); // one may be posted and not counted yet
         recorded += there;
         if (there >= count) continue;
         worst = std::max(worst, static_cast<double>(killedNs[i] - posted[i]->atNs[static_cast<std::size_t>(there)]) * 1e-9);

@@ -44,7 +44,7 @@ std::shared_ptr<const Recording> recordingOfBytes(Bytes bytes) {
     return *recording;
 }
 
-/// Saved as a recording and opened again: the same in everything that counts.
+/// Saved as a recording and opened again: the same in everything relevant.
 void expectRoundTrip(const Scan& scan) {
     const Folder folder;
     const auto saved = saveScan(scan, folder / "a.mcap");
@@ -116,7 +116,7 @@ TEST(Replay, TheDemoOpensWithItsAngles) {
     EXPECT_DOUBLE_EQ(polar.beamDeg.front(), -5.0);
     EXPECT_DOUBLE_EQ(polar.beamDeg.back(), 185.0);
     for (int row = 0; row < 24; ++row) EXPECT_NEAR(polar.lineDeg[std::size_t(row)], 0.18 * row, 1e-9);
-    // 0.095 degrees along the line, behind the 0.07 between stamp and first beam.
+    // 0.095 degrees along the line, plus the 0.07 between stamp and first beam.
     EXPECT_NEAR(polar.lineSkewDeg.front(), 0.0695, 1e-3);
     EXPECT_NEAR(polar.lineSkewDeg.back() - polar.lineSkewDeg.front(), 0.095, 1e-3);
     const Folder folder;
@@ -169,7 +169,7 @@ TEST(Replay, DamagedRecordingsNeverCrash) {
     }
 }
 
-// The telegrams themselves may hold anything: a chunk with a fitting CRC is no promise.
+// Telegrams may contain anything: a chunk with a correct CRC can hold invalid ones.
 TEST(Replay, HostileTelegramsNeverCrash) {
     std::mt19937 random(13);
     for (int round = 0; round < 150; ++round) {
@@ -204,7 +204,7 @@ TEST(Replay, HostileTelegramsNeverCrash) {
 TEST(Replay, TheLongestOfSeveralSweepsIsOpened) {
     std::vector<RecordingMessagePtr> messages;
     for (int n = 0; n < 100; ++n) {
-        const double phi = n < 30 ? 0.2 * n : 0.2 * (60 - n); // back after 30 lines
+        const double phi = n < 30 ? 0.2 * n : 0.2 * (60 - n); // reverses after 30 lines
         messages.push_back(lineMessage(n));
         messages.push_back(stepperMessage({n, phi, n < 30 ? 5.0 : -5.0, true, hostNsOfLine(n)}));
     }
@@ -315,7 +315,7 @@ TEST(Sweep, CostOfALineAndOfASnapshot) {
     double worst = 0;
     double sum = 0;
     double lineMs = 0;
-    std::shared_ptr<const Scan> shown, worked; // two readers hold on to what they have
+    std::shared_ptr<const Scan> shown, worked; // two readers hold their scans
     for (int n = 0; n < kLines; ++n) {
         const double start = threadMs();
         feed.frame(frames[static_cast<std::size_t>(n)], hostNsOfLine(n));

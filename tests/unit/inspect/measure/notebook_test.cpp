@@ -1,4 +1,4 @@
-// Targets and measurements in their file: read back as written, and refused when they are hostile or of another scan.
+// Targets and measurements in their file: read back as written, and refused if they are invalid or belong to another scan.
 #include "core/base/bounded_json.h"
 #include "core/inspect/measure/notebook.h"
 

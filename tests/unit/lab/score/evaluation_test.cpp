@@ -1,4 +1,4 @@
-// Figures of masks and sweeps, and the truth as files.
+// Figures of masks and threshold sweeps, and the truth as files.
 #include "core/lab/score/evaluation.h"
 
 #include "core/containers/png/png.h"
@@ -67,7 +67,7 @@ TEST(Evaluation, TheTruthItselfIsPerfectInEveryFigure) {
     ASSERT_GE(perfect.rocks.size(), 1U);
     for (const ScoredOutline& rock : perfect.rocks) EXPECT_EQ(rock.share(), 1.0);
     const auto json = evaluationJson(perfect);
-    EXPECT_LT(json["error_mm"]["p50"].get<double>(), 1.0); // ranges come in whole millimetres
+    EXPECT_LT(json["error_mm"]["p50"].get<double>(), 1.0); // ranges are whole millimetres
     EXPECT_EQ(json["rocks"]["at_least_90_percent"].get<double>(), 1.0);
 }
 

@@ -1,4 +1,4 @@
-// Matching and thinning against brute force.
+// Matching and thinning compared with exhaustive search.
 #include "core/lab/score/match.h"
 #include "core/lab/score/thin.h"
 
@@ -24,7 +24,7 @@ double distance(std::uint32_t a, std::uint32_t b, int beams) {
     return std::hypot(n / beams - m / beams, n % beams - m % beams);
 }
 
-// Every choice: the largest number of pairs there can be.
+// Tries every choice: the largest possible number of pairs.
 std::size_t mostPairs(const std::vector<std::uint32_t>& detected, std::size_t at, std::vector<std::uint32_t>& truth, double tolerance,
                       int beams) {
     if (at == detected.size()) return 0;
@@ -141,7 +141,7 @@ TEST(Thin, KeepsConnectionsAndLeavesLinesOneCellWide) {
     }
 }
 
-/// The paper's two passes over all cells, until neither takes one away.
+/// The paper's two passes over all cells, until both remove no cell.
 Grid<std::uint8_t> thinnedCellByCell(Grid<std::uint8_t> mask) {
     for (int idle = 0, pass = 0; idle < 2; ++pass) {
         const Grid<std::uint8_t> before = mask;

@@ -1,4 +1,4 @@
-// Requests byte for byte as a real LMS511 got them, and its answers.
+// Requests byte for byte as a real LMS511 received them, and its answers.
 #include "core/scanner/cola/commands.h"
 #include "tests/support/cola_vectors.h"
 
@@ -36,12 +36,12 @@ TEST(ColaCommands, TheRealDialogueByteForByte) {
                                          read("LMPoutputRange"),  read("LMDscandatacfg"), {ColaRequest::Kind::Subscribe, "LMDscandata"}};
     std::ifstream file(vectorsFolder() / "lms511_a_dialogue.jsonl");
     std::vector<bool> seen(known.size(), false);
-    std::optional<ColaRequest> asked; // empty: something that changes the scanner
+    std::optional<ColaRequest> asked; // empty: a request that would change the scanner
     int refused = 0, answeredCount = 0;
     for (std::string line; std::getline(file, line);) {
         const nlohmann::json entry = nlohmann::json::parse(line);
         const Bytes frame = fromHex(entry["hex"]);
-        if (frame.size() != entry["len"]) continue; // long answers are cut in the file
+        if (frame.size() != entry["len"]) continue; // long answers are truncated in the file
         ColaStream stream;
         const auto frames = stream.push(frame);
         ASSERT_EQ(frames.size(), 1U);
@@ -100,7 +100,7 @@ TEST(ColaCommands, RequestsInBothDialects) {
     EXPECT_EQ(text(read("SCdevicestate")), "sRN SCdevicestate");
     EXPECT_EQ(text({ColaRequest::Kind::Subscribe, "LMDscandata"}), "sEN LMDscandata 1");
     EXPECT_EQ(requestText({ColaRequest::Kind::Subscribe, "LMDscandata"}), "sEN LMDscandata 1");
-    EXPECT_EQ(encodeRequest(read("ODoprh"), Dialect::B).back(), 'h'); // no blank behind a bare name
+    EXPECT_EQ(encodeRequest(read("ODoprh"), Dialect::B).back(), 'h'); // a name at the end is not followed by a blank
 }
 
 TEST(ColaCommands, AnswersInText) {
@@ -141,7 +141,7 @@ TEST(ColaCommands, OnlyTheRightAnswerAnswers) {
     const ColaRequest request = read("LMDscandata");
     EXPECT_FALSE(answers(answered("sSN LMDscandata 0"), request));
     EXPECT_TRUE(answers(answered("sRA LMDscandata 0"), request));
-    EXPECT_FALSE(answers(answered("sRA LMDscandatacfg 0"), request)); // one name is the start of the other
+    EXPECT_FALSE(answers(answered("sRA LMDscandatacfg 0"), request)); // one name is the beginning of the other
     EXPECT_FALSE(answers(answered("sWA LMDscandata"), request));
     EXPECT_FALSE(answers(answered("sEA LMDscandata 1"), request));
     EXPECT_TRUE(answers(answered("sEA LMDscandata 1"), {ColaRequest::Kind::Subscribe, "LMDscandata"}));

@@ -1,4 +1,4 @@
-// The emulated scanner: telegrams from a scan, and what the independent Python codec makes of what it sends.
+// The emulated scanner: telegrams from a scan, and the independent Python codec's reading of them.
 #include "tests/support/live_session.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/python_peer.h"
@@ -11,7 +11,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// A client that shares no code with ours: tries to change things, reads, polls, subscribes.
+/// A client that shares no code with the program: tries to change settings, reads, polls, subscribes.
 constexpr const char* kPythonClient = R"(
 import json, socket, struct, sys, zlib
 sys.path.insert(0, sys.argv[1])
@@ -211,7 +211,7 @@ TEST(EmulatedScanner, AClientThatDoesNotReadIsNotSavedUpFor) {
         const std::uint64_t measured = scanner->statistics().lines;
         hold = false;
         EXPECT_GT(scanner->statistics().lost, 0U);
-        // What the sockets hold comes first, and how much that is the machine decides: no more than was measured.
+        // The contents of the sockets come first; their size depends on the machine, but they cannot exceed what was measured.
         EXPECT_TRUE(listener.waitForScans(measured + 100));
     }
     const Account account = accountOf(listener.telegrams());

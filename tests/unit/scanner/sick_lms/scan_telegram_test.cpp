@@ -1,4 +1,4 @@
-// The scan telegram against real ones: every field, both dialects, and nothing but a sentence when it is damaged.
+// The scan telegram compared with real ones: every field, both dialects, and only an error sentence if it is damaged.
 #include "core/scanner/sick_lms/scan_telegram.h"
 #include "tests/support/beam_angles.h"
 #include "tests/support/cola_vectors.h"
@@ -28,7 +28,7 @@ nlohmann::json channelJson(const ScanChannel& c, bool values) {
     return json;
 }
 
-/// In the words of ../shared/protocol/tools/cola.py.
+/// With the key names of ../shared/protocol/tools/cola.py.
 nlohmann::json telegramJson(const ScanTelegram& t, bool values) {
     nlohmann::json json = {{"cmd", t.polled ? "sRA" : "sSN"},
                            {"name", "LMDscandata"},
@@ -78,7 +78,7 @@ nlohmann::json telegramJson(const ScanTelegram& t, bool values) {
 
 std::string told(const Result<ScanTelegram>& result) { return result ? "" : result.error().sentence(); }
 
-/// Small, with every block: cut and flipped in every place.
+/// Small, with every block: truncated and with flipped bits at every position.
 ScanTelegram fullTelegram() {
     ScanTelegram t;
     t.serialNumber = 18110550;
@@ -212,7 +212,8 @@ TEST(ScanTelegramDecode, CutAtEveryByteItIsAnErrorThatNamesTheByte) {
         const std::size_t flag = encodeScanTelegram(without, dialect).size() - (dialect == Dialect::A ? 1 : 2);
         for (std::size_t length = 0; length < whole.size(); ++length) {
             const auto cut = decodeScanTelegram(ByteView(whole).first(length), dialect);
-            // Old firmware has no event flag; a text cut inside its last number is a shorter number: framing catches those.
+            // Telegrams of old firmware have no event flag; a text truncated inside its last number is a shorter number: the framing
+            // detects these.
             if (dialect == Dialect::B ? length == flag : length + 6 >= flag) continue;
             ASSERT_FALSE(cut) << length;
             EXPECT_NE(cut.error().sentence().find("byte "), std::string::npos);
@@ -237,7 +238,7 @@ TEST(ScanTelegramDecode, RealTelegramsCutAnywhereNeverPassForWhole) {
                  length<frame.payload().size(); length += frame.payload().size()> 10000 && length + 200 < frame.payload().size() ? 17 : 1) {
                 if (decodeScanTelegram(frame.payload().first(length), frame.dialect)) ++passed;
             }
-            // Cut exactly before the event flag, or in the text's last token.
+            // Truncated exactly before the event flag, or in the text's last token.
             EXPECT_LE(passed, frame.dialect == Dialect::B ? 1 : 10) << name << extension;
         }
     }
@@ -279,7 +280,7 @@ TEST(ScanTelegramDecode, ToleratesWhatOthersSend) {
     const auto trailing = decodeScanTelegram(binary, Dialect::B);
     ASSERT_TRUE(trailing);
     EXPECT_EQ(trailing->trailingBytes, 3U);
-    // Signed decimals, small letters and leading zeros are numbers too.
+    // Signed decimals, lower-case letters and leading zeros are also numbers.
     const std::string words = "sSN LMDscandata 00 1 11458 0 0 +10 A 5 6 0 0 0 0 -500 9c4 21C 0 1 DIST1 3F800000 00000000 -50000 "
                               "+1667 3 10 +17 ff 0 0 0 0 0 0";
     const auto loose = decodeScanTelegram(Bytes(words.begin(), words.end()), Dialect::A);

@@ -1,4 +1,4 @@
-// The scanner session against the emulated scanner, with every failure that can be provoked.
+// The scanner session with the emulated scanner, with every fault that it can produce.
 #include "tests/support/beam_angles.h"
 #include "tests/support/live_session.h"
 
@@ -22,7 +22,7 @@ std::chrono::milliseconds since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
 }
 
-/// Runs a session until the last of `lines` has come: the scanners of these tests never leave that one out.
+/// Runs a session until the last of `lines` has arrived: the scanners of these tests never leave that one out.
 void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSettings& settings, std::size_t lines,
                 SessionStatistics* statistics = nullptr) {
     ScannerSession session(settings, listener.events());
@@ -48,7 +48,7 @@ TEST(ScannerSession, FindsTheDialectAndReceivesEveryLine) {
         const auto scanner = served(scan, settings);
         Listener listener;
         SessionSettings patient = settingsFor(*scanner);
-        patient.timeouts.silence = 20s; // the scanner falls silent at its end: that is no part of this story
+        patient.timeouts.silence = 20s; // the scanner becomes silent at its end: this is not part of the test
         receiveAll(*scanner, listener, patient, 40);
         EXPECT_EQ(listener.story(), "CONNECTING IDENTIFYING LIVE STOPPED");
         ASSERT_EQ(listener.identities().size(), 1U);
@@ -146,7 +146,7 @@ TEST(ScannerSession, ADroppedConnectionIsMadeAgain) {
     EXPECT_EQ(listener.entered(SessionPhase::Lost), 4);
     const Account account = accountOf(listener.telegrams());
     EXPECT_EQ(account.restarts, 0);
-    EXPECT_EQ(account.received + account.lost, 101); // a telegram may be cut off with the connection
+    EXPECT_EQ(account.received + account.lost, 101); // the connection may end within a telegram
     for (const SessionState& state : listener.states()) EXPECT_TRUE(state.sentence.ends_with(".")) << state.sentence;
 }
 
@@ -301,7 +301,7 @@ TEST(ScannerSession, HostNamesAndIpv6) {
 TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 0;
-    settings.only = Dialect::B; // text has no checksum: a flipped bit in it passes for a measurement
+    settings.only = Dialect::B; // text has no checksum: a flipped bit in it looks like a measurement
     settings.faults = {.splitSends = true,
                        .mergeSends = true,
                        .loseEvery = 50,

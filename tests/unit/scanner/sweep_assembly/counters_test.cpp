@@ -1,4 +1,4 @@
-// Losses, wraps, duplicates and restarts from the scanner's counters and clock.
+// Losses, wraps, duplicates and restarts, detected from the scanner's counters and clock.
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/cola_vectors.h"
 
@@ -98,7 +98,7 @@ TEST(LineCounter, HoursOfLinesWithLossesDuplicatesAndBothWraps) {
 TEST(LineCounter, ScansThatTheScannerSkippedCountAsLost) {
     LineCounter counter;
     for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
-    ScanTelegram telegram = scanNumber(7); // two scans later, but the telegram counter only one on
+    ScanTelegram telegram = scanNumber(7); // two scans later, but the telegram counter increased by one only
     telegram.telegramCounter = static_cast<std::uint16_t>(scanNumber(4).telegramCounter + 1);
     const LineStamp stamp = counter.stamp(telegram, hostOf(7));
     EXPECT_EQ(stamp.lostTelegrams, 0);
@@ -106,7 +106,7 @@ TEST(LineCounter, ScansThatTheScannerSkippedCountAsLost) {
     EXPECT_EQ(stamp.lost, 2);
 }
 
-TEST(LineCounter, OneCounterMayBeginAnew) {
+TEST(LineCounter, OneCounterMayRestart) {
     LineCounter counter;
     for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
     ScanTelegram telegram = scanNumber(5);
@@ -143,7 +143,7 @@ TEST(LineCounter, RestartsAreNoGaps) {
 TEST(LineCounter, LinesLostWhileNobodyListenedAreCounted) {
     LineCounter counter;
     (void)counter.stamp(scanNumber(0), hostOf(0));
-    for (const std::int64_t gap : {2, 130, 40000, 70000, 300000}) { // up to 3.3 hours: more than one turn of everything
+    for (const std::int64_t gap : {2, 130, 40000, 70000, 300000}) { // up to 3.3 hours: all counters and clocks wrap more than once
         LineCounter own = counter;
         own.reconnected();
         const LineStamp stamp = own.stamp(scanNumber(gap), hostOf(gap));
