@@ -91,7 +91,7 @@ private slots:
             // The session names the recording of the sweep; a growing file has no hash.
             QVERIFY(eventually([&] {
                 const auto now = saved(home / "sessions");
-                return now && now->notebook.targets.size() == 2 && now->scan.kind == inspect::SessionScan::Kind::Recording;
+                return now && now->targets.notebook.targets.size() == 2 && now->scan.kind == inspect::SessionScan::Kind::Recording;
             }));
             QVERIFY(lines(on) < kLines);
             QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
@@ -139,7 +139,7 @@ private slots:
             clickCell(on, 20, 150);
             QVERIFY(eventually([&] {
                 const auto now = saved(home / "sessions");
-                return now && now->notebook.targets.size() == 1;
+                return now && now->targets.notebook.targets.size() == 1;
             }));
             inspect::ViewerState other = *saved(home / "sessions");
             other.scan.head.sha256 = std::string(64, '0');
