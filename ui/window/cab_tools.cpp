@@ -148,40 +148,40 @@ TargetNumbers CabMode::numbers() const {
     TargetNumbers numbers;
     const Targets& targets = window_.viewer().targets;
     const inspect::PinnedTarget* target = targets.active();
-    if (target == nullptr) return numbers;
+    if (target == nullptr) return values;
     const auto& all = targets.notebook().targets;
-    numbers.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
-    numbers.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
+    values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
+    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
-    if (known == targets.known().targets.end()) return numbers;
+    if (known == targets.known().targets.end()) return values;
     const inspect::CellTarget& cell = known->second;
     const TargetSurroundings around = targets.around(target->cell);
-    numbers.distance = distanceText(cell);
-    numbers.tolerance = toleranceText(cell);
-    numbers.rock = tr("Rock, visible");
-    numbers.size = QStringLiteral("–");
+    values.distance = distanceText(cell);
+    values.tolerance = toleranceText(cell);
+    values.rock = tr("Rock, visible");
+    values.size = QStringLiteral("–");
     const auto metres = [](double m, int decimals) { return QString::number(m, 'f', decimals); };
     if (around.rock != nullptr) {
-        numbers.rock = tr("Rock %1, visible").arg(around.rock->label);
-        numbers.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
-        numbers.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+        values.rock = tr("Rock %1, visible").arg(around.rock->label);
+        values.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
+        values.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
     } else {
-        numbers.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
+        values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }
     const auto rows = [&](const Eigen::Vector3d& at, std::initializer_list<const char*> names) {
         int n = 0;
-        for (const char* name : names) numbers.coordinates.emplace_back(name, metres(at[n++], 3));
+        for (const char* name : names) values.coordinates.emplace_back(name, metres(at[n++], 3));
     };
-    if (cell.probe.state != CellState::Valid) return numbers;
+    if (cell.probe.state != CellState::Valid) return values;
     if (cell.probe.mineM)
         rows(*cell.probe.mineM, {"E", "N", "RL"});
     else
         rows(cell.probe.pointM, {"X", "Y", "Z"});
-    if (!cell.probe.mineM) numbers.pose = tr("▲ no pose: no E N RL");
+    if (!cell.probe.mineM) values.pose = tr("▲ no pose: no E N RL");
     for (const TargetRow& row : targetRows(cell, around)) {
-        if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) numbers.rows.emplace_back(row.name, row.value);
+        if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
     }
-    return numbers;
+    return values;
 }
 
 void CabMode::showNumbers() {
