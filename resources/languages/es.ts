@@ -207,7 +207,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
-<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
 <message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
@@ -221,6 +220,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
 <message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
 <message><source>click the one end</source><translation>haga clic en un extremo</translation></message>

@@ -207,7 +207,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
 <message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
-<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
 <message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
@@ -221,6 +220,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
 <message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
+<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
 <message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>

@@ -207,7 +207,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
-<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
 <message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
@@ -221,6 +220,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
 <message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
 <message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
