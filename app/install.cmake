@@ -1,4 +1,4 @@
-# Files and folders of `cmake --install`, by component: cli, viewer (with the programs that `compare` starts), python. The programs write
+# Files and folders of `cmake --install`, by component: cli, viewer (with the program of PCL's peers, which edgescan-lab starts), python. The programs write
 # their man pages and completions themselves.
 set(EDGESCAN_HOMEPAGE "https://example.org/edgescan" CACHE STRING "where the project's pages lie, for software centres")
 set(EDGESCAN_RELEASE_DATE "2026-11-20" CACHE STRING "of this version, for software centres")
@@ -16,6 +16,8 @@ endfunction()
 
 install(TARGETS edgescan-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cli)
 edgescan_pages(edgescan-cli cli)
+install(TARGETS edgescan-lab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT cli)
+edgescan_pages(edgescan-lab cli)
 if(TARGET edgescan-peers)
   install(TARGETS edgescan-peers RUNTIME DESTINATION lib/edgescan COMPONENT viewer)
 endif()

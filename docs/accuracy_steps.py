@@ -1,4 +1,4 @@
-"""For docs/make-accuracy: of which steps of a staircase the true edge cells were found, told apart from the program that is measured."""
+"""For docs/make-accuracy: counts the true edge cells found on each step of a staircase. Independent of the measured program."""
 import os
 import struct
 import zlib
@@ -9,7 +9,7 @@ LEAST_MM = 50  # smaller steps are not scored
 
 
 def pixels(path):
-    """Cells of a gray PNG of 8 or 16 bits, and its width. Python's own library can inflate, but knows no pictures."""
+    """Cells of a gray PNG of 8 or 16 bits, and its width. Python's standard library can inflate, but cannot read pictures."""
     with open(path, "rb") as file:
         data = file.read()
     at, packed, width, height, size = 8, b"", 0, 0, 1
@@ -37,7 +37,7 @@ def pixels(path):
 
 
 def step_counts(truth, masks, bands_m):
-    """For each step height and band: true edge cells, and of how many each mask has an edge cell within 2 cells."""
+    """For each step height and band: the number of true edge cells, and the number of those with an edge cell of each mask within 2 cells."""
     (edges, width), (ignored, _), (objects, _), (ranges, _) = [
         pixels(os.path.join(truth, name + ".png")) for name in ("gt_class", "gt_ignore", "object", "range_clean")]
     masks = [pixels(mask)[0] for mask in masks]

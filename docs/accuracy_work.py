@@ -1,6 +1,6 @@
-"""The work behind docs/make-accuracy and docs/make-rocks: scenes and results, two at a time, kept in build/accuracy and build/rocks.
+"""The jobs of docs/make-accuracy and docs/make-rocks: scenes and results, two at a time, stored in build/accuracy and build/rocks.
 
-Work is handed in and comes back as a future. What waits for other work is handed in after it, so that nothing waits for ever."""
+A submitted job returns a future. A job that waits for other jobs is submitted after them, so that no job waits for ever."""
 import concurrent.futures
 import hashlib
 import json
@@ -43,11 +43,11 @@ def simulator():
 
 
 def program():
-    """A copy of the program, which a build cannot change meanwhile, and its hash."""
+    """A copy of edgescan-cli, edgescan-lab and edgescan-peers, which a later build cannot change; returns the path of edgescan-cli."""
     if not os.path.exists(CLI):
         sys.exit("%s: there is no such program; build it with ./run or ./test, or name another in EDGESCAN_CLI." % CLI)
-    peers = os.path.join(os.path.dirname(CLI), "edgescan-peers")
-    parts = [CLI] + ([peers] if os.path.exists(peers) else [])
+    others = [os.path.join(os.path.dirname(CLI), name) for name in ("edgescan-lab", "edgescan-peers")]
+    parts = [CLI] + [other for other in others if os.path.exists(other)]
     digest = hash_of(*parts)
     folder = os.path.join(CACHE, "program-" + digest[:16])
     os.makedirs(folder, exist_ok=True)
@@ -65,14 +65,15 @@ SIMULATOR = simulator()
 
 
 def run(arguments):
-    done = subprocess.run([PROGRAM] + arguments, capture_output=True, text=True, check=False)
+    measures = arguments[0] in ("benchmark", "evaluate")
+    done = subprocess.run([os.path.join(os.path.dirname(PROGRAM), "edgescan-lab") if measures else PROGRAM] + arguments, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(done.stderr.strip())
     return done.stdout
 
 
 def job(path, name, make):
-    """Has `make(new)` write a file or folder to `new`, which becomes `path` when it is whole. A future of `path`."""
+    """Calls `make(new)`, which writes a file or folder to `new`; it is renamed to `path` when it is complete. Returns a future of `path`."""
     def work():
         start = time.time()
         if not os.path.exists(path):
@@ -90,7 +91,7 @@ def job(path, name, make):
 
 
 class Case:
-    """A scan with its truth, perhaps still to be made."""
+    """A scan with its truth; either may still be a future."""
 
     def __init__(self, ready, scan, truth):
         self.ready, self.scan, self.truth = ready, scan, truth
@@ -106,7 +107,7 @@ def scene(name, seed, flags):
 
 
 def found(name, flags, arguments):
-    """Future of a result as the program tells it in JSON; `flags()` are known when earlier work is done."""
+    """Future of a result from the program's JSON; `flags()` are known when earlier jobs are done."""
     arguments = list(arguments)
     path = os.path.join(CACHE, "result-" + key(arguments, name, PROGRAM) + ".json")
 
@@ -123,7 +124,7 @@ def read(future):
 
 
 def evaluated(cases, method, tolerance=2, like=None):
-    """Figures of a method on all cases together. With `like`: at the threshold that was best there, besides the fixed one."""
+    """Figures of a method on all cases together. With `like`: also at the threshold that was best there."""
     arguments = ["evaluate"] + [case.scan for case in cases]
     for case in cases:
         arguments += ["--truth", case.truth]

@@ -32,7 +32,7 @@ def shown(command):
 
 
 class Cloud:
-    """What a program read: points in metres, and how many have the colour of an edge; None: it does not say."""
+    """The points that a program read, in metres, and the number with the colour of an edge; None: unknown."""
 
     def __init__(self, points, coloured=None):
         self.points, self.coloured = points, coloured
@@ -182,7 +182,7 @@ def ezdxf_reads(path, folder):
 
 
 def f3d_shows(path, folder):
-    """Only a picture: no points, but colours."""
+    """A picture only: gives colours, not points."""
     out = os.path.join(folder, "f3d.ppm.png")
     said = run(shown(["f3d", path, "--output", out, "--resolution", "400,300", "--point-size", "3", "--camera-azimuth-angle", "20"]))
     if not os.path.exists(out):
@@ -236,7 +236,7 @@ def difference(ours, theirs):
 
 
 def farthest(ours, theirs, cell=0.001):
-    """The same for points in another order (a drawing's is that of its layers): each takes the nearest of ours within a millimetre."""
+    """The same for points in another order (drawings are ordered by layer): each point is compared with our nearest one within a millimetre."""
     near = {}
     for p in ours:
         near.setdefault(tuple(round(c / cell) for c in p), []).append(p)

@@ -1,4 +1,4 @@
-"""Build backend for pip: CMake builds the Python module, this packs it as a wheel. Needs nothing but Python and the system's packages."""
+"""Build backend for pip: CMake builds the Python module, this file packs it as a wheel. Needs only Python and the system's packages."""
 import base64
 import hashlib
 import os

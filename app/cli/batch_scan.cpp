@@ -17,9 +17,9 @@
 #include "core/exports/html/scan_page.h"
 #include "core/exports/html/survey_picture.h"
 #include "core/exports/provenance/report.h"
-#include "core/exports/provenance/rock_files.h"
 #include "core/exports/provenance/rock_report.h"
 #include "core/files/formats/formats.h"
+#include "core/files/open_save/points_on_grid.h"
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
@@ -30,7 +30,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -42,25 +41,35 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
+/// A word of --results.
 struct ResultWord {
-    const char* word;
-    std::optional<exports::ExportContent> content;
-    const char* stem;
-    const char* extension; ///< empty: the extension is typed after the word
+    std::string word;
+    const exports::ExportKind* kind; ///< null: not an export; stem and extension are given below
+    std::string stem = {};
+    std::string extension = {}; ///< empty: the extension is typed after the word
 };
-constexpr std::array kWords{ResultWord{"mask", exports::ExportContent::EdgeImage, "edges", ".png"},
-                            ResultWord{"gray", exports::ExportContent::GrayImage, "gray", ".png"},
-                            ResultWord{"range", exports::ExportContent::RangeImage, "range", ".png"},
-                            ResultWord{"json", std::nullopt, "detect", ".json"},
-                            ResultWord{"report", std::nullopt, "report", ".html"},
-                            ResultWord{"edges", exports::ExportContent::EdgeCloud, "edges", ""},
-                            ResultWord{"cloud", exports::ExportContent::FullCloud, "cloud", ""},
-                            ResultWord{"rocks", exports::ExportContent::RockReport, "rocks", ".json"},
-                            ResultWord{"rock-table", exports::ExportContent::RockTable, "rocks", ".csv"},
-                            ResultWord{"rock-labels", exports::ExportContent::RockLabels, "rocks", ".png"},
-                            ResultWord{"rock-outlines", exports::ExportContent::RockOutlines, "rocks", ""},
-                            ResultWord{"rock-hulls", exports::ExportContent::RockHulls, "hulls", ""},
-                            ResultWord{"rock-cloud", exports::ExportContent::RockCloud, "rocks", ""}};
+
+/// Results of edges, then of rocks; in each group those of one format come first.
+const std::vector<ResultWord>& resultWords() {
+    static const std::vector<ResultWord> kWords = [] {
+        std::vector<ResultWord> words;
+        const auto add = [&](exports::ExportKind::Needs needs, bool oneFormat) {
+            for (const exports::ExportKind& kind : exports::exportKinds()) {
+                const bool one = kind.holds != exports::ExportKind::Holds::Points && kind.files.size() == 1;
+                if (kind.needs == needs && one == oneFormat)
+                    words.push_back({kind.key, &kind, {}, one ? kind.files.front().extension : ""});
+            }
+        };
+        add(exports::ExportKind::Needs::Edges, true);
+        words.push_back({"json", nullptr, "detect", ".json"});
+        words.push_back({"report", nullptr, "report", ".html"});
+        add(exports::ExportKind::Needs::Edges, false);
+        add(exports::ExportKind::Needs::Rocks, true);
+        add(exports::ExportKind::Needs::Rocks, false);
+        return words;
+    }();
+    return kWords;
+}
 
 double milliseconds(Clock::time_point since) {
     return std::round(std::chrono::duration<double, std::milli>(Clock::now() - since).count() * 1000) / 1000;
@@ -173,11 +182,10 @@ Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edg
         return writeWholeFile(folder / (wanted.stem + wanted.extension),
                               exports::scanPage(detection, words, {.rocks = rocks.get(), .earlier = {}}));
     }
-    if (!wanted.content)
+    if (wanted.kind == nullptr)
         return writeDocument(folder / (wanted.stem + wanted.extension), document("detect", exports::detectReport(detection, loadMs)));
-    const std::string tail = exports::namesFrame(*wanted.content, "x" + wanted.extension) ? frameTail(options.frame) : "";
-    const auto written =
-        exports::exportWithProvenance(*wanted.content, detection, folder / (wanted.stem + tail + wanted.extension), options);
+    const std::string name = exports::exportFileName(*wanted.kind, wanted.extension, options.frame);
+    const auto written = exports::exportWithProvenance(wanted.kind->content, detection, folder / name, options);
     if (!written) return written.error();
     return Done{};
 }
@@ -279,16 +287,6 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
 
 } // namespace
 
-namespace {
-
-// Formats of contents that are not clouds: ".dxf .geojson"; empty: the formats of clouds.
-std::string formatsOf(exports::ExportContent content) {
-    if (content == exports::ExportContent::RockOutlines) return ".dxf .geojson";
-    return content == exports::ExportContent::RockHulls ? ".ply .obj" : "";
-}
-
-} // namespace
-
 Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
     std::vector<WantedFile> wanted;
     for (std::size_t at = 0; at <= commaSeparated.size();) {
@@ -297,26 +295,22 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
         at = end + 1;
         if (typed.empty() || std::ranges::any_of(wanted, [&](const WantedFile& other) { return other.typed == typed; })) continue;
         const std::size_t dot = std::min(typed.find('.'), typed.size());
-        const auto word = std::ranges::find_if(kWords, [&](const ResultWord& w) { return typed.substr(0, dot) == w.word; });
-        const bool cloud = word != kWords.end() && *word->extension == '\0';
-        if (word == kWords.end() || cloud != (dot < typed.size())) return Error{"this is no result", typed, "use " + wantedWords()};
-        const std::string extension = cloud ? typed.substr(dot) : word->extension;
-        if (const auto formats = cloud ? formatsOf(*word->content) : std::string(); !formats.empty()) {
-            if ((formats + " ").find(extension + " ") == std::string::npos)
-                return Error{"the extension names no format for this", typed, "use " + formats};
-        } else if (const files::Format* format = cloud ? files::writtenFormat("x" + extension) : nullptr;
-                   cloud && (format == nullptr || format->write == nullptr)) {
-            return Error{"the extension names no format for points", typed, "use " + files::writtenExtensions(false)};
+        const auto word = std::ranges::find(resultWords(), typed.substr(0, dot), &ResultWord::word);
+        const bool hasExtension = word != resultWords().end() && word->extension.empty();
+        if (word == resultWords().end() || hasExtension != (dot < typed.size()))
+            return Error{"this is no result", typed, "use " + wantedWords()};
+        const std::string extension = hasExtension ? typed.substr(dot) : word->extension;
+        if (hasExtension) {
+            if (auto can = exports::checkExtension(*word->kind, "x" + extension, typed, " "); !can) return can.error();
         }
-        wanted.push_back({typed, word->content, word->stem, extension});
+        wanted.push_back({typed, word->kind, word->stem, extension});
     }
     return wanted;
 }
 
 std::string wantedWords() {
     std::string words;
-    for (const ResultWord& word : kWords)
-        words += (words.empty() ? "" : ", ") + std::string(word.word) + (*word.extension == '\0' ? ".EXT" : "");
+    for (const ResultWord& word : resultWords()) words += (words.empty() ? "" : ", ") + word.word + (word.extension.empty() ? ".EXT" : "");
     return words;
 }
 

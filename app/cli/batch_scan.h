@@ -14,9 +14,9 @@ namespace edgescan::cli {
 /// A result that the user wants for every scan, as typed: "mask", "edges.ply".
 struct WantedFile {
     std::string typed;
-    std::optional<exports::ExportContent> content; ///< empty: JSON or the report
-    [[nodiscard]] bool isOfRocks() const { return content && edgescan::exports::isOfRocks(*content); }
-    std::string stem, extension; ///< of the file's name; the frame of a cloud is inserted between them
+    const exports::ExportKind* kind = nullptr; ///< null: JSON or the report
+    [[nodiscard]] bool isOfRocks() const { return kind != nullptr && kind->needs == exports::ExportKind::Needs::Rocks; }
+    std::string stem, extension; ///< of the file's name; of a kind, its table gives the stem
 };
 
 /// Error: a word that is not a result, or a format that cannot hold it. Duplicates are dropped.

@@ -1,5 +1,6 @@
 // edgescan-cli detect: runs the method on files and writes the requested results.
 #include "app/cli/commands.h"
+#include "app/cli/export_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
@@ -10,13 +11,11 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance/provenance.h"
 #include "core/exports/provenance/report.h"
-#include "core/files/formats/formats.h"
-#include "core/files/point_tables/point_table.h"
 #include "core/scan/georef/placed_points.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -30,66 +29,44 @@ namespace fs = std::filesystem;
 
 struct Detect {
     std::vector<std::string> files;
-    std::string json, mask, gray, range, edges, cloud, folder;
+    std::string json;
+    ExportPaths out;
     bool ndjson = false;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
 };
 
-// The output paths of one scan; an empty path is not written.
+// The output paths of one scan; an empty path of the JSON is not written.
 struct Outputs {
-    std::string json, mask, gray, range, edges, cloud;
+    std::string json;
+    std::vector<WantedExport> exports;
 
-    [[nodiscard]] std::array<std::string, 6> paths() const { return {json, mask, gray, range, edges, cloud}; }
+    [[nodiscard]] std::vector<std::string> paths() const {
+        std::vector<std::string> all{json};
+        for (const WantedExport& wanted : exports) all.push_back(wanted.path);
+        return all;
+    }
 };
 
-Outputs typedOutputs(const Detect& detect) { return {detect.json, detect.mask, detect.gray, detect.range, detect.edges, detect.cloud}; }
-
 Outputs outputsOf(const Detect& detect, const Scan& scan) {
-    Outputs out = typedOutputs(detect);
-    if (detect.folder.empty()) return out;
-    const std::string stem = (fs::path(detect.folder) / scan.name).string();
-    const auto fill = [&](std::string& path, const std::string& tail) {
-        if (path.empty()) path = stem + tail;
-    };
-    fill(out.json, "_edges.json");
-    fill(out.mask, "_edges.png");
-    fill(out.gray, "_gray.png");
-    fill(out.range, "_range.png");
     const CoordinateFrame frame = exportOptions(detect.write, usualFrame(scan)).frame;
-    fill(out.edges, std::string("_edges") + frameTail(frame) + ".pcd");
-    fill(out.cloud, std::string("_cloud") + frameTail(frame) + ".pcd");
+    Outputs out{detect.json, wantedExports(detect.out, exports::ExportKind::Needs::Edges, scan.name, frame)};
+    if (out.json.empty() && !detect.out.folder.empty()) out.json = (fs::path(detect.out.folder) / scan.name).string() + "_edges.json";
     return out;
 }
 
 Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const edges::Detection& detection, double loadMs) {
     const exports::ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
-    const std::vector<std::pair<exports::ExportContent, std::string>> exports{{exports::ExportContent::EdgeImage, out.mask},
-                                                                              {exports::ExportContent::GrayImage, out.gray},
-                                                                              {exports::ExportContent::RangeImage, out.range},
-                                                                              {exports::ExportContent::EdgeCloud, out.edges},
-                                                                              {exports::ExportContent::FullCloud, out.cloud}};
     std::optional<Error> failure; // the other exports are still written
-    for (const auto& [content, path] : exports) {
-        if (path.empty()) continue;
-        const auto written = exports::exportWithProvenance(content, detection, path, options);
+    for (const auto& [kind, path] : out.exports) {
+        const auto written = exports::exportWithProvenance(kind->content, detection, path, options);
         if (!written && !failure) failure = written.error();
     }
     if (failure) return *failure;
     if (out.json.empty()) return Done{};
     const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
     return writeDocument(out.json, document("detect", exports::detectReport(detection, loadMs)), !lines);
-}
-
-/// The folder or the files that were written; empty if no file was written.
-std::string placesWrittenTo(const Detect& detect, const Outputs& out) {
-    if (!detect.folder.empty()) return printable(detect.folder);
-    std::string places;
-    for (const std::string& path : out.paths()) {
-        if (!path.empty()) places += (places.empty() ? "" : ", ") + (isStreamOrDevice(path) ? "standard output" : printable(path));
-    }
-    return places;
 }
 
 std::string filledText(const edges::Detection& detection) {
@@ -116,7 +93,7 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const Outputs out = outputsOf(detect, *detection->scan);
     if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
     if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
-    const std::string places = placesWrittenTo(detect, out);
+    const std::string places = detect.out.folder.empty() ? placesText(out.paths()) : printable(detect.out.folder);
     const std::string found = printable(file) + ": " + summary(*detection);
     if (places.empty())
         printResult(found);
@@ -127,24 +104,23 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
 
 // True if one output path would get the results of several scans.
 bool onePathForSeveral(const Detect& detect) {
-    const bool onePath = !(detect.json.empty() || detect.json == "-") || !detect.mask.empty() || !detect.gray.empty() ||
-                         !detect.range.empty() || !detect.edges.empty() || !detect.cloud.empty();
+    const bool onePath = !(detect.json.empty() || detect.json == "-") ||
+                         std::ranges::any_of(detect.out.typed, [](const std::string& path) { return !path.empty(); });
     return detect.files.size() > 1 && onePath;
 }
 
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(const Detect& detect) {
     if (onePathForSeveral(detect)) return Error{"one output file cannot hold the results of several scans", "", "use -o DIR"};
-    for (const std::string& path : {detect.edges, detect.cloud}) {
-        if (const files::Format* format = files::writtenFormat(path); !path.empty() && (format == nullptr || format->write == nullptr))
-            return Error{"the extension names no format for points", path, "use " + files::writtenExtensions(false)};
-    }
-    if (auto distinct = checkDistinct(typedOutputs(detect).paths()); !distinct) return distinct;
+    if (auto known = checkExtensions(detect.out); !known) return known;
+    std::vector<std::string> typed{detect.json};
+    typed.insert(typed.end(), detect.out.typed.begin(), detect.out.typed.end());
+    if (auto distinct = checkDistinct(typed); !distinct) return distinct;
     std::set<std::string> stems;
     for (const std::string& file : detect.files) {
         claimInput(file); // before the first scan writes results
         const std::string stem = files::scanName(file);
-        if (detect.folder.empty() || stems.insert(stem).second) continue;
+        if (detect.out.folder.empty() || stems.insert(stem).second) continue;
         return Error{"two scans have the name " + stem + ", and so would their results", file, "give one folder each"};
     }
     return Done{};
@@ -157,11 +133,12 @@ int run(const Detect& detect) {
         printError(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
-    if (!detect.folder.empty()) {
+    if (!detect.out.folder.empty()) {
         std::error_code failed;
-        fs::create_directories(detect.folder, failed);
+        fs::create_directories(detect.out.folder, failed);
         if (failed) {
-            printError({"the folder cannot be made (" + failed.message() + ")", detect.folder, "give -o a folder that can be written to"});
+            printError(
+                {"the folder cannot be made (" + failed.message() + ")", detect.out.folder, "give -o a folder that can be written to"});
             return kRefused;
         }
     }
@@ -188,17 +165,13 @@ void addDetect(CLI::App& app, int& code) {
     const char* group = "Results";
     command.add_option("--json", detect->json, "Counts, settings, mask hash, times; - is stdout")->group(group);
     command.add_flag("--ndjson", detect->ndjson, "JSON on one line per scan; without --json on stdout")->group(group);
-    command.add_option("--mask", detect->mask, "Edge map, 8-bit PNG, 255 = edge, row = line, column = beam")->group(group);
-    command.add_option("--gray", detect->gray, "Gray image, 8-bit PNG")->group(group);
-    command.add_option("--range", detect->range, "Ranges in mm, 16-bit PNG")->group(group);
-    command.add_option("--edges", detect->edges, "Edge points in metres: " + files::writtenExtensions(false))->group(group);
-    command.add_option("--cloud", detect->cloud, "All points in metres with a field for edges: the same formats")->group(group);
-    command.add_option("-o,--output", detect->folder, "Folder for all of these, under the scan's name")->group(group);
+    addExportFlags(command, exports::ExportKind::Needs::Edges, detect->out, group);
+    command.add_option("-o,--output", detect->out.folder, "Folder for all of these, under the scan's name")->group(group);
     addMethodFlags(command, detect->method);
     addReadFlags(command, detect->read);
     addWriteFlags(command, detect->write);
     command.callback([detect, &code] {
-        if (detect->ndjson && detect->json.empty() && detect->folder.empty()) detect->json = "-";
+        if (detect->ndjson && detect->json.empty() && detect->out.folder.empty()) detect->json = "-";
         code = run(*detect);
     });
 }

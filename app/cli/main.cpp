@@ -27,7 +27,6 @@ constexpr std::array kCommands = std::to_array<Command>({
     {"report", cli::addReport},
     {"convert", cli::addConvert},
     {"simulate", cli::addSimulate},
-    {"evaluate", cli::addEvaluate},
     {"verify", cli::addVerify},
     {"audit", cli::addAudit},
     {"serve", cli::addServe},
@@ -35,10 +34,19 @@ constexpr std::array kCommands = std::to_array<Command>({
     {"replay", cli::addReplay},
     {"why", cli::addWhy},
     {"rocks", cli::addRocks},
-    {"compare", cli::addCompare},
     {"change", cli::addChange},
     {"calibrate", cli::addCalibrate},
     {"thumbnail", cli::addThumbnail},
+});
+
+/// Commands of edgescan-lab, as edgescan-cli called them.
+struct MovedCommand {
+    std::string_view name;
+    const char* now;
+};
+constexpr std::array kMoved = std::to_array<MovedCommand>({
+    {"compare", "edgescan-lab benchmark SCAN, or edgescan-lab repeatability A B"},
+    {"evaluate", "edgescan-lab evaluate"},
 });
 
 /// Setting up all commands with their flags takes longer than many commands run. Therefore only the commands that the arguments can mean
@@ -55,6 +63,11 @@ std::span<const Command> commandsFor(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (const auto moved = std::ranges::find(kMoved, std::string_view(argc > 1 ? argv[1] : ""), &MovedCommand::name);
+        moved != kMoved.end()) {
+        cli::printError({"the command is in another program now", std::string(moved->name), "use " + std::string(moved->now)});
+        return cli::kWrongUsage;
+    }
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
     app.set_version_flag("--version", version());
     app.require_subcommand(1);
@@ -62,14 +75,10 @@ int main(int argc, char** argv) {
     cli::surviveFileLimit();
     const BindInputs inputs; // no input file can be overwritten
     for (const Command& command : commandsFor(argc, argv)) command.add(app, code);
-    cli::addPages(app,
-                  {"edgescan-cli",
-                   "edges of rocks in laser range scans",
-                   {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381", "edgescan-cli detect BELL.json",
-                    "edgescan-cli detect BELL.json -o RESULTS --jump 40", "edgescan-cli convert BELL.json BELL.pcd",
-                    "edgescan-cli evaluate BELL.json --truth TRUTH", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."}});
-    const int ended = cli::guarded([&] { return cli::parsed(app, argc, argv).value_or(code); }, cli::kRefused);
-    if (cli::stdoutIsComplete()) return ended;
-    cli::printError("stdout: the results cannot be written (no space, or closed); send them elsewhere.");
-    return cli::kRefused;
+    cli::addPages(app, {"edgescan-cli",
+                        "edges of rocks in laser range scans",
+                        {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
+                         "edgescan-cli detect BELL.json", "edgescan-cli detect BELL.json -o RESULTS --jump 40",
+                         "edgescan-cli convert BELL.json BELL.pcd", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."}});
+    return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

@@ -10,7 +10,7 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
     const char* group = "Rocks";
     for (const rocks::RockParameter& p : rocks::rockParameters()) {
         const std::string flag = std::string("--") + p.key;
-        const NumberLimits limits{p.minimum, p.maximum};
+        const NumberLimits limits = p.limits();
         const auto take = [&flags, flag, limits, &p](const std::string& text) {
             flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
         };

@@ -1,5 +1,6 @@
 // edgescan-cli rocks: turns the edges of a scan into one label per rock, with a description of each rock.
 #include "app/cli/commands.h"
+#include "app/cli/export_flags.h"
 #include "app/cli/rock_flags.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
@@ -11,16 +12,13 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance/provenance.h"
-#include "core/exports/provenance/rock_files.h"
 #include "core/exports/provenance/rock_report.h"
-#include "core/files/formats/formats.h"
 #include "core/rocks/attributes/size_curve.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,67 +28,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One flag per row: the path of a result, and its name inside an output folder.
-struct RockOutput {
-    const char* flag;
-    exports::ExportContent content;
-    const char* tail;
-    const char* formats; ///< of outlines and hulls: extensions, separated by commas; null: any format
-    const char* help;
-};
-constexpr RockOutput kRockOutputs[]{
-    {"--labels", exports::ExportContent::RockLabels, "_rocks.png", nullptr,
-     "16-bit PNG: 0 none, then 1..n, the largest visible area first"},
-    {"--json", exports::ExportContent::RockReport, "_rocks.json", nullptr, "All rocks with what may be said of them; - is stdout"},
-    {"--csv", exports::ExportContent::RockTable, "_rocks.csv", nullptr, "One row per rock, units in the names"},
-    {"--cloud", exports::ExportContent::RockCloud, "_rocks.pcd", nullptr, "All points in metres with a field for rocks"},
-    {"--outlines", exports::ExportContent::RockOutlines, "_rocks.dxf", ".dxf,.geojson",
-     "Closed polylines in space (.dxf), or polygons in the picture (.geojson)"},
-    {"--hulls", exports::ExportContent::RockHulls, "_hulls.ply", ".ply,.obj",
-     "Convex hulls of the visible points, never a volume: .ply or .obj"},
-};
-constexpr std::size_t kOutputs = std::size(kRockOutputs);
-constexpr std::size_t placeOf(exports::ExportContent content) {
-    for (std::size_t n = 0; n < kOutputs; ++n) {
-        if (kRockOutputs[n].content == content) return n;
-    }
-    return kOutputs;
-}
-constexpr std::size_t kReport = placeOf(exports::ExportContent::RockReport);
-constexpr std::size_t kOutlines = placeOf(exports::ExportContent::RockOutlines);
+constexpr exports::ExportKind::Needs kRocks = exports::ExportKind::Needs::Rocks;
 
 struct RocksFlags {
-    std::string file, folder, writeEdits;
-    std::array<std::string, kOutputs> paths;
+    std::string file, writeEdits;
+    ExportPaths out;
     std::vector<std::string> why, split;
     RockFlags rocks;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
 };
-
-struct WantedFile {
-    const RockOutput* output;
-    std::string path;
-};
-
-std::vector<WantedFile> wantedFiles(const RocksFlags& flags, const Scan& scan) {
-    std::vector<WantedFile> files;
-    const CoordinateFrame frame = exportOptions(flags.write, usualFrame(scan)).frame;
-    for (std::size_t n = 0; n < kOutputs; ++n) {
-        const RockOutput& output = kRockOutputs[n];
-        std::string path = flags.paths[n];
-        if (path.empty() && !flags.folder.empty()) {
-            const fs::path tail = output.tail;
-            path = (fs::path(flags.folder) / scan.name).string() + tail.stem().string() +
-                   (exports::namesFrame(output.content, tail) ? frameTail(frame) : "") + tail.extension().string();
-        }
-        if (!path.empty()) files.push_back({&output, path});
-    }
-    if (!flags.folder.empty() && flags.paths[kOutlines].empty()) // they are also drawn in the picture
-        files.push_back({&kRockOutputs[kOutlines], (fs::path(flags.folder) / scan.name).string() + "_rocks.geojson"});
-    return files;
-}
 
 // "LINE,BEAM" as a cell of the scan.
 Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const char* flag) {
@@ -140,17 +88,17 @@ Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {
 Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
     exports::ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
     options.rocks = study;
-    std::optional<Error> failure; // the other files are still written
-    const std::vector<WantedFile> files = wantedFiles(flags, *detection.scan);
+    std::optional<Error> failure; // the other exports are still written
+    const std::vector<WantedExport> files = wantedExports(flags.out, kRocks, detection.scan->name, options.frame);
     std::vector<std::string> paths{flags.writeEdits};
-    for (const WantedFile& file : files) paths.push_back(file.path);
+    for (const WantedExport& file : files) paths.push_back(file.path);
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
-    for (const WantedFile& file : files) {
-        if (file.output->content == exports::ExportContent::RockReport && file.path == "-") {
+    for (const WantedExport& file : files) {
+        if (file.kind->content == exports::ExportContent::RockReport && file.path == "-") {
             printResult(document("rocks", exports::rocksReport(*study, options.frame)), true);
             continue;
         }
-        const auto written = exports::exportWithProvenance(file.output->content, detection, file.path, options);
+        const auto written = exports::exportWithProvenance(file.kind->content, detection, file.path, options);
         if (!written && !failure) failure = written.error();
     }
     if (!flags.writeEdits.empty()) {
@@ -161,11 +109,8 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
     }
     if (failure) return *failure;
     if (!flags.why.empty()) return Done{};
-    std::string places = printable(flags.folder);
-    for (const WantedFile& file : files) {
-        if (flags.folder.empty())
-            places += (places.empty() ? "" : ", ") + (isStreamOrDevice(file.path) ? "standard output" : printable(file.path));
-    }
+    const bool inFolder = !flags.out.folder.empty();
+    std::string places = inFolder ? printable(flags.out.folder) : placesText({paths.begin() + 1, paths.end()});
     if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
     if (places.empty())
         printResult(summary(*study, flags.file));
@@ -194,22 +139,9 @@ Result<Done> findRocks(const RocksFlags& flags) {
 
 // Wrong usage is reported before any file is read.
 Result<Done> checkUsage(RocksFlags& flags) {
-    std::vector<std::string> paths(flags.paths.begin(), flags.paths.end());
+    if (auto known = checkExtensions(flags.out); !known) return known;
+    std::vector<std::string> paths(flags.out.typed.begin(), flags.out.typed.end());
     paths.push_back(flags.writeEdits);
-    for (std::size_t n = 0; n < paths.size(); ++n) {
-        const std::string& path = paths[n];
-        if (path.empty()) continue;
-        if (n < kOutputs && kRockOutputs[n].formats != nullptr) {
-            const std::string formats = std::string(",") + kRockOutputs[n].formats + ",";
-            if (formats.find("," + asciiLower(fs::path(path).extension().string()) + ",") == std::string::npos)
-                return Error{"the extension names no format for this", path, std::string("use ") + kRockOutputs[n].formats};
-        }
-        if (n < kOutputs && kRockOutputs[n].content == exports::ExportContent::RockCloud) {
-            const files::Format* format = files::writtenFormat(path);
-            if (format == nullptr || format->write == nullptr)
-                return Error{"the extension names no format for points", path, "use " + files::writtenExtensions(false)};
-        }
-    }
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
     claimInput(flags.file);
     if (const auto rocks = checkRocks(flags.rocks); !rocks) return rocks.error();
@@ -221,18 +153,20 @@ int run(RocksFlags& flags) {
         printError(usage.error());
         return kWrongUsage;
     }
-    if (!flags.folder.empty()) {
+    if (!flags.out.folder.empty()) {
         std::error_code failed;
-        fs::create_directories(flags.folder, failed);
+        fs::create_directories(flags.out.folder, failed);
         if (failed) {
-            printError({"the folder cannot be made (" + failed.message() + ")", flags.folder, "give -o a folder that can be written to"});
+            printError(
+                {"the folder cannot be made (" + failed.message() + ")", flags.out.folder, "give -o a folder that can be written to"});
             return kRefused;
         }
     }
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;
     printError(result.error());
-    if (flags.paths[kReport] == "-") printResult(refusal("rocks", flags.file, result.error()), true);
+    if (flags.out.of(exports::exportKind(exports::ExportContent::RockReport)) == "-")
+        printResult(refusal("rocks", flags.file, result.error()), true);
     return kRefused;
 }
 
@@ -243,9 +177,8 @@ void addRocks(CLI::App& app, int& code) {
     CLI::App& command = *app.add_subcommand("rocks", std::string("Finds the rocks between the edges: ") + rocks::kRockCaveat);
     command.add_option("FILE", flags->file, "Scan")->required();
     const char* results = "Results";
-    for (std::size_t n = 0; n < kOutputs; ++n)
-        command.add_option(kRockOutputs[n].flag, flags->paths[n], kRockOutputs[n].help)->group(results);
-    command.add_option("-o,--output", flags->folder, "Folder for all of these, under the scan's name")->group(results);
+    addExportFlags(command, kRocks, flags->out, results);
+    command.add_option("-o,--output", flags->out.folder, "Folder for all of these, under the scan's name")->group(results);
     command.add_option("--why", flags->why, "Why two cells, each as LINE,BEAM, lie in two rocks or in one; JSON on stdout")
         ->expected(2)
         ->group(results);

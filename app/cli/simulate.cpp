@@ -6,8 +6,8 @@
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/lab/score/truth_files.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <unistd.h>
 
@@ -85,7 +85,7 @@ int run(const Simulate& simulate) {
         return kWrongUsage;
     }
     Result<Done> saved = files::saveScan(simulation->scan, simulate.out);
-    if (saved && settings.truth) saved = lab::writeTruth(*simulation, settings, simulate.truth);
+    if (saved && settings.truth) saved = sim::writeTruth(*simulation, settings, simulate.truth);
     if (saved) return kDone;
     printError(saved.error());
     return kRefused;
@@ -131,13 +131,15 @@ std::string sceneHelp() {
     return text;
 }
 
-/// Adds a number of the settings, with the simulation's limits for it.
-template <class Value>
-CLI::Option& add(CLI::App& command, const char* group, const char* flag, Value& value, const char* help) {
-    const auto known = sim::simulationNumbers();
-    const auto number =
-        std::ranges::find_if(known, [&](const sim::SimulationNumber& n) { return std::string_view(flag).substr(2) == n.key; });
-    return *addNumber(command, flag, value, number == known.end() ? NumberLimits{0, -1} : number->limits, help).group(group);
+/// Adds the flag of a row of simulationNumbers().
+CLI::Option& add(CLI::App& command, const char* group, std::string_view key, sim::SimulationSettings& settings) {
+    const sim::SimulationNumber& row = *std::ranges::find(sim::simulationNumbers(), key, &sim::SimulationNumber::key);
+    const std::string flag = std::string("--") + row.key;
+    const auto take = [&row, &settings, flag](const std::string& text) {
+        row.set(settings, numberTyped(flag, text, row.limits(), row.decimals == 0));
+    };
+    CLI::Option& option = *command.add_option_function<std::string>(flag, take, row.help)->type_name(rangeName(row.limits()))->group(group);
+    return *option.default_str(shortestText(row.get(settings)));
 }
 
 void addSceneFlags(CLI::App& command, Simulate& simulate) {
@@ -146,40 +148,37 @@ void addSceneFlags(CLI::App& command, Simulate& simulate) {
     command
         .add_flag("--after-blast", s.afterBlast, "The hang-up after a blast: some rocks gone, others fallen or slid, the rest as before")
         ->group(group);
-    add(command, group, "--rocks", s.rocks, "Boulders in the arch or pile");
-    add(command, group, "--rock-roughness", s.rockRoughnessMm, "Relief of the rocks, standard deviation [mm]");
-    add(command, group, "--rock-rounding", s.rockRounding,
-        "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)");
-    add(command, group, "--rock-size", s.rockSize, "Times the size of every rock; small ones need more --rocks to fill the same room");
-    add(command, group, "--rock-lumps", s.rockLumpsMm, "Smooth lumps of the rocks beside their relief, standard deviation [mm]");
-    add(command, group, "--rock-lump-size", s.rockLumpM,
-        "Lattice that the lumps are drawn on; from one to the next it is two to three times as far [m]");
-    add(command, group, "--wall-roughness", s.wallRoughnessMm,
-        "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given");
-    add(command, group, "--absorbing-patches", s.absorbingPatches, "Round spots that send nothing back");
+    add(command, group, "rocks", s);
+    add(command, group, "rock-roughness", s);
+    add(command, group, "rock-rounding", s);
+    add(command, group, "rock-size", s);
+    add(command, group, "rock-lumps", s);
+    add(command, group, "rock-lump-size", s);
+    add(command, group, "wall-roughness", s).default_str(""); // the scene decides
+    add(command, group, "absorbing-patches", s);
     command.add_option("--surface", simulate.surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(group);
-    add(command, group, "--surface-scale", s.surfaceScale, "Times its size");
-    add(command, group, "--distance", s.distanceM, "Distance of wall, staircase or rescan [m]");
+    add(command, group, "surface-scale", s);
+    add(command, group, "distance", s);
     command.add_option("--hole", simulate.hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
         ->check(CLI::IsMember({"none", "round", "square"}))
         ->group(group);
-    add(command, group, "--holes", s.holes, "How many: one is in the middle, several are spread as the seed says");
-    add(command, group, "--hole-size", s.holeM, "Their diameter or side [m]");
+    add(command, group, "holes", s);
+    add(command, group, "hole-size", s);
 }
 
 void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
     const char* group = "Measurement";
     sim::SimulationSettings& s = simulate.settings;
-    add(command, group, "--noise", s.noise, "Times the range noise of the device");
-    add(command, group, "--dropouts", s.dropouts, "Share of cells lost at random, 0 to 1");
-    add(command, group, "--dust", s.dust, "Share of cells with an echo from dust, 0 to 1");
-    add(command, group, "--line-jitter", s.lineJitterDeg, "Jitter of the line angle [degrees]");
-    add(command, group, "--interlace", s.interlaceDeg, "Line angle of odd beams minus that of even beams [degrees]");
-    add(command, group, "--motor-skew", s.motorSkewDeg, "How far the stepper moves on while the mirror sweeps the fan [degrees]");
-    add(command, group, "--slips", s.slips, "Share of lines on which the stepper lags one step behind, 0 to 1");
-    add(command, group, "--status-codes", s.statusCodes, "Share of cells with a device status code instead of a range, 0 to 1");
-    add(command, group, "--range-step", s.rangeStepMm, "Ranges come in whole steps of this [mm]");
-    add(command, group, "--max-range", s.maxRangeM, "Farthest range [m]");
+    add(command, group, "noise", s);
+    add(command, group, "dropouts", s);
+    add(command, group, "dust", s);
+    add(command, group, "line-jitter", s);
+    add(command, group, "interlace", s);
+    add(command, group, "motor-skew", s);
+    add(command, group, "slips", s);
+    add(command, group, "status-codes", s);
+    add(command, group, "range-step", s);
+    add(command, group, "max-range", s);
     command.add_flag("--no-footprint", simulate.noFootprint, "The beam is a line without width")->group(group);
     command.add_flag("--no-mixed-pixels", simulate.noMixedPixels, "Echoes of two surfaces never merge")->group(group);
     command.add_flag("--no-echo-loss", simulate.noEchoLoss, "Grazing and weak echoes are not lost")->group(group);
@@ -188,12 +187,12 @@ void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
 /// Mounting errors that a calibration estimates (docs/calibration.md).
 void addAssemblyFlags(CLI::App& command, sim::SimulationSettings& s) {
     const char* group = "Assembly, unknown to the scan";
-    add(command, group, "--mount-t1", s.assembly.t1Mm(), "Lever arm of the scanner: along x of a spin, along y of a sweep [mm]");
-    add(command, group, "--mount-t2", s.assembly.t2Mm(), "Lever arm of the scanner: along y of a spin, along z of a sweep [mm]");
-    add(command, group, "--mount-tilt", s.assembly.tiltDeg(), "Tilt of the fan against the axis: roll of a spin, yaw of a sweep [degrees]");
-    add(command, group, "--mount-index", s.assembly.indexDeg(), "Error of the beam angle: pitch of the mount [degrees]");
-    add(command, group, "--turn-error", s.assembly.turnDeg(), "Error of the stepper's angle at 180 degrees [degrees]");
-    add(command, group, "--zero-jump", s.zeroJumpDeg, "How far the stepper's zero moves at half of the turn [degrees]");
+    add(command, group, "mount-t1", s);
+    add(command, group, "mount-t2", s);
+    add(command, group, "mount-tilt", s);
+    add(command, group, "mount-index", s);
+    add(command, group, "turn-error", s);
+    add(command, group, "zero-jump", s);
 }
 
 } // namespace
@@ -209,10 +208,10 @@ void addSimulate(CLI::App& app, int& code) {
     command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
     const char* general = "Options"; // CLI11's group for flags without a group
     addNumber(command, "--seed", s.seed, {0, 999999999999999}, "Seed of everything random");
-    add(command, general, "--repeat", s.repeat, "Which of several sweeps of the same scene: other noise, dust and dropouts");
-    add(command, general, "--lines", s.lines, "Scan lines over the turn");
-    add(command, general, "--turn", s.turnDeg, "How far the stepper turns [degrees]");
-    add(command, general, "--beams", s.beams, "Beams over -5 to 185 degrees");
+    add(command, general, "repeat", s);
+    add(command, general, "lines", s);
+    add(command, general, "turn", s);
+    add(command, general, "beams", s);
     command.add_option("--axis", simulate->axis, "Mounting of the stepper")->check(CLI::IsMember({"spin", "sweep"}))->capture_default_str();
     command.add_option("--profile", simulate->profile, "Beam divergence: high (resolution, 4.6 mrad) or standard (11 mrad)")
         ->check(CLI::IsMember({"high", "standard"}))
@@ -220,7 +219,7 @@ void addSimulate(CLI::App& app, int& code) {
     addSceneFlags(command, *simulate);
     addMeasurementFlags(command, *simulate);
     addAssemblyFlags(command, s);
-    add(command, general, "--threads", s.threads, "0 = one per core; the result is the same");
+    add(command, general, "threads", s);
     command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
     command.callback([simulate, &command, &code] {
         if (const std::optional<Error> wrong = idleFlag(command, *simulate)) {

@@ -1,17 +1,13 @@
 // Edges in Python: detection, its arrays, writing results, and scores against ground truth.
 #include "app/python/result.h"
-#include "app/python/simulation.h"
 
 #include "app/shared/typed_settings.h"
 #include "core/base/inputs.h"
-#include "core/containers/png/png.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance/report.h"
 #include "core/files/formats/formats.h"
-#include "core/lab/score/evaluation.h"
-#include "core/lab/score/truth_fit.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
@@ -45,22 +41,12 @@ py::array strengthOf(const ResultObject& result) {
     return gridArray(kept->map.highest, kept);
 }
 
-struct Content {
-    const char* name;
-    exports::ExportContent content;
-};
-constexpr std::array<Content, 6> kContents{{{"edges", exports::ExportContent::EdgeCloud},
-                                            {"cloud", exports::ExportContent::FullCloud},
-                                            {"mask", exports::ExportContent::EdgeImage},
-                                            {"gray", exports::ExportContent::GrayImage},
-                                            {"range", exports::ExportContent::RangeImage},
-                                            {"scan", exports::ExportContent::WholeScan}}};
-
 exports::ExportContent contentOf(const std::string& name) {
     std::string names;
-    for (const Content& content : kContents) {
-        if (name == content.name) return content.content;
-        names += (names.empty() ? "" : ", ") + std::string(content.name);
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        if (kind.needs == exports::ExportKind::Needs::Rocks) continue;
+        if (name == kind.key) return kind.content;
+        names += (names.empty() ? "" : ", ") + std::string(kind.key);
     }
     throw Refused{{"\"" + name + "\" is no content of a file", "content", "use one of " + names}};
 }
@@ -108,46 +94,6 @@ std::size_t saveScanObject(const ScanObject& scan, const std::string& path, cons
 
 std::size_t saveResult(const ResultObject& result, const std::string& path, const std::string& content, const Typed& typed) {
     return write(*result.detection, contentOf(content), path, typed);
-}
-
-/// `scan` may be null: a mask without ranges.
-py::object evaluate(const Grid<std::uint8_t>& mask, const py::object& truth, const ScanObject* ranges, double tolerance) {
-    std::string where = "the simulation";
-    const auto* simulation = py::isinstance<SimulationObject>(truth) ? truth.cast<const SimulationObject*>() : nullptr;
-    if (simulation == nullptr) where = py::str(truth);
-    const nlohmann::ordered_json json = unlocked([&] {
-        if (!(tolerance >= 0 && tolerance <= 20)) throw Refused{{"the tolerance is out of reason", "tolerance", "give 0 to 20 cells"}};
-        const lab::TruthSet set = simulation != nullptr ? taken(truthOf(*simulation)) : taken(lab::readTruth(where));
-        const Grid<std::uint8_t>& wanted = set.edges.edgeClass;
-        if (mask.lines != wanted.lines || mask.beams != wanted.beams)
-            throw Refused{{"it has " + std::to_string(mask.lines) + " x " + std::to_string(mask.beams) + " cells and its truth " +
-                               std::to_string(wanted.lines) + " x " + std::to_string(wanted.beams),
-                           ranges != nullptr ? ranges->scan->path : "", "give each scan the truth that was made with it"}};
-        const Scan* scan = ranges == nullptr ? nullptr : ranges->scan.get();
-        if (scan != nullptr && (scan->lines() != mask.lines || scan->beams() != mask.beams))
-            throw Refused{{"the ranges and the mask have different shapes", scan->path, "give the scan that the mask was made from"}};
-        if (scan != nullptr) {
-            taken(lab::checkTruthFits(*scan, set, where));
-            taken(edges::checkMemoryFor(edges::Work::Compare, *scan));
-        }
-        const lab::Evaluation found = lab::evaluateMask(mask, set, scan, tolerance);
-        return nlohmann::ordered_json{{"tolerance", tolerance}, {"fixed", lab::evaluationJson(found)}, {"rocks", lab::rocksJson(found)}};
-    });
-    return objectOf(json);
-}
-
-using MaskArray = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
-
-py::object evaluateArray(const MaskArray& mask, const py::object& truth, const ScanObject* ranges, double tolerance) {
-    if (mask.ndim() != 2) throw Refused{{"a mask is an array of lines x beams", "mask", "give one with two dimensions"}};
-    Grid<std::uint8_t> grid(static_cast<int>(mask.shape(0)), static_cast<int>(mask.shape(1)));
-    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = mask.data()[k] != 0 ? 255 : 0;
-    return evaluate(grid, truth, ranges, tolerance);
-}
-
-py::object evaluateResult(const ResultObject& result, const py::object& truth, double tolerance) {
-    const ScanObject ranges{result.detection->scan};
-    return evaluate(*result.detection->mask, truth, &ranges, tolerance);
 }
 
 py::dict timesOf(const edges::Detection& detection) {
@@ -199,12 +145,6 @@ void bindDetect(py::module_& module) {
     module.def("detect", &detect);
     module.def("save_scan", &saveScanObject);
     module.def("save_result", &saveResult);
-    module.def("evaluate_result", &evaluateResult);
-    module.def("evaluate_mask", &evaluateArray, py::arg("mask"), py::arg("truth"), py::arg("ranges").none(true), py::arg("tolerance"));
-    module.def("read_mask", [](const std::string& path) {
-        const auto mask = std::make_shared<const Grid<std::uint8_t>>(taken(containers::readPng8(path)));
-        return gridArray(*mask, mask);
-    });
 }
 
 } // namespace edgescan::python

@@ -28,7 +28,7 @@ rocks::RockSettings settingsOf(const std::map<std::string, double>& numbers, con
         const auto given = numbers.find(parameter.key);
         if (given == numbers.end()) continue;
         const double value = given->second;
-        if (!NumberLimits{parameter.minimum, parameter.maximum}.hold(value))
+        if (!parameter.limits().hold(value))
             throw Refused{
                 {shortestText(value) + " is outside " + shortestText(parameter.minimum) + " to " + shortestText(parameter.maximum),
                  parameter.key, "give a value within these limits"}};

@@ -2,7 +2,7 @@
 #include "app/python/module.h"
 
 #include "core/exports/provenance/report.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 

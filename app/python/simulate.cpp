@@ -1,15 +1,28 @@
 // The simulator in Python.
-#include "app/python/simulation.h"
+#include "app/python/module.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <algorithm>
 #include <charconv>
 
 namespace edgescan::python {
 namespace {
+
+struct SimulationObject {
+    std::shared_ptr<const sim::Simulation> simulation;
+    ScanPtr scan; ///< the simulated scan
+    sim::SimulationSettings settings;
+};
+
+/// Error: the simulation was made without truth.
+Result<sim::TruthSet> truthOf(const SimulationObject& object) {
+    if (!object.simulation->truth) return Error{"it was made without ground truth", "the simulation", "simulate with truth=True"};
+    return sim::truthSetOf(*object.simulation);
+}
 
 /// The index of a word among the allowed words of a setting.
 std::size_t wordOf(const std::string& key, const std::string& text, const std::vector<std::string>& words) {
@@ -21,9 +34,9 @@ std::size_t wordOf(const std::string& key, const std::string& text, const std::v
 }
 
 void setNumber(sim::SimulationSettings& settings, const sim::SimulationNumber& number, double value) {
-    if (!number.limits.hold(value))
+    if (!number.limits().hold(value))
         throw Refused{{shortestText(value) + " is out of reason", number.key,
-                       "give " + shortestText(number.limits.least) + " to " + shortestText(number.limits.most)}};
+                       "give " + shortestText(number.minimum) + " to " + shortestText(number.maximum)}};
     number.set(settings, value);
     if (number.get(settings) != value) throw Refused{{shortestText(value) + " is not a whole number", number.key, "give a whole number"}};
 }
@@ -83,7 +96,7 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
 /// The truth's grids as arrays; the keys are the names of the files that the command line writes.
 py::object truthArrays(const SimulationObject& object) {
     if (!object.simulation->truth) return py::none();
-    const auto set = unlocked([&] { return std::make_shared<const lab::TruthSet>(taken(truthOf(object))); });
+    const auto set = unlocked([&] { return std::make_shared<const sim::TruthSet>(taken(truthOf(object))); });
     const sim::SimulationTruth& truth = *object.simulation->truth;
     py::dict arrays;
     arrays["edge_class"] = gridArray(set->edges.edgeClass, set);
@@ -95,11 +108,6 @@ py::object truthArrays(const SimulationObject& object) {
 }
 
 } // namespace
-
-Result<lab::TruthSet> truthOf(const SimulationObject& object) {
-    if (!object.simulation->truth) return Error{"it was made without ground truth", "the simulation", "simulate with truth=True"};
-    return lab::truthSetOf(*object.simulation);
-}
 
 void bindSimulate(py::module_& module) {
     py::class_<SimulationObject>(module, "Simulation", "A simulated scan, and its ground truth where it was asked for.")
@@ -114,7 +122,7 @@ void bindSimulate(py::module_& module) {
             [](const SimulationObject& self, const std::string& folder) {
                 unlocked([&] {
                     if (!self.simulation->truth) taken(truthOf(self));
-                    return taken(lab::writeTruth(*self.simulation, self.settings, folder));
+                    return taken(sim::writeTruth(*self.simulation, self.settings, folder));
                 });
             },
             py::arg("folder"), "Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does.");

@@ -79,8 +79,8 @@ void bindTables(py::module_& module) {
         py::list rows;
         const sim::SimulationSettings usual;
         for (const sim::SimulationNumber& number : sim::simulationNumbers())
-            rows.append(py::dict(py::arg("key") = number.key, py::arg("minimum") = number.limits.least,
-                                 py::arg("maximum") = number.limits.most, py::arg("default") = number.get(usual)));
+            rows.append(py::dict(py::arg("key") = number.key, py::arg("minimum") = number.minimum, py::arg("maximum") = number.maximum,
+                                 py::arg("default") = number.get(usual)));
         return rows;
     });
 }

@@ -41,11 +41,6 @@ void printResult(const nlohmann::ordered_json& report, bool indented) {
     std::cout << exports::reportText(report, indented) << '\n' << std::flush;
 }
 
-bool stdoutIsComplete() {
-    std::cout.flush();
-    return std::cout.good();
-}
-
 void showProgress(const std::string& text, bool last) {
     constexpr std::size_t kWidth = 78;
     std::string line = printable(text, kWidth);
@@ -70,6 +65,14 @@ int guarded(const std::function<int()>& work, int failed) {
         printError(repeated(error.what()));
     }
     return failed;
+}
+
+int exitCodeOf(const std::function<int()>& work) {
+    const int code = guarded(work, kRefused);
+    std::cout.flush();
+    if (std::cout.good()) return code;
+    printError("stdout: the results cannot be written (no space, or closed); send them elsewhere.");
+    return kRefused;
 }
 
 } // namespace edgescan::cli

@@ -31,14 +31,14 @@ void printResult(const std::string& text);
 /// Prints a report as JSON, on one line or indented.
 void printResult(const nlohmann::ordered_json& report, bool indented);
 
-/// False if an earlier write to stdout failed.
-[[nodiscard]] bool stdoutIsComplete();
-
 /// Prints a progress line on stderr. The next one overwrites it; the `last` one stays and ends the line.
 void showProgress(const std::string& text, bool last = false);
 
 /// Returns the result of `work`. If an exception ends it (out of memory, or an error without its own message), prints a message and returns
 /// `failed`.
 int guarded(const std::function<int()>& work, int failed);
+
+/// The exit code of a program that prints results: that of `work`, or kRefused if an exception ended it or stdout took not all of them.
+int exitCodeOf(const std::function<int()>& work);
 
 } // namespace edgescan::cli

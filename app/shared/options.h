@@ -6,7 +6,7 @@
 #include "app/shared/typed_settings.h"
 #include "core/base/result.h"
 #include "core/exports/provenance/provenance.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/scan/grid/scan.h"
 
 #include <CLI/CLI.hpp>

@@ -7,7 +7,7 @@
 
 namespace edgescan::sim {
 
-/// Every setting, seed included, and what follows from them where a scene has known measures: centres of the holes of a wall, treads of a
+/// Every setting, including the seed, and derived values of scenes with known dimensions: centres of the holes of a wall, treads of a
 /// staircase, number of points of a surface.
 [[nodiscard]] nlohmann::ordered_json settingsJson(const SimulationSettings& settings);
 

@@ -42,61 +42,78 @@ struct Sweep {
     std::array<Scan, 2> aim; ///< true angles of even and odd beams
 };
 
-template <class Member>
-void assign(Member& member, double value) {
-    if constexpr (std::is_same_v<Member, int>)
-        member = static_cast<int>(value);
-    else
-        member = value;
-}
-
-// Reads and writes one setting.
-#define EDGESCAN_SETTING(get, member)                                                                                                      \
-    [](const SimulationSettings& s) { return 1.0 * (get); }, [](SimulationSettings& s, double value) { assign(s.member, value); }
-#define EDGESCAN_NUMBER(member) EDGESCAN_SETTING(s.member, member)
-
-constexpr std::array<SimulationNumber, 33> kNumbers{{{"lines", {2, 100000}, EDGESCAN_NUMBER(lines)},
-                                                     {"beams", {3, 100000}, EDGESCAN_NUMBER(beams)},
-                                                     {"repeat", {0, 1000000}, EDGESCAN_NUMBER(repeat)},
-                                                     {"rocks", {0, 3000}, EDGESCAN_NUMBER(rocks)},
-                                                     {"rock-roughness", {0, 200}, EDGESCAN_NUMBER(rockRoughnessMm)},
-                                                     {"rock-rounding", {0, 0.9}, EDGESCAN_NUMBER(rockRounding)},
-                                                     {"rock-size", {0.1, 3}, EDGESCAN_NUMBER(rockSize)},
-                                                     {"rock-lumps", {0, 100}, EDGESCAN_NUMBER(rockLumpsMm)},
-                                                     {"rock-lump-size", {0.02, 10}, EDGESCAN_NUMBER(rockLumpM)},
-                                                     {"wall-roughness", {0, 200}, EDGESCAN_SETTING(wallRoughnessMmOf(s), wallRoughnessMm)},
-                                                     {"absorbing-patches", {0, 1000}, EDGESCAN_NUMBER(absorbingPatches)},
-                                                     {"distance", {0.1, 100}, EDGESCAN_NUMBER(distanceM)},
-                                                     {"hole-size", {0, 100}, EDGESCAN_NUMBER(holeM)},
-                                                     {"holes", {0, 400}, EDGESCAN_NUMBER(holes)},
-                                                     {"surface-scale", {0.001, 1000}, EDGESCAN_NUMBER(surfaceScale)},
-                                                     {"noise", {0, 100}, EDGESCAN_NUMBER(noise)},
-                                                     {"dropouts", {0, 1}, EDGESCAN_NUMBER(dropouts)},
-                                                     {"dust", {0, 1}, EDGESCAN_NUMBER(dust)},
-                                                     {"range-step", {0.01, 1000}, EDGESCAN_NUMBER(rangeStepMm)},
-                                                     {"max-range", {1, 1000}, EDGESCAN_NUMBER(maxRangeM)},
-                                                     {"line-jitter", {0, 1}, EDGESCAN_NUMBER(lineJitterDeg)},
-                                                     {"interlace", {-5, 5}, EDGESCAN_NUMBER(interlaceDeg)},
-                                                     {"motor-skew", {-5, 5}, EDGESCAN_NUMBER(motorSkewDeg)},
-                                                     {"slips", {0, 1}, EDGESCAN_NUMBER(slips)},
-                                                     {"turn", {1, 720}, EDGESCAN_NUMBER(turnDeg)},
-                                                     {"mount-t1", {-500, 500}, EDGESCAN_NUMBER(assembly.t1Mm())},
-                                                     {"mount-t2", {-500, 500}, EDGESCAN_NUMBER(assembly.t2Mm())},
-                                                     {"mount-tilt", {-20, 20}, EDGESCAN_NUMBER(assembly.tiltDeg())},
-                                                     {"mount-index", {-20, 20}, EDGESCAN_NUMBER(assembly.indexDeg())},
-                                                     {"turn-error", {-20, 20}, EDGESCAN_NUMBER(assembly.turnDeg())},
-                                                     {"zero-jump", {-20, 20}, EDGESCAN_NUMBER(zeroJumpDeg)},
-                                                     {"status-codes", {0, 1}, EDGESCAN_NUMBER(statusCodes)},
-                                                     {"threads", {0, 1024}, EDGESCAN_NUMBER(threads)}}};
+constexpr std::array kNumbers{
+    SimulationNumber{"lines", "", "", "Scan lines over the turn", 2, 100000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, lines)},
+    SimulationNumber{"beams", "", "", "Beams over -5 to 185 degrees", 3, 100000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, beams)},
+    SimulationNumber{"repeat", "", "", "Which of several sweeps of the same scene: other noise, dust and dropouts", 0, 1000000, 0, 0,
+                     EDGESCAN_NUMBER(SimulationSettings, repeat)},
+    SimulationNumber{"rocks", "", "", "Boulders in the arch or pile", 0, 3000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, rocks)},
+    SimulationNumber{"rock-roughness", "", "", "Relief of the rocks, standard deviation [mm]", 0, 200, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, rockRoughnessMm)},
+    SimulationNumber{"rock-rounding", "", "",
+                     "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)", 0,
+                     0.9, 0, 3, EDGESCAN_NUMBER(SimulationSettings, rockRounding)},
+    SimulationNumber{"rock-size", "", "", "Times the size of every rock; small ones need more --rocks to fill the same room", 0.1, 3, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, rockSize)},
+    SimulationNumber{"rock-lumps", "", "", "Smooth lumps of the rocks beside their relief, standard deviation [mm]", 0, 100, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, rockLumpsMm)},
+    SimulationNumber{"rock-lump-size", "", "",
+                     "Lattice that the lumps are drawn on; from one to the next it is two to three times as far [m]", 0.02, 10, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, rockLumpM)},
+    SimulationNumber{"wall-roughness", "", "",
+                     "Relief of the wall, standard deviation [mm]; 30 in the bell and 0 in the scene wall unless given", 0, 200, 0, 3,
+                     EDGESCAN_NUMBER_OF(SimulationSettings, wallRoughnessMmOf(s), wallRoughnessMm)},
+    SimulationNumber{"absorbing-patches", "", "", "Round spots that send nothing back", 0, 1000, 0, 0,
+                     EDGESCAN_NUMBER(SimulationSettings, absorbingPatches)},
+    SimulationNumber{"distance", "", "", "Distance of wall, staircase or rescan [m]", 0.1, 100, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, distanceM)},
+    SimulationNumber{"hole-size", "", "", "Their diameter or side [m]", 0, 100, 0, 3, EDGESCAN_NUMBER(SimulationSettings, holeM)},
+    SimulationNumber{"holes", "", "", "How many: one is in the middle, several are spread as the seed says", 0, 400, 0, 0,
+                     EDGESCAN_NUMBER(SimulationSettings, holes)},
+    SimulationNumber{"surface-scale", "", "", "Times its size", 0.001, 1000, 0, 3, EDGESCAN_NUMBER(SimulationSettings, surfaceScale)},
+    SimulationNumber{"noise", "", "", "Times the range noise of the device", 0, 100, 0, 3, EDGESCAN_NUMBER(SimulationSettings, noise)},
+    SimulationNumber{"dropouts", "", "", "Share of cells lost at random, 0 to 1", 0, 1, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, dropouts)},
+    SimulationNumber{"dust", "", "", "Share of cells with an echo from dust, 0 to 1", 0, 1, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, dust)},
+    SimulationNumber{"range-step", "", "", "Ranges come in whole steps of this [mm]", 0.01, 1000, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, rangeStepMm)},
+    SimulationNumber{"max-range", "", "", "Farthest range [m]", 1, 1000, 0, 3, EDGESCAN_NUMBER(SimulationSettings, maxRangeM)},
+    SimulationNumber{"line-jitter", "", "", "Jitter of the line angle [degrees]", 0, 1, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, lineJitterDeg)},
+    SimulationNumber{"interlace", "", "", "Line angle of odd beams minus that of even beams [degrees]", -5, 5, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, interlaceDeg)},
+    SimulationNumber{"motor-skew", "", "", "How far the stepper moves on while the mirror sweeps the fan [degrees]", -5, 5, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, motorSkewDeg)},
+    SimulationNumber{"slips", "", "", "Share of lines on which the stepper lags one step behind, 0 to 1", 0, 1, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, slips)},
+    SimulationNumber{"turn", "", "", "How far the stepper turns [degrees]", 1, 720, 0, 3, EDGESCAN_NUMBER(SimulationSettings, turnDeg)},
+    SimulationNumber{"mount-t1", "", "", "Lever arm of the scanner: along x of a spin, along y of a sweep [mm]", -500, 500, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, assembly.t1Mm())},
+    SimulationNumber{"mount-t2", "", "", "Lever arm of the scanner: along y of a spin, along z of a sweep [mm]", -500, 500, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, assembly.t2Mm())},
+    SimulationNumber{"mount-tilt", "", "", "Tilt of the fan against the axis: roll of a spin, yaw of a sweep [degrees]", -20, 20, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, assembly.tiltDeg())},
+    SimulationNumber{"mount-index", "", "", "Error of the beam angle: pitch of the mount [degrees]", -20, 20, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, assembly.indexDeg())},
+    SimulationNumber{"turn-error", "", "", "Error of the stepper's angle at 180 degrees [degrees]", -20, 20, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, assembly.turnDeg())},
+    SimulationNumber{"zero-jump", "", "", "How far the stepper's zero moves at half of the turn [degrees]", -20, 20, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, zeroJumpDeg)},
+    SimulationNumber{"status-codes", "", "", "Share of cells with a device status code instead of a range, 0 to 1", 0, 1, 0, 3,
+                     EDGESCAN_NUMBER(SimulationSettings, statusCodes)},
+    SimulationNumber{"threads", "", "", "0 = one per core; the result is the same", 0, 1024, 0, 0,
+                     EDGESCAN_NUMBER(SimulationSettings, threads)},
+};
 
 std::optional<Error> refusal(const SimulationSettings& s) {
     for (const SimulationNumber& number : simulationNumbers()) {
         const double value = number.get(s);
-        if (number.limits.hold(value)) continue;
+        if (number.limits().hold(value)) continue;
         std::string name = number.key;
         std::ranges::replace(name, '-', ' ');
         return Error{name + " is " + shortestText(value), "simulate",
-                     "use " + shortestText(number.limits.least) + " to " + shortestText(number.limits.most)};
+                     "use " + shortestText(number.minimum) + " to " + shortestText(number.maximum)};
     }
     if (s.truth && (s.assembly != AssemblyErrors{} || s.zeroJumpDeg != 0))
         return Error{"the truth is that of rays from one point, which an assembly with errors has not", "simulate",

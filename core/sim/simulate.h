@@ -1,8 +1,8 @@
 // The synthetic draw-bell: a scene of convex rocks, scanned by an LMS511 with its beam, noise and faults (docs/method.md, "Simulator").
 #pragma once
 
-#include "core/base/physical_limits.h"
 #include "core/base/result.h"
+#include "core/base/table_row.h"
 #include "core/scan/georef/assembly.h"
 #include "core/scan/grid/scan.h"
 #include "core/sim/seam.h"
@@ -119,13 +119,8 @@ struct SimulationScene {
 };
 [[nodiscard]] const std::vector<SimulationScene>& simulationScenes();
 
-/// A numeric setting, with its flag and limits.
-struct SimulationNumber {
-    const char* key; ///< flag without "--"
-    NumberLimits limits;
-    double (*get)(const SimulationSettings&);
-    void (*set)(SimulationSettings&, double); ///< the value must be within the limits; counts are truncated to whole numbers
-};
+/// A numeric setting. A default that depends on the scene is the one of the scene.
+using SimulationNumber = TableRow<SimulationSettings>;
 [[nodiscard]] std::span<const SimulationNumber> simulationNumbers();
 
 /// Casts every beam. Error: an unknown scene, a setting outside its limits, not enough memory, or "cancelled".

@@ -26,57 +26,22 @@
 <message><source>&amp;Night</source><translation>&amp;Noche</translation></message>
 <message><source>&amp;Day</source><translation>&amp;Día</translation></message>
 <message><source>&amp;Control-Room Gray</source><translation>&amp;Gris de sala de control</translation></message>
-<message><source>Menu</source><translation>Menú</translation></message>
+<message><source>OK</source><translation>Aceptar</translation></message>
+<message><source>Save</source><translation>Guardar</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
-<message><source>Connect</source><translation>Conectar</translation></message>
-<message><source>Cancel</source><translation>Cancelar</translation></message>
-<message><source>Locked</source><translation>Bloqueado</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
-<message><source>Previous target</source><translation>Objetivo anterior</translation></message>
-<message><source>Next target</source><translation>Objetivo siguiente</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>Distance</source><translation>Distancia</translation></message>
-<message><source>No target</source><translation>Ningún objetivo</translation></message>
-<message><source>less: %1</source><translation>menos: %1</translation></message>
-<message><source>more: %1</source><translation>más: %1</translation></message>
-<message><source>+ gained</source><translation>+ ganados</translation></message>
-<message><source>− lost</source><translation>− perdidos</translation></message>
-<message><source>kept</source><translation>conservados</translation></message>
-<message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
-<message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
-<message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
-<message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
-<message><source>comparing …</source><translation>comparando …</translation></message>
-<message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation>nada con qué comparar todavía:
-cambie un ajuste o abra otro escaneo</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
-<message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
-un cambio es mayor que %2 mm a 5 m</translation></message>
-<message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
-<message><source>A: %1
-hold \ to see it</source><translation>A: %1
-mantenga \ para verla</translation></message>
-<message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
-<message><source>grid %1</source><translation>cuadrícula %1</translation></message>
-<message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
-<message><source>Range [m]</source><translation>Distancia [m]</translation></message>
-<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
-<message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
-<message><source>Line</source><translation>Línea</translation></message>
-<message><source>at all of them</source><translation>con todos</translation></message>
-<message><source>below %1 %</source><translation>menos de %1 %</translation></message>
-<message><source>%1 % and more</source><translation>%1 % y más</translation></message>
-<message><source>Confidence of edges</source><translation>Confianza de los bordes</translation></message>
-<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Los bordes que hallan menos ajustes cercanos se omiten en las vistas; las exportaciones los contienen todos.</translation></message>
-<message><source>Least confidence shown</source><translation>Confianza mínima mostrada</translation></message>
-<message><source>Shown: %1 % and more</source><translation>Se muestra: %1 % y más</translation></message>
-<message><source>Shown: all</source><translation>Se muestra: todo</translation></message>
-<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
-<message><source>found too by how many of %1 nearby settings</source><translation>cuántos de %1 ajustes cercanos los hallan también</translation></message>
+<message><source>&amp;Yes</source><translation>&amp;Sí</translation></message>
+<message><source>&amp;No</source><translation>&amp;No</translation></message>
+<message><source>Apply</source><translation>Aplicar</translation></message>
+<message><source>Cu&amp;t</source><translation>Cor&amp;tar</translation></message>
+<message><source>&amp;Copy</source><translation>&amp;Copiar</translation></message>
+<message><source>&amp;Paste</source><translation>&amp;Pegar</translation></message>
+<message><source>Select All</source><translation>Seleccionar todo</translation></message>
+<message><source>Discard</source><translation>Descartar</translation></message>
+<message><source>Delete</source><translation>Eliminar</translation></message>
+<message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
+<message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
+<message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
+<message><source>Float</source><translation>Separar</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
@@ -132,100 +97,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
-<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
-<message><source>Calibrate the Assembly</source><translation>Calibrar el montaje</translation></message>
-<message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
-<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
-<message><source>Scans of one assembly:</source><translation>Escaneos de un montaje:</translation></message>
-<message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
-<message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
-<message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
-<message><source>error of the assembly</source><translation>error del montaje</translation></message>
-<message><source>value</source><translation>valor</translation></message>
-<message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
-<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Archivo del robot: ninguno; el archivo nuevo contiene solo el motor.</translation></message>
-<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
-<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
-<message><source>working …</source><translation>trabajando …</translation></message>
-<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
-<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
-<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
-<message><source>Commands</source><translation>Comandos</translation></message>
-<message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
-<message><source>Values of %1</source><translation>Valores de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
-<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
-<message><source>● now</source><translation>● actual</translation></message>
-<message><source>▭ steady</source><translation>▭ constante</translation></message>
-<message><source>Export</source><translation>Exportar</translation></message>
-<message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
-<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
-<message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
-<message><source>What</source><translation>Contenido</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
-<message><source>Edge points (%1)</source><translation>Puntos de borde (%1)</translation></message>
-<message><source>All points, with a field for edges (%1)</source><translation>Todos los puntos, con un campo para los bordes (%1)</translation></message>
-<message><source>Edge map as a picture, %1</source><translation>Mapa de bordes como imagen, %1</translation></message>
-<message><source>Gray image, %1</source><translation>Imagen en grises, %1</translation></message>
-<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distancias en milímetros como imagen de 16 bits, %1</translation></message>
-<message><source>Coordinates</source><translation>Coordenadas</translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
-<message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
-<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
-<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
-<message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
-<message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
-<message><source>doubtful</source><translation>dudoso</translation></message>
-<message><source>found out</source><translation>deducido</translation></message>
-<message><source>as you said</source><translation>como se indicó</translation></message>
-<message><source>as the file says</source><translation>según el archivo</translation></message>
-<message><source>Does This Look Right?</source><translation>¿Parece correcto?</translation></message>
-<message><source>&amp;Close</source><translation>&amp;Cerrar</translation></message>
-<message><source>&amp;Adopt</source><translation>&amp;Adoptar</translation></message>
-<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic en otra lectura muestra así el escaneo; Adoptar la conserva como un paso que se puede deshacer, Cerrar devuelve lo que había.</translation></message>
-<message><source>or</source><translation>o</translation></message>
-<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
-<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
-<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
-<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
-<message><source>Range gate</source><translation>Ventana de distancia</translation></message>
-<message><source>Draw cells from</source><translation>Dibujar celdas desde</translation></message>
-<message><source>to</source><translation>hasta</translation></message>
-<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas las demás se ocultan en todas las vistas. Bordes, cuentas y exportaciones quedan como están.</translation></message>
-<message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un campo vacío: como dice el archivo, o como se averigüe. El archivo mismo queda como está.</translation></message>
-<message><source>Read Again</source><translation>Leer de nuevo</translation></message>
-<message><source>as in the file</source><translation>como en el archivo</translation></message>
-<message><source>Choose…</source><translation>Elegir…</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
-<message><source>Keys</source><translation>Teclas</translation></message>
-<message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
-<message><source>Scan</source><translation>Escaneo</translation></message>
-<message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
-<message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
-<message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
-<message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
-<message><source>A few letters of a command, or a key</source><translation>Unas letras de un comando, o una tecla</translation></message>
-<message><source>Command</source><translation>Comando</translation></message>
-<message><source>Key</source><translation>Tecla</translation></message>
-<message><source>Reset &amp;All</source><translation>Restablecer &amp;todo</translation></message>
-<message><source>Press the new key:</source><translation>Pulse la nueva tecla:</translation></message>
-<message><source>%1 has no key now.</source><translation>%1 ya no tiene tecla.</translation></message>
-<message><source>%1 has the key that it came with.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
-<message><source>Every command has the key that it came with.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
-<message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
-<message><source>along the line</source><translation>a lo largo de la línea</translation></message>
-<message><source>across the lines</source><translation>a través de las líneas</translation></message>
-<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
-<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
-<message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
-<message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
@@ -256,8 +127,10 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Todavía no hay nada seleccionado: primero trace un recuadro (B) o un lazo (L) sobre una vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
+<message><source>Export</source><translation>Exportar</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
 <message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
+<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
 <message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
 <message><source>Open scan</source><translation>Abrir un escaneo</translation></message>
@@ -267,6 +140,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Straighten Beams</source><translation>Enderezar los haces</translation></message>
 <message><source>Beams as Recorded</source><translation>Haces tal como se grabaron</translation></message>
 <message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>No hay en pantalla ningún archivo que se pueda leer de otra manera: primero abra uno.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Cómo se lee el escaneo</translation></message>
 <message><source>Straighten beams</source><translation>Enderezar los haces</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Ningún archivo todavía; las demos no figuran aquí</translation></message>
 <message><source>Clear</source><translation>Borrar</translation></message>
@@ -288,29 +162,123 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
-<message><source>cancel and let go</source><translation>cancelar y soltar</translation></message>
-<message><source>to the next field</source><translation>al campo siguiente</translation></message>
-<message><source>to the field before</source><translation>al campo anterior</translation></message>
-<message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
-<message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
-<message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
-<message><source>OK</source><translation>Aceptar</translation></message>
-<message><source>Save</source><translation>Guardar</translation></message>
-<message><source>&amp;Yes</source><translation>&amp;Sí</translation></message>
-<message><source>&amp;No</source><translation>&amp;No</translation></message>
-<message><source>Apply</source><translation>Aplicar</translation></message>
-<message><source>Cu&amp;t</source><translation>Cor&amp;tar</translation></message>
-<message><source>&amp;Copy</source><translation>&amp;Copiar</translation></message>
-<message><source>&amp;Paste</source><translation>&amp;Pegar</translation></message>
-<message><source>Select All</source><translation>Seleccionar todo</translation></message>
-<message><source>Discard</source><translation>Descartar</translation></message>
-<message><source>Delete</source><translation>Eliminar</translation></message>
-<message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
-<message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
-<message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
-<message><source>Float</source><translation>Separar</translation></message>
+<message><source>region of interest</source><translation>región de interés</translation></message>
+<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
+<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
+<message><source>call of a rock</source><translation>clasificación como roca</translation></message>
+<message><source>call of no rock</source><translation>clasificación como no roca</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
+<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
+<message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
+<message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
+<message><source>split of a rock</source><translation>división de una roca</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
+<message><source>cut of a rock</source><translation>corte de una roca</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
+<message><source>being worked out …</source><translation>en cálculo …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
+<message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
+<message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
+<message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
+<message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
+<message><source>Save session</source><translation>Guardar sesión</translation></message>
+<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
+<message><source>Open session</source><translation>Abrir sesión</translation></message>
+<message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
+<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: el escaneo de esta sesión no está allí: se movió, o su disco no está aquí. Los ajustes y la vista han vuelto; el resto vendrá con el escaneo.</translation></message>
+<message><source>Locate…</source><translation>Localizar…</translation></message>
+<message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>
+<message><source>The session %1 stays as it was: this is another scan.</source><translation>La sesión %1 queda como estaba: este es otro escaneo.</translation></message>
+<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es otro. Los ajustes y la vista han vuelto; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
+<message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
+<message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de no borde</translation></message>
+<message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
+<message><source>✓ edge</source><translation>✓ borde</translation></message>
+<message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
+<message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
+<message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
+<message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
+<message><source>click the higher cell</source><translation>haga clic en la celda más alta</translation></message>
+<message><source>click the end of one side</source><translation>haga clic en el extremo de un lado</translation></message>
+<message><source>click where the sides meet</source><translation>haga clic donde se juntan los lados</translation></message>
+<message><source>click the end of the other side</source><translation>haga clic en el extremo del otro lado</translation></message>
+<message><source>click one end of a</source><translation>haga clic en un extremo de a</translation></message>
+<message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
+<message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
+<message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
+<message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
+<message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
+<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
+<message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
+<message><source>Select</source><translation>Seleccionar</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
+<message><source>Hide</source><translation>Ocultar</translation></message>
+<message><source>Isolate</source><translation>Aislar</translation></message>
+<message><source>Show All</source><translation>Mostrar todo</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
+<message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar la selección</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
+<message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
+<message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
+<message><source>Pin %1</source><translation>Fijar %1</translation></message>
+<message><source>Move %1</source><translation>Mover %1</translation></message>
+<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
+<message><source>Let Go of All</source><translation>Soltar todo</translation></message>
+<message><source>Name %1</source><translation>Nombrar %1</translation></message>
+<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
+<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
+<message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
+<message><source>locked</source><translation>bloqueado</translation></message>
+<message><source>Pinned %1</source><translation>Fijado %1</translation></message>
+<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
@@ -319,6 +287,148 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
+<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falló (%2); cierre otros programas o use un escaneo más pequeño.</translation></message>
+<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular los bordes (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>Opening %1</source><translation>Abriendo %1</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
+<message><source>Saving %1</source><translation>Guardando %1</translation></message>
+<message><source>writing</source><translation>escribiendo</translation></message>
+<message><source>Menu</source><translation>Menú</translation></message>
+<message><source>Connect</source><translation>Conectar</translation></message>
+<message><source>Cancel</source><translation>Cancelar</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
+<message><source>Previous target</source><translation>Objetivo anterior</translation></message>
+<message><source>Next target</source><translation>Objetivo siguiente</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>No target</source><translation>Ningún objetivo</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>más: %1</translation></message>
+<message><source>+ gained</source><translation>+ ganados</translation></message>
+<message><source>− lost</source><translation>− perdidos</translation></message>
+<message><source>kept</source><translation>conservados</translation></message>
+<message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
+<message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
+<message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
+<message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
+<message><source>comparing …</source><translation>comparando …</translation></message>
+<message><source>nothing to compare with yet:
+turn a setting, or open another scan</source><translation>nada con qué comparar todavía:
+cambie un ajuste o abra otro escaneo</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
+<message><source>half of the cells differ by less than %1 mm
+a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
+un cambio es mayor que %2 mm a 5 m</translation></message>
+<message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
+<message><source>A: %1
+hold \ to see it</source><translation>A: %1
+mantenga \ para verla</translation></message>
+<message><source>at all of them</source><translation>con todos</translation></message>
+<message><source>below %1 %</source><translation>menos de %1 %</translation></message>
+<message><source>%1 % and more</source><translation>%1 % y más</translation></message>
+<message><source>Confidence of edges</source><translation>Confianza de los bordes</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Los bordes que hallan menos ajustes cercanos se omiten en las vistas; las exportaciones los contienen todos.</translation></message>
+<message><source>Least confidence shown</source><translation>Confianza mínima mostrada</translation></message>
+<message><source>Shown: %1 % and more</source><translation>Se muestra: %1 % y más</translation></message>
+<message><source>Shown: all</source><translation>Se muestra: todo</translation></message>
+<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
+<message><source>found too by how many of %1 nearby settings</source><translation>cuántos de %1 ajustes cercanos los hallan también</translation></message>
+<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
+<message><source>Calibrate the Assembly</source><translation>Calibrar el montaje</translation></message>
+<message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
+<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
+<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
+<message><source>Scans of one assembly:</source><translation>Escaneos de un montaje:</translation></message>
+<message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
+<message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
+<message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
+<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
+<message><source>error of the assembly</source><translation>error del montaje</translation></message>
+<message><source>value</source><translation>valor</translation></message>
+<message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
+<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Archivo del robot: ninguno; el archivo nuevo contiene solo el motor.</translation></message>
+<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
+<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
+<message><source>working …</source><translation>trabajando …</translation></message>
+<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
+<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
+<message><source>Commands</source><translation>Comandos</translation></message>
+<message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
+<message><source>Values of %1</source><translation>Valores de %1</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
+<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
+<message><source>● now</source><translation>● actual</translation></message>
+<message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
+<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
+<message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
+<message><source>What</source><translation>Contenido</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
+<message><source>Coordinates</source><translation>Coordenadas</translation></message>
+<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
+<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
+<message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
+<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
+<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
+<message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
+<message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
+<message><source>doubtful</source><translation>dudoso</translation></message>
+<message><source>found out</source><translation>deducido</translation></message>
+<message><source>as you said</source><translation>como se indicó</translation></message>
+<message><source>as the file says</source><translation>según el archivo</translation></message>
+<message><source>Does This Look Right?</source><translation>¿Parece correcto?</translation></message>
+<message><source>&amp;Close</source><translation>&amp;Cerrar</translation></message>
+<message><source>&amp;Adopt</source><translation>&amp;Adoptar</translation></message>
+<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic en otra lectura muestra así el escaneo; Adoptar la conserva como un paso que se puede deshacer, Cerrar devuelve lo que había.</translation></message>
+<message><source>or</source><translation>o</translation></message>
+<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
+<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
+<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
+<message><source>Range gate</source><translation>Ventana de distancia</translation></message>
+<message><source>Draw cells from</source><translation>Dibujar celdas desde</translation></message>
+<message><source>to</source><translation>hasta</translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas las demás se ocultan en todas las vistas. Bordes, cuentas y exportaciones quedan como están.</translation></message>
+<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un campo vacío: como dice el archivo, o como se averigüe. El archivo mismo queda como está.</translation></message>
+<message><source>Read Again</source><translation>Leer de nuevo</translation></message>
+<message><source>as in the file</source><translation>como en el archivo</translation></message>
+<message><source>Choose…</source><translation>Elegir…</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
+<message><source>Keys</source><translation>Teclas</translation></message>
+<message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
+<message><source>Scan</source><translation>Escaneo</translation></message>
+<message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
+<message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
+<message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
+<message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
+<message><source>A few letters of a command, or a key</source><translation>Unas letras de un comando, o una tecla</translation></message>
+<message><source>Command</source><translation>Comando</translation></message>
+<message><source>Key</source><translation>Tecla</translation></message>
+<message><source>Reset &amp;All</source><translation>Restablecer &amp;todo</translation></message>
+<message><source>Press the new key:</source><translation>Pulse la nueva tecla:</translation></message>
+<message><source>%1 has no key now.</source><translation>%1 ya no tiene tecla.</translation></message>
+<message><source>%1 has the key that it came with.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
+<message><source>Every command has the key that it came with.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
+<message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
+<message><source>along the line</source><translation>a lo largo de la línea</translation></message>
+<message><source>across the lines</source><translation>a través de las líneas</translation></message>
+<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
+<message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
+<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
+<message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
+<message><source>cancel and let go</source><translation>cancelar y soltar</translation></message>
+<message><source>to the next field</source><translation>al campo siguiente</translation></message>
+<message><source>to the field before</source><translation>al campo anterior</translation></message>
+<message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
+<message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
+<message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
@@ -354,6 +464,248 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>at least %1</source><translation>al menos %1</translation></message>
+<message><source>something that is no rock</source><translation>algo que no es una roca</translation></message>
+<message><source>none seen</source><translation>nada a la vista</translation></message>
+<message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
+<message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
+<message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
+<message><source>outside the region of interest</source><translation>fuera de la región de interés</translation></message>
+<message><source>called none by hand</source><translation>clasificado a mano como no roca</translation></message>
+<message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
+<message><source>Split</source><translation>Dividir</translation></message>
+<message><source>Merge</source><translation>Fusionar</translation></message>
+<message><source>No Rock</source><translation>No es roca</translation></message>
+<message><source>Let go of this rock</source><translation>Soltar esta roca</translation></message>
+<message><source>. Hidden parts are not counted.</source><translation>. Las partes ocultas no se cuentan.</translation></message>
+<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
+<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
+<message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
+<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno dudoso: achurado</translation></message>
+<message><source>called a rock by hand</source><translation>clasificado a mano como roca</translation></message>
+<message><source>A Rock</source><translation>Es roca</translation></message>
+<message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
+<message><source>This is a rock after all (N)</source><translation>Sí es una roca (N)</translation></message>
+<message><source>Rock %1</source><translation>Roca %1</translation></message>
+<message><source>visible spans</source><translation>extensiones visibles</translation></message>
+<message><source>distance</source><translation>distancia</translation></message>
+<message><source>visible area</source><translation>área visible</translation></message>
+<message><source>%1 m²</source><translation>%1 m²</translation></message>
+<message><source>in front</source><translation>delante</translation></message>
+<message><source>%1 % of its outline</source><translation>%1 % de su contorno</translation></message>
+<message><source>behind rocks</source><translation>detrás de las rocas</translation></message>
+<message><source>visible contacts</source><translation>contactos visibles</translation></message>
+<message><source>free height below</source><translation>altura libre debajo</translation></message>
+<message><source>arch angle</source><translation>ángulo del arco</translation></message>
+<message><source>confidence p</source><translation>confianza p</translation></message>
+<message><source>No rock</source><translation>No es roca</translation></message>
+<message><source>because</source><translation>porque</translation></message>
+<message><source>cells</source><translation>celdas</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
+<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno dudoso</translation></message>
+<message><source>no doubtful ones</source><translation>sin las dudosas</translation></message>
+<message><source>Export…</source><translation>Exportar…</translation></message>
+<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
+<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con p menor que 0.85, que están achuradas, se omiten en la tabla</translation></message>
+<message><source>b at least</source><translation>b al menos</translation></message>
+<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
+<message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
+<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
+<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Mayor extensión visible transversal a la línea de visión</translation></message>
+<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Menor extensión visible transversal a la línea de visión</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
+<message><source>distance [m]</source><translation>distancia [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>Desde el escáner: mediana de sus distancias</translation></message>
+<message><source>area [m²]</source><translation>área [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Área visible transversal a los haces</translation></message>
+<message><source>in front [%]</source><translation>delante [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Parte de su contorno donde es el lado más cercano</translation></message>
+<message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
+<message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
+<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
+<message><source>fine</source><translation>fino</translation></message>
+<message><source>coarse</source><translation>grueso</translation></message>
+<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rocas, %2 achuradas (p &lt; 0.85); %3 regiones de finos</translation></message>
+<message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
+<message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
+<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
+<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad: P20 %1, P50 %2, P80 %3, el mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>Size curve</source><translation>Curva granulométrica</translation></message>
+<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
+<message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
+<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
+<message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
+<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; solo se envían lecturas y una suscripción</translation></message>
+<message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
+<message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
+<message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
+<message><source>Recent</source><translation>Recientes</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
+<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
+<message><source>Cab mode</source><translation>Modo cabina</translation></message>
+<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
+<message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
+<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>was %1</source><translation>antes: %1</translation></message>
+<message><source>Why</source><translation>Por qué</translation></message>
+<message><source>Target</source><translation>Objetivo</translation></message>
+<message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
+<message><source>Lock</source><translation>Bloquear</translation></message>
+<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc y Soltar todo lo dejan donde está</translation></message>
+<message><source>Let go of this target</source><translation>Soltar este objetivo</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz; lo que el escáner mide mal en todas partes no está incluido</translation></message>
+<message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
+<message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
+<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
+<message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
+<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
+<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
+<message><source>Rock, visible</source><translation>Roca, visible</translation></message>
+<message><source>none here</source><translation>ninguna aquí</translation></message>
+<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
+<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensiones de lo que se ve de ella; las partes ocultas no se cuentan</translation></message>
+<message><source>Resolves</source><translation>Resolución</translation></message>
+<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
+<message><source>Surface</source><translation>Superficie</translation></message>
+<message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
+<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 del haz</translation></message>
+<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
+<message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
+<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Del plano respecto al horizonte, y en sentido horario desde el norte de la cuadrícula, hacia donde cae</translation></message>
+<message><source>From the boom</source><translation>Al brazo</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · superficie a %2° de la perpendicular</translation></message>
+<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Hasta la recta del pivote del brazo a la cabeza, donde estaban al medir; 0°: el brazo apunta de frente a la superficie</translation></message>
+<message><source>Cell</source><translation>Celda</translation></message>
+<message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
+<message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
+<message><source>none</source><translation>ninguno</translation></message>
+<message><source>yes</source><translation>sí</translation></message>
+<message><source>, strength %1</source><translation>, fuerza %1</translation></message>
+<message><source>Edge</source><translation>Borde</translation></message>
+<message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
+<message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
+<message><source>± not known</source><translation>± desconocido</translation></message>
+<message><source>from</source><translation>desde</translation></message>
+<message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
+<message><source>Picture</source><translation>Imagen</translation></message>
+<message><source>Confidence</source><translation>Confianza</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
+<message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>Remove</source><translation>Quitar</translation></message>
+<message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
+<message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
+<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
+<message><source>number of edges: not known yet</source><translation>número de bordes: aún desconocido</translation></message>
+<message><source>%1 edges</source><translation>%1 bordes</translation></message>
+<message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
+<message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
+<message><source>Edges</source><translation>Bordes</translation></message>
+<message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
+<message><source>Colours by class</source><translation>Colores por clase</translation></message>
+<message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
+<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>Advanced</source><translation>Avanzado</translation></message>
+<message><source>Open…</source><translation>Abrir…</translation></message>
+<message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
+<message><source>Save…</source><translation>Guardar…</translation></message>
+<message><source>Save these settings as a preset file</source><translation>Guardar estos ajustes como archivo de preajuste</translation></message>
+<message><source>Preset</source><translation>Preajuste</translation></message>
+<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Los escalones de profundidad que alcanzan los umbrales, calculados a partir de los kernels: el número menor para un escalón en diagonal, el mayor para uno a lo largo de líneas o haces. En el campo de arriba se puede escribir una profundidad como 0.5 m; con niveles de gris logarítmicos se toma a la distancia que se da aquí, y una proporción como 5 % vale a cualquier distancia.</translation></message>
+<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: el umbral superior es 3 veces el inferior, como en la tesis. Haga clic para abrir el bloqueo.</translation></message>
+<message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
+<message><source>Unlocked</source><translation>Desbloqueado</translation></message>
+<message><source>Strong from  %1 % of range</source><translation>Fuerte desde  %1 % de la distancia</translation></message>
+<message><source>Upper threshold  %1</source><translation>Umbral superior  %1</translation></message>
+<message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
+<message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>computing …</source><translation>calculando …</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
+<message><source>
+%1 to %2 %3</source><translation>
+%1 a %2 %3</translation></message>
+<message><source>
+Double-click: back to the preset</source><translation>
+Doble clic: volver al preajuste</translation></message>
+<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
+<message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
+<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
+<message><source>Ranges</source><translation>Distancias</translation></message>
+<message><source>Auto</source><translation>Auto</translation></message>
+<message><source>Black and white as the method scales the ranges</source><translation>Negro y blanco según la escala de distancias del método</translation></message>
+<message><source>The window stays as it is when another scan is opened</source><translation>La ventana queda como está al abrir otro escaneo</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
+<message><source>automatic: %1</source><translation>automático: %1</translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
+<message><source>range %1 m</source><translation>distancia %1 m</translation></message>
+<message><source>device status %1</source><translation>estado del equipo %1</translation></message>
+<message><source>no return</source><translation>sin retorno</translation></message>
+<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
+<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
+<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>EDGE</source><translation>BORDE</translation></message>
+<message><source>not an edge</source><translation>no es un borde</translation></message>
+<message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
+<message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
+<message><source>  gray %1</source><translation>  gris %1</translation></message>
+<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
+<message><source>scanner frame</source><translation>sistema del escáner</translation></message>
+<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
+<message><source>mine grid</source><translation>coordenadas mina</translation></message>
+<message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
+<message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
+<message><source>time not known</source><translation>hora desconocida</translation></message>
+<message><source>measured %1</source><translation>medido %1</translation></message>
+<message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
+<message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
+<message><source>%1 points</source><translation>%1 puntos</translation></message>
+<message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
+<message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
+<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
+<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
+<message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
+<message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
+<message><source>
+Ctrl+D restores the default settings.</source><translation>
+Ctrl+D restaura los ajustes predeterminados.</translation></message>
+<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>1 warning</source><translation>1 advertencia</translation></message>
+<message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
+<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Muestra las advertencias de este escaneo y las marca como vistas; permanecen, y figuran en los registros y las capturas de pantalla</translation></message>
+<message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
+<message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
+<message><source>grid %1</source><translation>cuadrícula %1</translation></message>
+<message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
+<message><source>Range [m]</source><translation>Distancia [m]</translation></message>
+<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
+<message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
+<message><source>Line</source><translation>Línea</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Mantenga Bloqueado un segundo para salir del modo cabina.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
@@ -361,10 +713,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
-<message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Fit</source><translation>Ajustar</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
@@ -374,13 +724,10 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
-<message><source>Rock, visible</source><translation>Roca, visible</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
-<message><source>Surface</source><translation>Superficie</translation></message>
-<message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
@@ -395,7 +742,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
-<message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
@@ -406,6 +752,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
+<message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
@@ -414,12 +761,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar al escáner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recar&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
-<message><source>&amp;Edge Cloud…</source><translation>Nube de &amp;bordes…</translation></message>
-<message><source>&amp;Full Cloud…</source><translation>Nube &amp;completa…</translation></message>
-<message><source>Edge &amp;Image…</source><translation>&amp;Imagen de bordes…</translation></message>
-<message><source>&amp;Gray Image…</source><translation>Imagen en &amp;grises…</translation></message>
-<message><source>&amp;Range Image…</source><translation>Imagen de &amp;distancias…</translation></message>
-<message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Re&amp;port…</source><translation>&amp;Informe…</translation></message>
 <message><source>&amp;Screenshot…</source><translation>Captura de &amp;pantalla…</translation></message>
 <message><source>&amp;Copy as Command</source><translation>Copiar como co&amp;mando</translation></message>
@@ -518,8 +859,6 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos los objetivos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
-<message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
-<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar la selección</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
 <message><source>&amp;Range Gate…</source><translation>&amp;Ventana de distancia…</translation></message>
@@ -527,18 +866,14 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Hide Nearer than This Cell</source><translation>Ocultar lo que está más cerca que esta celda</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
 <message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
-<message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>line %1</source><translation>línea %1</translation></message>
-<message><source>%1 edges</source><translation>%1 bordes</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 de %2 bordes</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
-<message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
 <message><source>growing</source><translation>creciendo</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
@@ -550,366 +885,15 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
-<message><source>Select</source><translation>Seleccionar</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
-<message><source>number of edges: not known yet</source><translation>número de bordes: aún desconocido</translation></message>
-<message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
-<message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
-<message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
-<message><source>Colours by class</source><translation>Colores por clase</translation></message>
-<message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
-<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
-<message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
-<message><source>Advanced</source><translation>Avanzado</translation></message>
-<message><source>Open…</source><translation>Abrir…</translation></message>
-<message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
-<message><source>Save…</source><translation>Guardar…</translation></message>
-<message><source>Save these settings as a preset file</source><translation>Guardar estos ajustes como archivo de preajuste</translation></message>
-<message><source>Preset</source><translation>Preajuste</translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Los escalones de profundidad que alcanzan los umbrales, calculados a partir de los kernels: el número menor para un escalón en diagonal, el mayor para uno a lo largo de líneas o haces. En el campo de arriba se puede escribir una profundidad como 0.5 m; con niveles de gris logarítmicos se toma a la distancia que se da aquí, y una proporción como 5 % vale a cualquier distancia.</translation></message>
-<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: el umbral superior es 3 veces el inferior, como en la tesis. Haga clic para abrir el bloqueo.</translation></message>
-<message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
-<message><source>Unlocked</source><translation>Desbloqueado</translation></message>
-<message><source>Strong from  %1 % of range</source><translation>Fuerte desde  %1 % de la distancia</translation></message>
-<message><source>Upper threshold  %1</source><translation>Umbral superior  %1</translation></message>
-<message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
-<message><source>• modified</source><translation>• modificado</translation></message>
-<message><source>computing …</source><translation>calculando …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
-<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
-<message><source>
-%1 to %2 %3</source><translation>
-%1 a %2 %3</translation></message>
-<message><source>
-Double-click: back to the preset</source><translation>
-Doble clic: volver al preajuste</translation></message>
-<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
-<message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
-<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
-<message><source>Ranges</source><translation>Distancias</translation></message>
-<message><source>Auto</source><translation>Auto</translation></message>
-<message><source>Black and white as the method scales the ranges</source><translation>Negro y blanco según la escala de distancias del método</translation></message>
-<message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>The window stays as it is when another scan is opened</source><translation>La ventana queda como está al abrir otro escaneo</translation></message>
-<message><source>automatic: %1</source><translation>automático: %1</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
-<message><source>range %1 m</source><translation>distancia %1 m</translation></message>
-<message><source>device status %1</source><translation>estado del equipo %1</translation></message>
-<message><source>no return</source><translation>sin retorno</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
-<message><source>EDGE</source><translation>BORDE</translation></message>
-<message><source>not an edge</source><translation>no es un borde</translation></message>
-<message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
-<message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
-<message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>scanner frame</source><translation>sistema del escáner</translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
-<message><source>mine grid</source><translation>coordenadas mina</translation></message>
-<message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
-<message><source>time not known</source><translation>hora desconocida</translation></message>
-<message><source>measured %1</source><translation>medido %1</translation></message>
-<message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
-<message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
-<message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
-<message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
-<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
-<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
-<message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
-<message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
-<message><source>
-Ctrl+D restores the default settings.</source><translation>
-Ctrl+D restaura los ajustes predeterminados.</translation></message>
-<message><source>%1 ms</source><translation>%1 ms</translation></message>
-<message><source>1 warning</source><translation>1 advertencia</translation></message>
-<message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
-<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Muestra las advertencias de este escaneo y las marca como vistas; permanecen, y figuran en los registros y las capturas de pantalla</translation></message>
-<message><source>region of interest</source><translation>región de interés</translation></message>
-<message><source>Open Session</source><translation>Abrir la sesión</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
-<message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
-<message><source>call of a rock</source><translation>clasificación como roca</translation></message>
-<message><source>call of no rock</source><translation>clasificación como no roca</translation></message>
-<message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
-<message><source>Report with settings and edits</source><translation>Informe con ajustes y ediciones</translation></message>
-<message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>
-<message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
-<message><source>Outlines in the picture</source><translation>Contornos en la imagen</translation></message>
-<message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
-<message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 no se escribió: dele una de las extensiones csv, json, png, dxf, geojson, ply, obj.</translation></message>
-<message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
-<message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
-<message><source>split of a rock</source><translation>división de una roca</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
-<message><source>cut of a rock</source><translation>corte de una roca</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
-<message><source>being worked out …</source><translation>en cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
-<message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
-<message><source>at least %1</source><translation>al menos %1</translation></message>
-<message><source>something that is no rock</source><translation>algo que no es una roca</translation></message>
-<message><source>none seen</source><translation>nada a la vista</translation></message>
-<message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
-<message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
-<message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
-<message><source>outside the region of interest</source><translation>fuera de la región de interés</translation></message>
-<message><source>called none by hand</source><translation>clasificado a mano como no roca</translation></message>
-<message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
-<message><source>Split</source><translation>Dividir</translation></message>
-<message><source>Merge</source><translation>Fusionar</translation></message>
-<message><source>No Rock</source><translation>No es roca</translation></message>
-<message><source>Let go of this rock</source><translation>Soltar esta roca</translation></message>
-<message><source>. Hidden parts are not counted.</source><translation>. Las partes ocultas no se cuentan.</translation></message>
-<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
-<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
-<message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno dudoso: achurado</translation></message>
-<message><source>called a rock by hand</source><translation>clasificado a mano como roca</translation></message>
-<message><source>A Rock</source><translation>Es roca</translation></message>
-<message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
-<message><source>This is a rock after all (N)</source><translation>Sí es una roca (N)</translation></message>
-<message><source>Rock %1</source><translation>Roca %1</translation></message>
-<message><source>visible spans</source><translation>extensiones visibles</translation></message>
-<message><source>distance</source><translation>distancia</translation></message>
-<message><source>visible area</source><translation>área visible</translation></message>
-<message><source>%1 m²</source><translation>%1 m²</translation></message>
-<message><source>in front</source><translation>delante</translation></message>
-<message><source>%1 % of its outline</source><translation>%1 % de su contorno</translation></message>
-<message><source>behind rocks</source><translation>detrás de las rocas</translation></message>
-<message><source>visible contacts</source><translation>contactos visibles</translation></message>
-<message><source>free height below</source><translation>altura libre debajo</translation></message>
-<message><source>arch angle</source><translation>ángulo del arco</translation></message>
-<message><source>confidence p</source><translation>confianza p</translation></message>
-<message><source>No rock</source><translation>No es roca</translation></message>
-<message><source>because</source><translation>porque</translation></message>
-<message><source>cells</source><translation>celdas</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
-<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno dudoso</translation></message>
-<message><source>no doubtful ones</source><translation>sin las dudosas</translation></message>
-<message><source>Export…</source><translation>Exportar…</translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con p menor que 0.85, que están achuradas, se omiten en la tabla</translation></message>
-<message><source>b at least</source><translation>b al menos</translation></message>
-<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
-<message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
-<message><source>Rock</source><translation>Roca</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
-<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Mayor extensión visible transversal a la línea de visión</translation></message>
-<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Menor extensión visible transversal a la línea de visión</translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
-<message><source>distance [m]</source><translation>distancia [m]</translation></message>
-<message><source>From the scanner: median of its ranges</source><translation>Desde el escáner: mediana de sus distancias</translation></message>
-<message><source>area [m²]</source><translation>área [m²]</translation></message>
-<message><source>Visible area across the beams</source><translation>Área visible transversal a los haces</translation></message>
-<message><source>in front [%]</source><translation>delante [%]</translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation>Parte de su contorno donde es el lado más cercano</translation></message>
-<message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
-<message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
-<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
-<message><source>p</source><translation>p</translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
-<message><source>fine</source><translation>fino</translation></message>
-<message><source>coarse</source><translation>grueso</translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rocas, %2 achuradas (p &lt; 0.85); %3 regiones de finos</translation></message>
-<message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
-<message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
-<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad: P20 %1, P50 %2, P80 %3, el mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
-<message><source>Size curve</source><translation>Curva granulométrica</translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
-<message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
-<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falló (%2); cierre otros programas o use un escaneo más pequeño.</translation></message>
-<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular los bordes (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>Opening %1</source><translation>Abriendo %1</translation></message>
-<message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
-<message><source>Saving %1</source><translation>Guardando %1</translation></message>
-<message><source>writing</source><translation>escribiendo</translation></message>
-<message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
-<message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
-<message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
-<message><source>Save session</source><translation>Guardar sesión</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
-<message><source>Open session</source><translation>Abrir sesión</translation></message>
-<message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
-<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: el escaneo de esta sesión no está allí: se movió, o su disco no está aquí. Los ajustes y la vista han vuelto; el resto vendrá con el escaneo.</translation></message>
-<message><source>Locate…</source><translation>Localizar…</translation></message>
-<message><source>The session %1 stays as it was: this is another scan.</source><translation>La sesión %1 queda como estaba: este es otro escaneo.</translation></message>
-<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es otro. Los ajustes y la vista han vuelto; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
-<message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
-<message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
-<message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
-<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
-<message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
-<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; solo se envían lecturas y una suscripción</translation></message>
-<message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
-<message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
-<message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
-<message><source>Recent</source><translation>Recientes</translation></message>
-<message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
-<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
-<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
-<message><source>Cab mode</source><translation>Modo cabina</translation></message>
-<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
-<message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
-<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
-<message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
-<message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
-<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de no borde</translation></message>
-<message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
-<message><source>✓ edge</source><translation>✓ borde</translation></message>
-<message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
-<message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
-<message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
-<message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
-<message><source>click the higher cell</source><translation>haga clic en la celda más alta</translation></message>
-<message><source>click the end of one side</source><translation>haga clic en el extremo de un lado</translation></message>
-<message><source>click where the sides meet</source><translation>haga clic donde se juntan los lados</translation></message>
-<message><source>click the end of the other side</source><translation>haga clic en el extremo del otro lado</translation></message>
-<message><source>click one end of a</source><translation>haga clic en un extremo de a</translation></message>
-<message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
-<message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
-<message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
-<message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
-<message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
-<message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
-<message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
-<message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
-<message><source>Hide</source><translation>Ocultar</translation></message>
-<message><source>Isolate</source><translation>Aislar</translation></message>
-<message><source>Show All</source><translation>Mostrar todo</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
-<message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
-<message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
-<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
-<message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
-<message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
-<message><source>Pin %1</source><translation>Fijar %1</translation></message>
-<message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
-<message><source>Let Go of All</source><translation>Soltar todo</translation></message>
-<message><source>Name %1</source><translation>Nombrar %1</translation></message>
-<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
-<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
-<message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
-<message><source>locked</source><translation>bloqueado</translation></message>
-<message><source>Pinned %1</source><translation>Fijado %1</translation></message>
-<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
-<message><source>was %1</source><translation>antes: %1</translation></message>
-<message><source>Target</source><translation>Objetivo</translation></message>
-<message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc y Soltar todo lo dejan donde está</translation></message>
-<message><source>Let go of this target</source><translation>Soltar este objetivo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz; lo que el escáner mide mal en todas partes no está incluido</translation></message>
-<message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
-<message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
-<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
-<message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
-<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
-<message><source>none here</source><translation>ninguna aquí</translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensiones de lo que se ve de ella; las partes ocultas no se cuentan</translation></message>
-<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
-<message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
-<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 del haz</translation></message>
-<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
-<message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
-<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Del plano respecto al horizonte, y en sentido horario desde el norte de la cuadrícula, hacia donde cae</translation></message>
-<message><source>From the boom</source><translation>Al brazo</translation></message>
-<message><source>%1 · surface %2° off square</source><translation>%1 · superficie a %2° de la perpendicular</translation></message>
-<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Hasta la recta del pivote del brazo a la cabeza, donde estaban al medir; 0°: el brazo apunta de frente a la superficie</translation></message>
-<message><source>Cell</source><translation>Celda</translation></message>
-<message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
-<message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
-<message><source>none</source><translation>ninguno</translation></message>
-<message><source>yes</source><translation>sí</translation></message>
-<message><source>, strength %1</source><translation>, fuerza %1</translation></message>
-<message><source>Edge</source><translation>Borde</translation></message>
-<message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
-<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
-<message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
-<message><source>± not known</source><translation>± desconocido</translation></message>
-<message><source>from</source><translation>desde</translation></message>
-<message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
-<message><source>Picture</source><translation>Imagen</translation></message>
-<message><source>Confidence</source><translation>Confianza</translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Measured</source><translation>Mediciones</translation></message>
-<message><source>Remove</source><translation>Quitar</translation></message>
-<message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
-<message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
 <message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
@@ -1032,6 +1016,22 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY y CSV: también las celdas rellenadas y no medidas, que el campo filled_sd_mm marca</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY y CSV: el campo confidence, qué porcentaje de ajustes cercanos halla también el borde; 0 donde no hay</translation></message>
+<message><source>&amp;Edge Cloud…</source><translation>Nube de &amp;bordes…</translation></message>
+<message><source>Edge points (%1)</source><translation>Puntos de borde (%1)</translation></message>
+<message><source>&amp;Full Cloud…</source><translation>Nube &amp;completa…</translation></message>
+<message><source>All points, with a field for edges (%1)</source><translation>Todos los puntos, con un campo para los bordes (%1)</translation></message>
+<message><source>Edge &amp;Image…</source><translation>&amp;Imagen de bordes…</translation></message>
+<message><source>Edge map as a picture, %1</source><translation>Mapa de bordes como imagen, %1</translation></message>
+<message><source>&amp;Gray Image…</source><translation>Imagen en &amp;grises…</translation></message>
+<message><source>Gray image, %1</source><translation>Imagen en grises, %1</translation></message>
+<message><source>&amp;Range Image…</source><translation>Imagen de &amp;distancias…</translation></message>
+<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distancias en milímetros como imagen de 16 bits, %1</translation></message>
+<message><source>Report with settings and edits</source><translation>Informe con ajustes y ediciones</translation></message>
+<message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
+<message><source>Outlines in the picture</source><translation>Contornos en la imagen</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>

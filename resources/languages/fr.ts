@@ -26,57 +26,22 @@
 <message><source>&amp;Night</source><translation>&amp;Nuit</translation></message>
 <message><source>&amp;Day</source><translation>&amp;Jour</translation></message>
 <message><source>&amp;Control-Room Gray</source><translation>&amp;Gris de salle de contrôle</translation></message>
-<message><source>Menu</source><translation>Menu</translation></message>
+<message><source>OK</source><translation>OK</translation></message>
+<message><source>Save</source><translation>Enregistrer</translation></message>
 <message><source>Open</source><translation>Ouvrir</translation></message>
-<message><source>Connect</source><translation>Connecter</translation></message>
-<message><source>Cancel</source><translation>Annuler</translation></message>
-<message><source>Locked</source><translation>Verrouillée</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
-<message><source>Previous target</source><translation>Cible précédente</translation></message>
-<message><source>Next target</source><translation>Cible suivante</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>Distance</source><translation>Distance</translation></message>
-<message><source>No target</source><translation>Aucune cible</translation></message>
-<message><source>less: %1</source><translation>moins : %1</translation></message>
-<message><source>more: %1</source><translation>plus : %1</translation></message>
-<message><source>+ gained</source><translation>+ gagnées</translation></message>
-<message><source>− lost</source><translation>− perdues</translation></message>
-<message><source>kept</source><translation>conservées</translation></message>
-<message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
-<message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
-<message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
-<message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
-<message><source>comparing …</source><translation>comparaison …</translation></message>
-<message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation>rien encore à comparer :
-tournez un réglage, ou ouvrez un autre scan</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
-<message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
-un changement dépasse %2 mm à 5 m</translation></message>
-<message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
-<message><source>A: %1
-hold \ to see it</source><translation>A : %1
-tenez \ pour la voir</translation></message>
-<message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
-<message><source>grid %1</source><translation>grille %1</translation></message>
-<message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
-<message><source>Range [m]</source><translation>Distance [m]</translation></message>
-<message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
-<message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
-<message><source>Line</source><translation>Ligne</translation></message>
-<message><source>at all of them</source><translation>avec tous</translation></message>
-<message><source>below %1 %</source><translation>moins de %1 %</translation></message>
-<message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
-<message><source>Confidence of edges</source><translation>Confiance des arêtes</translation></message>
-<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Les arêtes que moins de réglages voisins trouvent sont omises des vues ; les exports les contiennent toutes.</translation></message>
-<message><source>Least confidence shown</source><translation>Confiance minimale affichée</translation></message>
-<message><source>Shown: %1 % and more</source><translation>Affiché : %1 % et plus</translation></message>
-<message><source>Shown: all</source><translation>Affiché : tout</translation></message>
-<message><source>working it out: %1 %</source><translation>calcul en cours : %1 %</translation></message>
-<message><source>found too by how many of %1 nearby settings</source><translation>trouvées aussi par combien de %1 réglages voisins</translation></message>
+<message><source>&amp;Yes</source><translation>&amp;Oui</translation></message>
+<message><source>&amp;No</source><translation>&amp;Non</translation></message>
+<message><source>Apply</source><translation>Appliquer</translation></message>
+<message><source>Cu&amp;t</source><translation>Coupe&amp;r</translation></message>
+<message><source>&amp;Copy</source><translation>&amp;Copier</translation></message>
+<message><source>&amp;Paste</source><translation>C&amp;oller</translation></message>
+<message><source>Select All</source><translation>Tout sélectionner</translation></message>
+<message><source>Discard</source><translation>Ne pas enregistrer</translation></message>
+<message><source>Delete</source><translation>Supprimer</translation></message>
+<message><source>&amp;Step up</source><translation>&amp;Augmenter</translation></message>
+<message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
+<message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
+<message><source>Float</source><translation>Détacher</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
@@ -132,100 +97,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
-<message><source>&amp;Calibrate</source><translation>&amp;Étalonner</translation></message>
-<message><source>Calibrate the Assembly</source><translation>Étalonner le montage</translation></message>
-<message><source>&amp;Save As…</source><translation>Enregi&amp;strer sous…</translation></message>
-<message><source>&amp;Apply to This Scan</source><translation>&amp;Appliquer à ce scan</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
-<message><source>Scans of one assembly:</source><translation>Scans d'un même montage :</translation></message>
-<message><source>A&amp;dd Scans…</source><translation>A&amp;jouter des scans…</translation></message>
-<message><source>&amp;Remove</source><translation>&amp;Retirer</translation></message>
-<message><source>Robot's &amp;File…</source><translation>&amp;Fichier du robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
-<message><source>error of the assembly</source><translation>erreur du montage</translation></message>
-<message><source>value</source><translation>valeur</translation></message>
-<message><source>± 2 sd</source><translation>± 2 écarts-types</translation></message>
-<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Fichier du robot : aucun ; le nouveau fichier ne contient que le moteur.</translation></message>
-<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
-<message><source>&amp;Give Up</source><translation>&amp;Abandonner</translation></message>
-<message><source>working …</source><translation>en cours …</translation></message>
-<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
-<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
-<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
-<message><source>Commands</source><translation>Commandes</translation></message>
-<message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
-<message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
-<message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
-<message><source>● now</source><translation>● actuel</translation></message>
-<message><source>▭ steady</source><translation>▭ constant</translation></message>
-<message><source>Export</source><translation>Exporter</translation></message>
-<message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
-<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
-<message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
-<message><source>What</source><translation>Contenu</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
-<message><source>Edge points (%1)</source><translation>Points d'arête (%1)</translation></message>
-<message><source>All points, with a field for edges (%1)</source><translation>Tous les points, avec un champ pour les arêtes (%1)</translation></message>
-<message><source>Edge map as a picture, %1</source><translation>Carte des arêtes en image, %1</translation></message>
-<message><source>Gray image, %1</source><translation>Image en niveaux de gris, %1</translation></message>
-<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distances en millimètres en image de 16 bits, %1</translation></message>
-<message><source>Coordinates</source><translation>Coordonnées</translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
-<message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
-<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
-<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
-<message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
-<message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
-<message><source>doubtful</source><translation>douteux</translation></message>
-<message><source>found out</source><translation>déduit</translation></message>
-<message><source>as you said</source><translation>comme indiqué</translation></message>
-<message><source>as the file says</source><translation>d'après le fichier</translation></message>
-<message><source>Does This Look Right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
-<message><source>&amp;Close</source><translation>&amp;Fermer</translation></message>
-<message><source>&amp;Adopt</source><translation>&amp;Adopter</translation></message>
-<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic sur une autre lecture montre le scan ainsi ; Adopter la garde comme étape annulable, Fermer ramène ce qui était là.</translation></message>
-<message><source>or</source><translation>ou</translation></message>
-<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1 : rien dans sa lecture ne pourrait être autrement.</translation></message>
-<message><source>%1: something speaks against how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
-<message><source>%1: nothing speaks against how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
-<message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
-<message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
-<message><source>Draw cells from</source><translation>Dessiner les cellules de</translation></message>
-<message><source>to</source><translation>à</translation></message>
-<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Toutes les autres sont masquées dans toutes les vues. Arêtes, nombres et exports restent tels quels.</translation></message>
-<message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un champ vide : comme le dit le fichier, ou comme on le trouve. Le fichier lui-même reste tel quel.</translation></message>
-<message><source>Read Again</source><translation>Relire</translation></message>
-<message><source>as in the file</source><translation>comme dans le fichier</translation></message>
-<message><source>Choose…</source><translation>Choisir…</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
-<message><source>Keys</source><translation>Touches</translation></message>
-<message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
-<message><source>Scan</source><translation>Scan</translation></message>
-<message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
-<message><source>&amp;No Key</source><translation>A&amp;ucune touche</translation></message>
-<message><source>&amp;Reset</source><translation>&amp;Rétablir</translation></message>
-<message><source>Change Keys</source><translation>Changer les touches</translation></message>
-<message><source>A few letters of a command, or a key</source><translation>Quelques lettres d'une commande, ou une touche</translation></message>
-<message><source>Command</source><translation>Commande</translation></message>
-<message><source>Key</source><translation>Touche</translation></message>
-<message><source>Reset &amp;All</source><translation>&amp;Tout rétablir</translation></message>
-<message><source>Press the new key:</source><translation>Pressez la nouvelle touche :</translation></message>
-<message><source>%1 has no key now.</source><translation>%1 n'a plus de touche.</translation></message>
-<message><source>%1 has the key that it came with.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
-<message><source>Every command has the key that it came with.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
-<message><source>%1 • changed</source><translation>%1 • changée</translation></message>
-<message><source>along the line</source><translation>le long de la ligne</translation></message>
-<message><source>across the lines</source><translation>en travers des lignes</translation></message>
-<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
-<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
-<message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
-<message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
@@ -256,8 +127,10 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Rien n'est encore sélectionné : tracez d'abord une boîte (B) ou un lasso (L) sur une vue.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
+<message><source>Export</source><translation>Exporter</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
 <message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
+<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
 <message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
 <message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
 <message><source>Open scan</source><translation>Ouvrir un scan</translation></message>
@@ -267,6 +140,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Straighten Beams</source><translation>Redresser les faisceaux</translation></message>
 <message><source>Beams as Recorded</source><translation>Faisceaux tels qu'enregistrés</translation></message>
 <message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Il n'y a à l'écran aucun fichier qui pourrait être lu autrement : ouvrez-en d'abord un.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Comment le scan est lu</translation></message>
 <message><source>Straighten beams</source><translation>Redresser les faisceaux</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Aucun fichier pour l'instant ; les démos ne figurent pas ici</translation></message>
 <message><source>Clear</source><translation>Effacer</translation></message>
@@ -288,29 +162,123 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
-<message><source>cancel and let go</source><translation>annuler et relâcher</translation></message>
-<message><source>to the next field</source><translation>vers le champ suivant</translation></message>
-<message><source>to the field before</source><translation>vers le champ précédent</translation></message>
-<message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
-<message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
-<message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
-<message><source>OK</source><translation>OK</translation></message>
-<message><source>Save</source><translation>Enregistrer</translation></message>
-<message><source>&amp;Yes</source><translation>&amp;Oui</translation></message>
-<message><source>&amp;No</source><translation>&amp;Non</translation></message>
-<message><source>Apply</source><translation>Appliquer</translation></message>
-<message><source>Cu&amp;t</source><translation>Coupe&amp;r</translation></message>
-<message><source>&amp;Copy</source><translation>&amp;Copier</translation></message>
-<message><source>&amp;Paste</source><translation>C&amp;oller</translation></message>
-<message><source>Select All</source><translation>Tout sélectionner</translation></message>
-<message><source>Discard</source><translation>Ne pas enregistrer</translation></message>
-<message><source>Delete</source><translation>Supprimer</translation></message>
-<message><source>&amp;Step up</source><translation>&amp;Augmenter</translation></message>
-<message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
-<message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
-<message><source>Float</source><translation>Détacher</translation></message>
+<message><source>region of interest</source><translation>région d'intérêt</translation></message>
+<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
+<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
+<message><source>call of a rock</source><translation>classement comme bloc</translation></message>
+<message><source>call of no rock</source><translation>classement comme non-bloc</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
+<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
+<message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
+<message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
+<message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
+<message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
+<message><source>being worked out …</source><translation>calcul en cours …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
+<message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
+<message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
+<message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
+<message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
+<message><source>Save session</source><translation>Enregistrer la session</translation></message>
+<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
+<message><source>Open session</source><translation>Ouvrir une session</translation></message>
+<message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
+<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1 : le scan de cette session n'y est pas : il a été déplacé, ou son disque n'est pas là. Réglages et vue sont repris ; le reste viendra avec le scan.</translation></message>
+<message><source>Locate…</source><translation>Localiser…</translation></message>
+<message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>
+<message><source>The session %1 stays as it was: this is another scan.</source><translation>La session %1 reste telle quelle : ceci est un autre scan.</translation></message>
+<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu est autre. Réglages et vue sont repris ; cibles, sélection, marques, rochers, A et caméra ne le sont pas.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
+<message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
+<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
+<message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
+<message><source>Mark of No Edge</source><translation>Marque de non-arête</translation></message>
+<message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
+<message><source>✓ edge</source><translation>✓ arête</translation></message>
+<message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
+<message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
+<message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
+<message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
+<message><source>click the higher cell</source><translation>cliquez sur la cellule du haut</translation></message>
+<message><source>click the end of one side</source><translation>cliquez sur l'extrémité d'un côté</translation></message>
+<message><source>click where the sides meet</source><translation>cliquez là où les côtés se rejoignent</translation></message>
+<message><source>click the end of the other side</source><translation>cliquez sur l'extrémité de l'autre côté</translation></message>
+<message><source>click one end of a</source><translation>cliquez sur une extrémité de a</translation></message>
+<message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
+<message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
+<message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
+<message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
+<message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
+<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
+<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
+<message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
+<message><source>Select</source><translation>Sélectionner</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
+<message><source>Hide</source><translation>Masquer</translation></message>
+<message><source>Isolate</source><translation>Isoler</translation></message>
+<message><source>Show All</source><translation>Tout afficher</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
+<message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Masquer la sélection</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
+<message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
+<message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
+<message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>Move %1</source><translation>Déplacer %1</translation></message>
+<message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
+<message><source>Let Go of All</source><translation>Tout détacher</translation></message>
+<message><source>Name %1</source><translation>Nommer %1</translation></message>
+<message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
+<message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
+<message><source>Measure</source><translation>Mesurer</translation></message>
+<message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
+<message><source>locked</source><translation>verrouillée</translation></message>
+<message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
+<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
@@ -319,6 +287,148 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
+<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1 : échec (%2) ; fermez d'autres programmes ou utilisez un scan plus petit.</translation></message>
+<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>les arêtes n'ont pas pu être calculées (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>Opening %1</source><translation>Ouverture de %1</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
+<message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
+<message><source>writing</source><translation>écriture</translation></message>
+<message><source>Menu</source><translation>Menu</translation></message>
+<message><source>Connect</source><translation>Connecter</translation></message>
+<message><source>Cancel</source><translation>Annuler</translation></message>
+<message><source>Locked</source><translation>Verrouillée</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>Previous target</source><translation>Cible précédente</translation></message>
+<message><source>Next target</source><translation>Cible suivante</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>No target</source><translation>Aucune cible</translation></message>
+<message><source>less: %1</source><translation>moins : %1</translation></message>
+<message><source>more: %1</source><translation>plus : %1</translation></message>
+<message><source>+ gained</source><translation>+ gagnées</translation></message>
+<message><source>− lost</source><translation>− perdues</translation></message>
+<message><source>kept</source><translation>conservées</translation></message>
+<message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
+<message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
+<message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
+<message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
+<message><source>comparing …</source><translation>comparaison …</translation></message>
+<message><source>nothing to compare with yet:
+turn a setting, or open another scan</source><translation>rien encore à comparer :
+tournez un réglage, ou ouvrez un autre scan</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
+<message><source>half of the cells differ by less than %1 mm
+a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
+un changement dépasse %2 mm à 5 m</translation></message>
+<message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
+<message><source>A: %1
+hold \ to see it</source><translation>A : %1
+tenez \ pour la voir</translation></message>
+<message><source>at all of them</source><translation>avec tous</translation></message>
+<message><source>below %1 %</source><translation>moins de %1 %</translation></message>
+<message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
+<message><source>Confidence of edges</source><translation>Confiance des arêtes</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Les arêtes que moins de réglages voisins trouvent sont omises des vues ; les exports les contiennent toutes.</translation></message>
+<message><source>Least confidence shown</source><translation>Confiance minimale affichée</translation></message>
+<message><source>Shown: %1 % and more</source><translation>Affiché : %1 % et plus</translation></message>
+<message><source>Shown: all</source><translation>Affiché : tout</translation></message>
+<message><source>working it out: %1 %</source><translation>calcul en cours : %1 %</translation></message>
+<message><source>found too by how many of %1 nearby settings</source><translation>trouvées aussi par combien de %1 réglages voisins</translation></message>
+<message><source>&amp;Calibrate</source><translation>&amp;Étalonner</translation></message>
+<message><source>Calibrate the Assembly</source><translation>Étalonner le montage</translation></message>
+<message><source>&amp;Save As…</source><translation>Enregi&amp;strer sous…</translation></message>
+<message><source>&amp;Apply to This Scan</source><translation>&amp;Appliquer à ce scan</translation></message>
+<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
+<message><source>Scans of one assembly:</source><translation>Scans d'un même montage :</translation></message>
+<message><source>A&amp;dd Scans…</source><translation>A&amp;jouter des scans…</translation></message>
+<message><source>&amp;Remove</source><translation>&amp;Retirer</translation></message>
+<message><source>Robot's &amp;File…</source><translation>&amp;Fichier du robot…</translation></message>
+<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
+<message><source>error of the assembly</source><translation>erreur du montage</translation></message>
+<message><source>value</source><translation>valeur</translation></message>
+<message><source>± 2 sd</source><translation>± 2 écarts-types</translation></message>
+<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Fichier du robot : aucun ; le nouveau fichier ne contient que le moteur.</translation></message>
+<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
+<message><source>&amp;Give Up</source><translation>&amp;Abandonner</translation></message>
+<message><source>working …</source><translation>en cours …</translation></message>
+<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
+<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
+<message><source>Commands</source><translation>Commandes</translation></message>
+<message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
+<message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
+<message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
+<message><source>● now</source><translation>● actuel</translation></message>
+<message><source>▭ steady</source><translation>▭ constant</translation></message>
+<message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
+<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
+<message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
+<message><source>What</source><translation>Contenu</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Coordinates</source><translation>Coordonnées</translation></message>
+<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
+<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
+<message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
+<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
+<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
+<message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
+<message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
+<message><source>doubtful</source><translation>douteux</translation></message>
+<message><source>found out</source><translation>déduit</translation></message>
+<message><source>as you said</source><translation>comme indiqué</translation></message>
+<message><source>as the file says</source><translation>d'après le fichier</translation></message>
+<message><source>Does This Look Right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
+<message><source>&amp;Close</source><translation>&amp;Fermer</translation></message>
+<message><source>&amp;Adopt</source><translation>&amp;Adopter</translation></message>
+<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic sur une autre lecture montre le scan ainsi ; Adopter la garde comme étape annulable, Fermer ramène ce qui était là.</translation></message>
+<message><source>or</source><translation>ou</translation></message>
+<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1 : rien dans sa lecture ne pourrait être autrement.</translation></message>
+<message><source>%1: something speaks against how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
+<message><source>%1: nothing speaks against how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
+<message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
+<message><source>Draw cells from</source><translation>Dessiner les cellules de</translation></message>
+<message><source>to</source><translation>à</translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Toutes les autres sont masquées dans toutes les vues. Arêtes, nombres et exports restent tels quels.</translation></message>
+<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un champ vide : comme le dit le fichier, ou comme on le trouve. Le fichier lui-même reste tel quel.</translation></message>
+<message><source>Read Again</source><translation>Relire</translation></message>
+<message><source>as in the file</source><translation>comme dans le fichier</translation></message>
+<message><source>Choose…</source><translation>Choisir…</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
+<message><source>Keys</source><translation>Touches</translation></message>
+<message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
+<message><source>Scan</source><translation>Scan</translation></message>
+<message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
+<message><source>&amp;No Key</source><translation>A&amp;ucune touche</translation></message>
+<message><source>&amp;Reset</source><translation>&amp;Rétablir</translation></message>
+<message><source>Change Keys</source><translation>Changer les touches</translation></message>
+<message><source>A few letters of a command, or a key</source><translation>Quelques lettres d'une commande, ou une touche</translation></message>
+<message><source>Command</source><translation>Commande</translation></message>
+<message><source>Key</source><translation>Touche</translation></message>
+<message><source>Reset &amp;All</source><translation>&amp;Tout rétablir</translation></message>
+<message><source>Press the new key:</source><translation>Pressez la nouvelle touche :</translation></message>
+<message><source>%1 has no key now.</source><translation>%1 n'a plus de touche.</translation></message>
+<message><source>%1 has the key that it came with.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
+<message><source>Every command has the key that it came with.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
+<message><source>%1 • changed</source><translation>%1 • changée</translation></message>
+<message><source>along the line</source><translation>le long de la ligne</translation></message>
+<message><source>across the lines</source><translation>en travers des lignes</translation></message>
+<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
+<message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
+<message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
+<message><source>cancel and let go</source><translation>annuler et relâcher</translation></message>
+<message><source>to the next field</source><translation>vers le champ suivant</translation></message>
+<message><source>to the field before</source><translation>vers le champ précédent</translation></message>
+<message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
+<message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
+<message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
@@ -354,6 +464,248 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
+<message><source>at least %1</source><translation>au moins %1</translation></message>
+<message><source>something that is no rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
+<message><source>none seen</source><translation>rien de visible</translation></message>
+<message><source>, hangs below</source><translation>, pend en dessous</translation></message>
+<message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
+<message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
+<message><source>outside the region of interest</source><translation>hors de la région d'intérêt</translation></message>
+<message><source>called none by hand</source><translation>classé non-bloc à la main</translation></message>
+<message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
+<message><source>Split</source><translation>Scinder</translation></message>
+<message><source>Merge</source><translation>Fusionner</translation></message>
+<message><source>No Rock</source><translation>Pas un bloc</translation></message>
+<message><source>Let go of this rock</source><translation>Désélectionner ce bloc</translation></message>
+<message><source>. Hidden parts are not counted.</source><translation>. Les parties cachées ne sont pas comptées.</translation></message>
+<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
+<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
+<message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
+<message><source>▲ doubtful outline: hatched</source><translation>▲ contour douteux : hachuré</translation></message>
+<message><source>called a rock by hand</source><translation>classé bloc à la main</translation></message>
+<message><source>A Rock</source><translation>Un bloc</translation></message>
+<message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
+<message><source>This is a rock after all (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
+<message><source>Rock %1</source><translation>Bloc %1</translation></message>
+<message><source>visible spans</source><translation>étendues visibles</translation></message>
+<message><source>distance</source><translation>distance</translation></message>
+<message><source>visible area</source><translation>surface visible</translation></message>
+<message><source>%1 m²</source><translation>%1 m²</translation></message>
+<message><source>in front</source><translation>devant</translation></message>
+<message><source>%1 % of its outline</source><translation>%1 % de son contour</translation></message>
+<message><source>behind rocks</source><translation>derrière les blocs</translation></message>
+<message><source>visible contacts</source><translation>contacts visibles</translation></message>
+<message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
+<message><source>arch angle</source><translation>angle de voûte</translation></message>
+<message><source>confidence p</source><translation>confiance p</translation></message>
+<message><source>No rock</source><translation>Pas un bloc</translation></message>
+<message><source>because</source><translation>parce que</translation></message>
+<message><source>cells</source><translation>cellules</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
+<message><source> · ▲ doubtful outline</source><translation> · ▲ contour douteux</translation></message>
+<message><source>no doubtful ones</source><translation>sans les douteux</translation></message>
+<message><source>Export…</source><translation>Exporter…</translation></message>
+<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
+<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs de p inférieur à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
+<message><source>b at least</source><translation>b au moins</translation></message>
+<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
+<message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
+<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
+<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Plus grande étendue visible en travers de la ligne de visée</translation></message>
+<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Plus petite étendue visible en travers de la ligne de visée</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
+<message><source>distance [m]</source><translation>distance [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>Depuis le scanner : médiane de ses distances</translation></message>
+<message><source>area [m²]</source><translation>surface [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Surface visible en travers des faisceaux</translation></message>
+<message><source>in front [%]</source><translation>devant [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Part de son contour où il est le côté le plus proche</translation></message>
+<message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
+<message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
+<message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
+<message><source>fine</source><translation>fin</translation></message>
+<message><source>coarse</source><translation>grossier</translation></message>
+<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 blocs, %2 hachurés (p &lt; 0.85) ; %3 régions de fines</translation></message>
+<message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
+<message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
+<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
+<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre : P20 %1, P50 %2, P80 %3, le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
+<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
+<message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
+<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
+<message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
+<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L ; rien n'est envoyé que des lectures et un abonnement</translation></message>
+<message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
+<message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
+<message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
+<message><source>Recent</source><translation>Récents</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
+<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
+<message><source>Cab mode</source><translation>Mode cabine</translation></message>
+<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
+<message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
+<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>was %1</source><translation>avant : %1</translation></message>
+<message><source>Why</source><translation>Pourquoi</translation></message>
+<message><source>Target</source><translation>Cible</translation></message>
+<message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
+<message><source>Lock</source><translation>Verrouiller</translation></message>
+<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Verrouillée : Esc et Tout détacher la laissent où elle est</translation></message>
+<message><source>Let go of this target</source><translation>Détacher cette cible</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau ; ce que le scanner fausse partout n'y est pas</translation></message>
+<message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
+<message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
+<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
+<message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
+<message><source>E, N, RL</source><translation>E, N, Alt</translation></message>
+<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
+<message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
+<message><source>none here</source><translation>aucun ici</translation></message>
+<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
+<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Étendues de ce qu'on en voit ; les parties cachées ne sont pas comptées</translation></message>
+<message><source>Resolves</source><translation>Résolution</translation></message>
+<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
+<message><source>Surface</source><translation>Surface</translation></message>
+<message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
+<message><source>%1° ± %2 off the beam</source><translation>à %1° ± %2 du faisceau</translation></message>
+<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
+<message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
+<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Du plan par rapport à l'horizon, et dans le sens horaire depuis le nord de la grille, le sens où il descend</translation></message>
+<message><source>From the boom</source><translation>Au bras</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · surface à %2° de la perpendiculaire</translation></message>
+<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Jusqu'à la droite du pivot du bras à la tête, là où ils étaient lors de la mesure ; 0° : le bras pointe droit sur la surface</translation></message>
+<message><source>Cell</source><translation>Cellule</translation></message>
+<message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
+<message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
+<message><source>none</source><translation>aucune</translation></message>
+<message><source>yes</source><translation>oui</translation></message>
+<message><source>, strength %1</source><translation>, force %1</translation></message>
+<message><source>Edge</source><translation>Arête</translation></message>
+<message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
+<message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
+<message><source>± not known</source><translation>± inconnu</translation></message>
+<message><source>from</source><translation>depuis</translation></message>
+<message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
+<message><source>Picture</source><translation>Image</translation></message>
+<message><source>Confidence</source><translation>Confiance</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
+<message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>Remove</source><translation>Supprimer</translation></message>
+<message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
+<message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
+<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
+<message><source>number of edges: not known yet</source><translation>nombre d'arêtes : pas encore connu</translation></message>
+<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
+<message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
+<message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
+<message><source>Edges</source><translation>Arêtes</translation></message>
+<message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
+<message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
+<message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
+<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>Advanced</source><translation>Avancé</translation></message>
+<message><source>Open…</source><translation>Ouvrir…</translation></message>
+<message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
+<message><source>Save…</source><translation>Enregistrer…</translation></message>
+<message><source>Save these settings as a preset file</source><translation>Enregistrer ces réglages dans un fichier de préréglage</translation></message>
+<message><source>Preset</source><translation>Préréglage</translation></message>
+<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Les marches en profondeur qui atteignent les seuils, calculées à partir des noyaux : le plus petit nombre pour une marche en diagonale, le plus grand pour une marche le long des lignes ou des faisceaux. Une profondeur telle que 0.5 m peut être tapée dans le champ ci-dessus ; avec des niveaux de gris logarithmiques, elle est prise à la distance donnée ici, et une part telle que 5 % vaut à toute distance.</translation></message>
+<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Verrouillé : le seuil haut est 3 fois le seuil bas, comme dans la thèse. Cliquez pour ouvrir le verrou.</translation></message>
+<message><source>Locked 1 : 3</source><translation>Verrouillé 1 : 3</translation></message>
+<message><source>Unlocked</source><translation>Déverrouillé</translation></message>
+<message><source>Strong from  %1 % of range</source><translation>Forte dès  %1 % de la distance</translation></message>
+<message><source>Upper threshold  %1</source><translation>Seuil haut  %1</translation></message>
+<message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
+<message><source>• modified</source><translation>• modifié</translation></message>
+<message><source>computing …</source><translation>calcul en cours …</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
+<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
+<message><source>
+%1 to %2 %3</source><translation>
+%1 à %2 %3</translation></message>
+<message><source>
+Double-click: back to the preset</source><translation>
+Double-clic : retour au préréglage</translation></message>
+<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
+<message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
+<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
+<message><source>Ranges</source><translation>Distances</translation></message>
+<message><source>Auto</source><translation>Auto</translation></message>
+<message><source>Black and white as the method scales the ranges</source><translation>Noir et blanc selon l'échelle de distances de la méthode</translation></message>
+<message><source>The window stays as it is when another scan is opened</source><translation>La fenêtre reste telle quelle quand un autre scan est ouvert</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
+<message><source>automatic: %1</source><translation>automatique : %1</translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
+<message><source>range %1 m</source><translation>distance %1 m</translation></message>
+<message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
+<message><source>no return</source><translation>sans retour</translation></message>
+<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Alt %3</translation></message>
+<message><source>N –  E –  El –</source><translation>N –  E –  Alt –</translation></message>
+<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>EDGE</source><translation>ARÊTE</translation></message>
+<message><source>not an edge</source><translation>pas une arête</translation></message>
+<message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
+<message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
+<message><source>  gray %1</source><translation>  gris %1</translation></message>
+<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
+<message><source>scanner frame</source><translation>repère du scanner</translation></message>
+<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
+<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
+<message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
+<message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
+<message><source>time not known</source><translation>heure inconnue</translation></message>
+<message><source>measured %1</source><translation>mesuré %1</translation></message>
+<message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
+<message><source>%1 no return</source><translation>%1 sans retour</translation></message>
+<message><source>%1 points</source><translation>%1 points</translation></message>
+<message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
+<message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
+<message><source>settings: %1</source><translation>réglages : %1</translation></message>
+<message><source>settings: %1, %2 changed</source><translation>réglages : %1, %2 modifié(s)</translation></message>
+<message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
+<message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
+<message><source>
+Ctrl+D restores the default settings.</source><translation>
+Ctrl+D rétablit les réglages par défaut.</translation></message>
+<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>1 warning</source><translation>1 avertissement</translation></message>
+<message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
+<message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Montre les avertissements de ce scan et les marque comme vus ; ils restent, et figurent dans les comptes rendus et les captures d'écran</translation></message>
+<message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
+<message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
+<message><source>grid %1</source><translation>grille %1</translation></message>
+<message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
+<message><source>Range [m]</source><translation>Distance [m]</translation></message>
+<message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
+<message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
+<message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillé une seconde pour quitter le mode cabine.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
@@ -361,10 +713,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
-<message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
@@ -374,13 +724,10 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
-<message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
-<message><source>Surface</source><translation>Surface</translation></message>
-<message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
@@ -395,7 +742,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
-<message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
@@ -406,6 +752,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
+<message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Ouvrir…</translation></message>
@@ -414,12 +761,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Connecter au scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Rechar&amp;ger</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exporter</translation></message>
-<message><source>&amp;Edge Cloud…</source><translation>Nuage des &amp;arêtes…</translation></message>
-<message><source>&amp;Full Cloud…</source><translation>Nuage &amp;complet…</translation></message>
-<message><source>Edge &amp;Image…</source><translation>&amp;Image des arêtes…</translation></message>
-<message><source>&amp;Gray Image…</source><translation>Image en niveaux de &amp;gris…</translation></message>
-<message><source>&amp;Range Image…</source><translation>Image de &amp;distances…</translation></message>
-<message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Re&amp;port…</source><translation>Ra&amp;pport…</translation></message>
 <message><source>&amp;Screenshot…</source><translation>Capture d'écra&amp;n…</translation></message>
 <message><source>&amp;Copy as Command</source><translation>Copier comme co&amp;mmande</translation></message>
@@ -518,8 +859,6 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Détacher t&amp;outes les cibles</translation></message>
 <message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
-<message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
-<message><source>&amp;Hide Selected</source><translation>&amp;Masquer la sélection</translation></message>
 <message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
 <message><source>&amp;Range Gate…</source><translation>Fenêtre de &amp;distance…</translation></message>
@@ -527,18 +866,14 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Hide Nearer than This Cell</source><translation>Masquer ce qui est plus proche que cette cellule</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
 <message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
-<message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
 <message><source>line %1</source><translation>ligne %1</translation></message>
-<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 arêtes sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
-<message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
 <message><source>growing</source><translation>en cours</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
@@ -550,366 +885,15 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
-<message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
-<message><source>Select</source><translation>Sélectionner</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
 </translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
-<message><source>number of edges: not known yet</source><translation>nombre d'arêtes : pas encore connu</translation></message>
-<message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
-<message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
-<message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
-<message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
-<message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
-<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
-<message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
-<message><source>Advanced</source><translation>Avancé</translation></message>
-<message><source>Open…</source><translation>Ouvrir…</translation></message>
-<message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
-<message><source>Save…</source><translation>Enregistrer…</translation></message>
-<message><source>Save these settings as a preset file</source><translation>Enregistrer ces réglages dans un fichier de préréglage</translation></message>
-<message><source>Preset</source><translation>Préréglage</translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Les marches en profondeur qui atteignent les seuils, calculées à partir des noyaux : le plus petit nombre pour une marche en diagonale, le plus grand pour une marche le long des lignes ou des faisceaux. Une profondeur telle que 0.5 m peut être tapée dans le champ ci-dessus ; avec des niveaux de gris logarithmiques, elle est prise à la distance donnée ici, et une part telle que 5 % vaut à toute distance.</translation></message>
-<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Verrouillé : le seuil haut est 3 fois le seuil bas, comme dans la thèse. Cliquez pour ouvrir le verrou.</translation></message>
-<message><source>Locked 1 : 3</source><translation>Verrouillé 1 : 3</translation></message>
-<message><source>Unlocked</source><translation>Déverrouillé</translation></message>
-<message><source>Strong from  %1 % of range</source><translation>Forte dès  %1 % de la distance</translation></message>
-<message><source>Upper threshold  %1</source><translation>Seuil haut  %1</translation></message>
-<message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
-<message><source>• modified</source><translation>• modifié</translation></message>
-<message><source>computing …</source><translation>calcul en cours …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
-<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
-<message><source>
-%1 to %2 %3</source><translation>
-%1 à %2 %3</translation></message>
-<message><source>
-Double-click: back to the preset</source><translation>
-Double-clic : retour au préréglage</translation></message>
-<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
-<message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
-<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
-<message><source>Ranges</source><translation>Distances</translation></message>
-<message><source>Auto</source><translation>Auto</translation></message>
-<message><source>Black and white as the method scales the ranges</source><translation>Noir et blanc selon l'échelle de distances de la méthode</translation></message>
-<message><source>Lock</source><translation>Verrouiller</translation></message>
-<message><source>The window stays as it is when another scan is opened</source><translation>La fenêtre reste telle quelle quand un autre scan est ouvert</translation></message>
-<message><source>automatic: %1</source><translation>automatique : %1</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
-<message><source>range %1 m</source><translation>distance %1 m</translation></message>
-<message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
-<message><source>no return</source><translation>sans retour</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Alt %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Alt –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
-<message><source>EDGE</source><translation>ARÊTE</translation></message>
-<message><source>not an edge</source><translation>pas une arête</translation></message>
-<message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
-<message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
-<message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
-<message><source>scanner frame</source><translation>repère du scanner</translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
-<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
-<message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
-<message><source>time not known</source><translation>heure inconnue</translation></message>
-<message><source>measured %1</source><translation>mesuré %1</translation></message>
-<message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
-<message><source>%1 no return</source><translation>%1 sans retour</translation></message>
-<message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
-<message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
-<message><source>settings: %1</source><translation>réglages : %1</translation></message>
-<message><source>settings: %1, %2 changed</source><translation>réglages : %1, %2 modifié(s)</translation></message>
-<message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
-<message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
-<message><source>
-Ctrl+D restores the default settings.</source><translation>
-Ctrl+D rétablit les réglages par défaut.</translation></message>
-<message><source>%1 ms</source><translation>%1 ms</translation></message>
-<message><source>1 warning</source><translation>1 avertissement</translation></message>
-<message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
-<message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Montre les avertissements de ce scan et les marque comme vus ; ils restent, et figurent dans les comptes rendus et les captures d'écran</translation></message>
-<message><source>region of interest</source><translation>région d'intérêt</translation></message>
-<message><source>Open Session</source><translation>Ouvrir la session</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
-<message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
-<message><source>call of a rock</source><translation>classement comme bloc</translation></message>
-<message><source>call of no rock</source><translation>classement comme non-bloc</translation></message>
-<message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
-<message><source>Report with settings and edits</source><translation>Rapport avec réglages et modifications</translation></message>
-<message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>
-<message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
-<message><source>Outlines in the picture</source><translation>Contours dans l'image</translation></message>
-<message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
-<message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions csv, json, png, dxf, geojson, ply, obj.</translation></message>
-<message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
-<message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
-<message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
-<message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
-<message><source>being worked out …</source><translation>calcul en cours …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
-<message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
-<message><source>at least %1</source><translation>au moins %1</translation></message>
-<message><source>something that is no rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
-<message><source>none seen</source><translation>rien de visible</translation></message>
-<message><source>, hangs below</source><translation>, pend en dessous</translation></message>
-<message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
-<message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
-<message><source>outside the region of interest</source><translation>hors de la région d'intérêt</translation></message>
-<message><source>called none by hand</source><translation>classé non-bloc à la main</translation></message>
-<message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
-<message><source>Split</source><translation>Scinder</translation></message>
-<message><source>Merge</source><translation>Fusionner</translation></message>
-<message><source>No Rock</source><translation>Pas un bloc</translation></message>
-<message><source>Let go of this rock</source><translation>Désélectionner ce bloc</translation></message>
-<message><source>. Hidden parts are not counted.</source><translation>. Les parties cachées ne sont pas comptées.</translation></message>
-<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
-<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
-<message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation>▲ contour douteux : hachuré</translation></message>
-<message><source>called a rock by hand</source><translation>classé bloc à la main</translation></message>
-<message><source>A Rock</source><translation>Un bloc</translation></message>
-<message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
-<message><source>This is a rock after all (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
-<message><source>Rock %1</source><translation>Bloc %1</translation></message>
-<message><source>visible spans</source><translation>étendues visibles</translation></message>
-<message><source>distance</source><translation>distance</translation></message>
-<message><source>visible area</source><translation>surface visible</translation></message>
-<message><source>%1 m²</source><translation>%1 m²</translation></message>
-<message><source>in front</source><translation>devant</translation></message>
-<message><source>%1 % of its outline</source><translation>%1 % de son contour</translation></message>
-<message><source>behind rocks</source><translation>derrière les blocs</translation></message>
-<message><source>visible contacts</source><translation>contacts visibles</translation></message>
-<message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
-<message><source>arch angle</source><translation>angle de voûte</translation></message>
-<message><source>confidence p</source><translation>confiance p</translation></message>
-<message><source>No rock</source><translation>Pas un bloc</translation></message>
-<message><source>because</source><translation>parce que</translation></message>
-<message><source>cells</source><translation>cellules</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
-<message><source> · ▲ doubtful outline</source><translation> · ▲ contour douteux</translation></message>
-<message><source>no doubtful ones</source><translation>sans les douteux</translation></message>
-<message><source>Export…</source><translation>Exporter…</translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs de p inférieur à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
-<message><source>b at least</source><translation>b au moins</translation></message>
-<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
-<message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
-<message><source>Rock</source><translation>Bloc</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
-<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Plus grande étendue visible en travers de la ligne de visée</translation></message>
-<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Plus petite étendue visible en travers de la ligne de visée</translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
-<message><source>distance [m]</source><translation>distance [m]</translation></message>
-<message><source>From the scanner: median of its ranges</source><translation>Depuis le scanner : médiane de ses distances</translation></message>
-<message><source>area [m²]</source><translation>surface [m²]</translation></message>
-<message><source>Visible area across the beams</source><translation>Surface visible en travers des faisceaux</translation></message>
-<message><source>in front [%]</source><translation>devant [%]</translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation>Part de son contour où il est le côté le plus proche</translation></message>
-<message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
-<message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
-<message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
-<message><source>p</source><translation>p</translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
-<message><source>fine</source><translation>fin</translation></message>
-<message><source>coarse</source><translation>grossier</translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 blocs, %2 hachurés (p &lt; 0.85) ; %3 régions de fines</translation></message>
-<message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
-<message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
-<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre : P20 %1, P50 %2, P80 %3, le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
-<message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
-<message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
-<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1 : échec (%2) ; fermez d'autres programmes ou utilisez un scan plus petit.</translation></message>
-<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>les arêtes n'ont pas pu être calculées (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>Opening %1</source><translation>Ouverture de %1</translation></message>
-<message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
-<message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
-<message><source>writing</source><translation>écriture</translation></message>
-<message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
-<message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
-<message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
-<message><source>Save session</source><translation>Enregistrer la session</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
-<message><source>Open session</source><translation>Ouvrir une session</translation></message>
-<message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
-<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1 : le scan de cette session n'y est pas : il a été déplacé, ou son disque n'est pas là. Réglages et vue sont repris ; le reste viendra avec le scan.</translation></message>
-<message><source>Locate…</source><translation>Localiser…</translation></message>
-<message><source>The session %1 stays as it was: this is another scan.</source><translation>La session %1 reste telle quelle : ceci est un autre scan.</translation></message>
-<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu est autre. Réglages et vue sont repris ; cibles, sélection, marques, rochers, A et caméra ne le sont pas.</translation></message>
-<message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
-<message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
-<message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
-<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
-<message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
-<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L ; rien n'est envoyé que des lectures et un abonnement</translation></message>
-<message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
-<message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
-<message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
-<message><source>Recent</source><translation>Récents</translation></message>
-<message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
-<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
-<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
-<message><source>Cab mode</source><translation>Mode cabine</translation></message>
-<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
-<message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
-<message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
-<message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
-<message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
-<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
-<message><source>Mark of No Edge</source><translation>Marque de non-arête</translation></message>
-<message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
-<message><source>✓ edge</source><translation>✓ arête</translation></message>
-<message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
-<message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
-<message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
-<message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
-<message><source>click the higher cell</source><translation>cliquez sur la cellule du haut</translation></message>
-<message><source>click the end of one side</source><translation>cliquez sur l'extrémité d'un côté</translation></message>
-<message><source>click where the sides meet</source><translation>cliquez là où les côtés se rejoignent</translation></message>
-<message><source>click the end of the other side</source><translation>cliquez sur l'extrémité de l'autre côté</translation></message>
-<message><source>click one end of a</source><translation>cliquez sur une extrémité de a</translation></message>
-<message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
-<message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
-<message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
-<message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
-<message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
-<message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
-<message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
-<message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
-<message><source>Hide</source><translation>Masquer</translation></message>
-<message><source>Isolate</source><translation>Isoler</translation></message>
-<message><source>Show All</source><translation>Tout afficher</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
-<message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
-<message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
-<message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
-<message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
-<message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
-<message><source>Pin %1</source><translation>Épingler %1</translation></message>
-<message><source>Move %1</source><translation>Déplacer %1</translation></message>
-<message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
-<message><source>Let Go of All</source><translation>Tout détacher</translation></message>
-<message><source>Name %1</source><translation>Nommer %1</translation></message>
-<message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
-<message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
-<message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
-<message><source>locked</source><translation>verrouillée</translation></message>
-<message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
-<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
-<message><source>was %1</source><translation>avant : %1</translation></message>
-<message><source>Target</source><translation>Cible</translation></message>
-<message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Verrouillée : Esc et Tout détacher la laissent où elle est</translation></message>
-<message><source>Let go of this target</source><translation>Détacher cette cible</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau ; ce que le scanner fausse partout n'y est pas</translation></message>
-<message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
-<message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
-<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
-<message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
-<message><source>E, N, RL</source><translation>E, N, Alt</translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
-<message><source>none here</source><translation>aucun ici</translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Étendues de ce qu'on en voit ; les parties cachées ne sont pas comptées</translation></message>
-<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
-<message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
-<message><source>%1° ± %2 off the beam</source><translation>à %1° ± %2 du faisceau</translation></message>
-<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
-<message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
-<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Du plan par rapport à l'horizon, et dans le sens horaire depuis le nord de la grille, le sens où il descend</translation></message>
-<message><source>From the boom</source><translation>Au bras</translation></message>
-<message><source>%1 · surface %2° off square</source><translation>%1 · surface à %2° de la perpendiculaire</translation></message>
-<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Jusqu'à la droite du pivot du bras à la tête, là où ils étaient lors de la mesure ; 0° : le bras pointe droit sur la surface</translation></message>
-<message><source>Cell</source><translation>Cellule</translation></message>
-<message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
-<message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
-<message><source>none</source><translation>aucune</translation></message>
-<message><source>yes</source><translation>oui</translation></message>
-<message><source>, strength %1</source><translation>, force %1</translation></message>
-<message><source>Edge</source><translation>Arête</translation></message>
-<message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
-<message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
-<message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
-<message><source>± not known</source><translation>± inconnu</translation></message>
-<message><source>from</source><translation>depuis</translation></message>
-<message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
-<message><source>Picture</source><translation>Image</translation></message>
-<message><source>Confidence</source><translation>Confiance</translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Measured</source><translation>Mesures</translation></message>
-<message><source>Remove</source><translation>Supprimer</translation></message>
-<message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
-<message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
 <message><source>Method</source><translation>Méthode</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
 <message><source>Edge strength</source><translation>Force de l'arête</translation></message>
@@ -1032,6 +1016,22 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules remplies et non mesurées, que le champ filled_sd_mm marque</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY et CSV : le champ confidence, le pourcentage de réglages voisins qui trouvent aussi l'arête ; 0 où il n'y en a pas</translation></message>
+<message><source>&amp;Edge Cloud…</source><translation>Nuage des &amp;arêtes…</translation></message>
+<message><source>Edge points (%1)</source><translation>Points d'arête (%1)</translation></message>
+<message><source>&amp;Full Cloud…</source><translation>Nuage &amp;complet…</translation></message>
+<message><source>All points, with a field for edges (%1)</source><translation>Tous les points, avec un champ pour les arêtes (%1)</translation></message>
+<message><source>Edge &amp;Image…</source><translation>&amp;Image des arêtes…</translation></message>
+<message><source>Edge map as a picture, %1</source><translation>Carte des arêtes en image, %1</translation></message>
+<message><source>&amp;Gray Image…</source><translation>Image en niveaux de &amp;gris…</translation></message>
+<message><source>Gray image, %1</source><translation>Image en niveaux de gris, %1</translation></message>
+<message><source>&amp;Range Image…</source><translation>Image de &amp;distances…</translation></message>
+<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distances en millimètres en image de 16 bits, %1</translation></message>
+<message><source>Report with settings and edits</source><translation>Rapport avec réglages et modifications</translation></message>
+<message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
+<message><source>Outlines in the picture</source><translation>Contours dans l'image</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>

@@ -26,57 +26,22 @@
 <message><source>&amp;Night</source><translation>&amp;Noite</translation></message>
 <message><source>&amp;Day</source><translation>&amp;Dia</translation></message>
 <message><source>&amp;Control-Room Gray</source><translation>&amp;Cinza de sala de controle</translation></message>
-<message><source>Menu</source><translation>Menu</translation></message>
+<message><source>OK</source><translation>OK</translation></message>
+<message><source>Save</source><translation>Salvar</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
-<message><source>Connect</source><translation>Conectar</translation></message>
-<message><source>Cancel</source><translation>Cancelar</translation></message>
-<message><source>Locked</source><translation>Bloqueado</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
-<message><source>Previous target</source><translation>Alvo anterior</translation></message>
-<message><source>Next target</source><translation>Alvo seguinte</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
-<message><source>Distance</source><translation>Distância</translation></message>
-<message><source>No target</source><translation>Nenhum alvo</translation></message>
-<message><source>less: %1</source><translation>menos: %1</translation></message>
-<message><source>more: %1</source><translation>mais: %1</translation></message>
-<message><source>+ gained</source><translation>+ ganhas</translation></message>
-<message><source>− lost</source><translation>− perdidas</translation></message>
-<message><source>kept</source><translation>mantidas</translation></message>
-<message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
-<message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
-<message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
-<message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
-<message><source>comparing …</source><translation>comparando …</translation></message>
-<message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation>nada ainda para comparar:
-mude um ajuste ou abra outra varredura</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
-<message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
-uma mudança é maior que %2 mm a 5 m</translation></message>
-<message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
-<message><source>A: %1
-hold \ to see it</source><translation>A: %1
-segure \ para vê-la</translation></message>
-<message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
-<message><source>grid %1</source><translation>grade %1</translation></message>
-<message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
-<message><source>Range [m]</source><translation>Distância [m]</translation></message>
-<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
-<message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
-<message><source>Line</source><translation>Linha</translation></message>
-<message><source>at all of them</source><translation>com todos</translation></message>
-<message><source>below %1 %</source><translation>menos de %1 %</translation></message>
-<message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
-<message><source>Confidence of edges</source><translation>Confiança das bordas</translation></message>
-<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>As bordas que menos ajustes próximos encontram são omitidas nas vistas; as exportações contêm todas.</translation></message>
-<message><source>Least confidence shown</source><translation>Confiança mínima mostrada</translation></message>
-<message><source>Shown: %1 % and more</source><translation>Mostrado: %1 % e mais</translation></message>
-<message><source>Shown: all</source><translation>Mostrado: tudo</translation></message>
-<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
-<message><source>found too by how many of %1 nearby settings</source><translation>quantos de %1 ajustes próximos também as encontram</translation></message>
+<message><source>&amp;Yes</source><translation>&amp;Sim</translation></message>
+<message><source>&amp;No</source><translation>&amp;Não</translation></message>
+<message><source>Apply</source><translation>Aplicar</translation></message>
+<message><source>Cu&amp;t</source><translation>Recor&amp;tar</translation></message>
+<message><source>&amp;Copy</source><translation>&amp;Copiar</translation></message>
+<message><source>&amp;Paste</source><translation>Co&amp;lar</translation></message>
+<message><source>Select All</source><translation>Selecionar tudo</translation></message>
+<message><source>Discard</source><translation>Descartar</translation></message>
+<message><source>Delete</source><translation>Excluir</translation></message>
+<message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
+<message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
+<message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
+<message><source>Float</source><translation>Destacar</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
@@ -132,100 +97,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
 <message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
-<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
-<message><source>Calibrate the Assembly</source><translation>Calibrar a montagem</translation></message>
-<message><source>&amp;Save As…</source><translation>&amp;Salvar como…</translation></message>
-<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a esta varredura</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
-<message><source>Scans of one assembly:</source><translation>Varreduras de uma montagem:</translation></message>
-<message><source>A&amp;dd Scans…</source><translation>A&amp;dicionar varreduras…</translation></message>
-<message><source>&amp;Remove</source><translation>&amp;Remover</translation></message>
-<message><source>Robot's &amp;File…</source><translation>Ar&amp;quivo do robô…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
-<message><source>error of the assembly</source><translation>erro da montagem</translation></message>
-<message><source>value</source><translation>valor</translation></message>
-<message><source>± 2 sd</source><translation>± 2 desvios</translation></message>
-<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Arquivo do robô: nenhum; o novo arquivo contém só o motor.</translation></message>
-<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
-<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
-<message><source>working …</source><translation>trabalhando …</translation></message>
-<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
-<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
-<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
-<message><source>Commands</source><translation>Comandos</translation></message>
-<message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
-<message><source>Values of %1</source><translation>Valores de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
-<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
-<message><source>● now</source><translation>● atual</translation></message>
-<message><source>▭ steady</source><translation>▭ constante</translation></message>
-<message><source>Export</source><translation>Exportar</translation></message>
-<message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
-<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
-<message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
-<message><source>What</source><translation>Conteúdo</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
-<message><source>Edge points (%1)</source><translation>Pontos de borda (%1)</translation></message>
-<message><source>All points, with a field for edges (%1)</source><translation>Todos os pontos, com um campo para as bordas (%1)</translation></message>
-<message><source>Edge map as a picture, %1</source><translation>Mapa de bordas como imagem, %1</translation></message>
-<message><source>Gray image, %1</source><translation>Imagem em tons de cinza, %1</translation></message>
-<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distâncias em milímetros como imagem de 16 bits, %1</translation></message>
-<message><source>Coordinates</source><translation>Coordenadas</translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
-<message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
-<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
-<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
-<message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
-<message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
-<message><source>doubtful</source><translation>duvidoso</translation></message>
-<message><source>found out</source><translation>deduzido</translation></message>
-<message><source>as you said</source><translation>como indicado</translation></message>
-<message><source>as the file says</source><translation>segundo o arquivo</translation></message>
-<message><source>Does This Look Right?</source><translation>Parece correto?</translation></message>
-<message><source>&amp;Close</source><translation>&amp;Fechar</translation></message>
-<message><source>&amp;Adopt</source><translation>&amp;Adotar</translation></message>
-<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Um clique em outra leitura mostra assim o scan; Adotar a mantém como um passo que se pode desfazer, Fechar traz de volta o que havia.</translation></message>
-<message><source>or</source><translation>ou</translation></message>
-<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada em sua leitura poderia ser de outro modo.</translation></message>
-<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
-<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
-<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
-<message><source>Range gate</source><translation>Janela de distância</translation></message>
-<message><source>Draw cells from</source><translation>Desenhar células de</translation></message>
-<message><source>to</source><translation>até</translation></message>
-<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas as outras são ocultadas em todas as vistas. Bordas, contagens e exportações ficam como estão.</translation></message>
-<message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
-<message><source>Read Again</source><translation>Ler de novo</translation></message>
-<message><source>as in the file</source><translation>como no arquivo</translation></message>
-<message><source>Choose…</source><translation>Escolher…</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
-<message><source>Keys</source><translation>Teclas</translation></message>
-<message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
-<message><source>Scan</source><translation>Varredura</translation></message>
-<message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
-<message><source>&amp;No Key</source><translation>&amp;Nenhuma tecla</translation></message>
-<message><source>&amp;Reset</source><translation>&amp;Repor</translation></message>
-<message><source>Change Keys</source><translation>Alterar teclas</translation></message>
-<message><source>A few letters of a command, or a key</source><translation>Algumas letras de um comando, ou uma tecla</translation></message>
-<message><source>Command</source><translation>Comando</translation></message>
-<message><source>Key</source><translation>Tecla</translation></message>
-<message><source>Reset &amp;All</source><translation>Repor &amp;tudo</translation></message>
-<message><source>Press the new key:</source><translation>Pressione a nova tecla:</translation></message>
-<message><source>%1 has no key now.</source><translation>%1 não tem mais tecla.</translation></message>
-<message><source>%1 has the key that it came with.</source><translation>%1 tem de novo a tecla original.</translation></message>
-<message><source>Every command has the key that it came with.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
-<message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
-<message><source>along the line</source><translation>ao longo da linha</translation></message>
-<message><source>across the lines</source><translation>através das linhas</translation></message>
-<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
-<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
-<message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
-<message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
@@ -256,8 +127,10 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Nothing is selected yet: drag a box (B) or a lasso (L) over a view first.</source><translation>Ainda não há nada selecionado: primeiro trace uma caixa (B) ou um laço (L) sobre uma vista.</translation></message>
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
+<message><source>Export</source><translation>Exportar</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
 <message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
+<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
 <message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
 <message><source>Open scan</source><translation>Abrir uma varredura</translation></message>
@@ -267,6 +140,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Straighten Beams</source><translation>Endireitar os feixes</translation></message>
 <message><source>Beams as Recorded</source><translation>Feixes como gravados</translation></message>
 <message><source>There is no file on the screen that could be read in another way: open one first.</source><translation>Não há na tela nenhum arquivo que possa ser lido de outra maneira: primeiro abra um.</translation></message>
+<message><source>How the Scan Is Read</source><translation>Como a varredura é lida</translation></message>
 <message><source>Straighten beams</source><translation>Endireitar os feixes</translation></message>
 <message><source>No file yet; demos are not listed</source><translation>Nenhum arquivo ainda; as demos não constam aqui</translation></message>
 <message><source>Clear</source><translation>Limpar</translation></message>
@@ -288,29 +162,123 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
-<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
-<message><source>cancel and let go</source><translation>cancelar e soltar</translation></message>
-<message><source>to the next field</source><translation>para o campo seguinte</translation></message>
-<message><source>to the field before</source><translation>para o campo anterior</translation></message>
-<message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
-<message><source>the cell cursor</source><translation>o cursor de células</translation></message>
-<message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
-<message><source>OK</source><translation>OK</translation></message>
-<message><source>Save</source><translation>Salvar</translation></message>
-<message><source>&amp;Yes</source><translation>&amp;Sim</translation></message>
-<message><source>&amp;No</source><translation>&amp;Não</translation></message>
-<message><source>Apply</source><translation>Aplicar</translation></message>
-<message><source>Cu&amp;t</source><translation>Recor&amp;tar</translation></message>
-<message><source>&amp;Copy</source><translation>&amp;Copiar</translation></message>
-<message><source>&amp;Paste</source><translation>Co&amp;lar</translation></message>
-<message><source>Select All</source><translation>Selecionar tudo</translation></message>
-<message><source>Discard</source><translation>Descartar</translation></message>
-<message><source>Delete</source><translation>Excluir</translation></message>
-<message><source>&amp;Step up</source><translation>&amp;Aumentar</translation></message>
-<message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
-<message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
-<message><source>Float</source><translation>Destacar</translation></message>
+<message><source>region of interest</source><translation>região de interesse</translation></message>
+<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
+<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
+<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
+<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
+<message><source>call of a rock</source><translation>classificação como rocha</translation></message>
+<message><source>call of no rock</source><translation>classificação como não rocha</translation></message>
+<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
+<message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
+<message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
+<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
+<message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
+<message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
+<message><source>a click splits it off</source><translation>um clique o separa</translation></message>
+<message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
+<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
+<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
+<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
+<message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
+<message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
+<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
+<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
+<message><source>being worked out …</source><translation>em cálculo …</translation></message>
+<message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
+<message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
+<message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
+<message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
+<message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
+<message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
+<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
+<message><source>Save session</source><translation>Salvar sessão</translation></message>
+<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
+<message><source>Open session</source><translation>Abrir sessão</translation></message>
+<message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
+<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: o scan desta sessão não está lá: foi movido, ou o disco não está aqui. Ajustes e vista voltaram; o resto vem com o scan.</translation></message>
+<message><source>Locate…</source><translation>Localizar…</translation></message>
+<message><source>Where is the scan now?</source><translation>Onde está o scan agora?</translation></message>
+<message><source>The session %1 stays as it was: this is another scan.</source><translation>A sessão %1 fica como estava: este é outro scan.</translation></message>
+<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é o scan desta sessão: o conteúdo é outro. Ajustes e vista voltaram; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
+<message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
+<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
+<message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
+<message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
+<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
+<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
+<message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
+<message><source>Mark of No Edge</source><translation>Marca de não borda</translation></message>
+<message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
+<message><source>✓ edge</source><translation>✓ borda</translation></message>
+<message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
+<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
+<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
+<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
+<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
+<message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
+<message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
+<message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
+<message><source>click the higher cell</source><translation>clique na célula mais alta</translation></message>
+<message><source>click the end of one side</source><translation>clique na extremidade de um lado</translation></message>
+<message><source>click where the sides meet</source><translation>clique onde os lados se encontram</translation></message>
+<message><source>click the end of the other side</source><translation>clique na extremidade do outro lado</translation></message>
+<message><source>click one end of a</source><translation>clique em uma extremidade de a</translation></message>
+<message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
+<message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
+<message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
+<message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
+<message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
+<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
+<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
+<message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
+<message><source>Range Gate</source><translation>Janela de distância</translation></message>
+<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
+<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
+<message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
+<message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
+<message><source>Select</source><translation>Selecionar</translation></message>
+<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
+<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
+<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
+<message><source>Hide</source><translation>Ocultar</translation></message>
+<message><source>Isolate</source><translation>Isolar</translation></message>
+<message><source>Show All</source><translation>Mostrar tudo</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
+<message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
+<message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
+<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
+<message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
+<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar a seleção</translation></message>
+<message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
+<message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
+<message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
+<message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
+<message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
+<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
+<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
+<message><source>Pin %1</source><translation>Fixar %1</translation></message>
+<message><source>Move %1</source><translation>Mover %1</translation></message>
+<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
+<message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
+<message><source>Name %1</source><translation>Nomear %1</translation></message>
+<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
+<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
+<message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
+<message><source>locked</source><translation>bloqueado</translation></message>
+<message><source>Pinned %1</source><translation>Fixado %1</translation></message>
+<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
@@ -319,6 +287,148 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
+<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falhou (%2); feche outros programas ou use uma varredura menor.</translation></message>
+<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as bordas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>Opening %1</source><translation>Abrindo %1</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
+<message><source>Saving %1</source><translation>Salvando %1</translation></message>
+<message><source>writing</source><translation>escrevendo</translation></message>
+<message><source>Menu</source><translation>Menu</translation></message>
+<message><source>Connect</source><translation>Conectar</translation></message>
+<message><source>Cancel</source><translation>Cancelar</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
+<message><source>Previous target</source><translation>Alvo anterior</translation></message>
+<message><source>Next target</source><translation>Alvo seguinte</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>Distance</source><translation>Distância</translation></message>
+<message><source>No target</source><translation>Nenhum alvo</translation></message>
+<message><source>less: %1</source><translation>menos: %1</translation></message>
+<message><source>more: %1</source><translation>mais: %1</translation></message>
+<message><source>+ gained</source><translation>+ ganhas</translation></message>
+<message><source>− lost</source><translation>− perdidas</translation></message>
+<message><source>kept</source><translation>mantidas</translation></message>
+<message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
+<message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
+<message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
+<message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
+<message><source>comparing …</source><translation>comparando …</translation></message>
+<message><source>nothing to compare with yet:
+turn a setting, or open another scan</source><translation>nada ainda para comparar:
+mude um ajuste ou abra outra varredura</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
+<message><source>half of the cells differ by less than %1 mm
+a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
+uma mudança é maior que %2 mm a 5 m</translation></message>
+<message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
+<message><source>A: %1
+hold \ to see it</source><translation>A: %1
+segure \ para vê-la</translation></message>
+<message><source>at all of them</source><translation>com todos</translation></message>
+<message><source>below %1 %</source><translation>menos de %1 %</translation></message>
+<message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
+<message><source>Confidence of edges</source><translation>Confiança das bordas</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>As bordas que menos ajustes próximos encontram são omitidas nas vistas; as exportações contêm todas.</translation></message>
+<message><source>Least confidence shown</source><translation>Confiança mínima mostrada</translation></message>
+<message><source>Shown: %1 % and more</source><translation>Mostrado: %1 % e mais</translation></message>
+<message><source>Shown: all</source><translation>Mostrado: tudo</translation></message>
+<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
+<message><source>found too by how many of %1 nearby settings</source><translation>quantos de %1 ajustes próximos também as encontram</translation></message>
+<message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
+<message><source>Calibrate the Assembly</source><translation>Calibrar a montagem</translation></message>
+<message><source>&amp;Save As…</source><translation>&amp;Salvar como…</translation></message>
+<message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a esta varredura</translation></message>
+<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
+<message><source>Scans of one assembly:</source><translation>Varreduras de uma montagem:</translation></message>
+<message><source>A&amp;dd Scans…</source><translation>A&amp;dicionar varreduras…</translation></message>
+<message><source>&amp;Remove</source><translation>&amp;Remover</translation></message>
+<message><source>Robot's &amp;File…</source><translation>Ar&amp;quivo do robô…</translation></message>
+<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
+<message><source>error of the assembly</source><translation>erro da montagem</translation></message>
+<message><source>value</source><translation>valor</translation></message>
+<message><source>± 2 sd</source><translation>± 2 desvios</translation></message>
+<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Arquivo do robô: nenhum; o novo arquivo contém só o motor.</translation></message>
+<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
+<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
+<message><source>working …</source><translation>trabalhando …</translation></message>
+<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
+<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
+<message><source>Commands</source><translation>Comandos</translation></message>
+<message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
+<message><source>Values of %1</source><translation>Valores de %1</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
+<message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
+<message><source>● now</source><translation>● atual</translation></message>
+<message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
+<message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
+<message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
+<message><source>What</source><translation>Conteúdo</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Coordinates</source><translation>Coordenadas</translation></message>
+<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
+<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
+<message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
+<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
+<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
+<message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
+<message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
+<message><source>doubtful</source><translation>duvidoso</translation></message>
+<message><source>found out</source><translation>deduzido</translation></message>
+<message><source>as you said</source><translation>como indicado</translation></message>
+<message><source>as the file says</source><translation>segundo o arquivo</translation></message>
+<message><source>Does This Look Right?</source><translation>Parece correto?</translation></message>
+<message><source>&amp;Close</source><translation>&amp;Fechar</translation></message>
+<message><source>&amp;Adopt</source><translation>&amp;Adotar</translation></message>
+<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Um clique em outra leitura mostra assim o scan; Adotar a mantém como um passo que se pode desfazer, Fechar traz de volta o que havia.</translation></message>
+<message><source>or</source><translation>ou</translation></message>
+<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada em sua leitura poderia ser de outro modo.</translation></message>
+<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
+<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
+<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
+<message><source>Range gate</source><translation>Janela de distância</translation></message>
+<message><source>Draw cells from</source><translation>Desenhar células de</translation></message>
+<message><source>to</source><translation>até</translation></message>
+<message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas as outras são ocultadas em todas as vistas. Bordas, contagens e exportações ficam como estão.</translation></message>
+<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
+<message><source>Read Again</source><translation>Ler de novo</translation></message>
+<message><source>as in the file</source><translation>como no arquivo</translation></message>
+<message><source>Choose…</source><translation>Escolher…</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
+<message><source>Keys</source><translation>Teclas</translation></message>
+<message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
+<message><source>Scan</source><translation>Varredura</translation></message>
+<message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
+<message><source>&amp;No Key</source><translation>&amp;Nenhuma tecla</translation></message>
+<message><source>&amp;Reset</source><translation>&amp;Repor</translation></message>
+<message><source>Change Keys</source><translation>Alterar teclas</translation></message>
+<message><source>A few letters of a command, or a key</source><translation>Algumas letras de um comando, ou uma tecla</translation></message>
+<message><source>Command</source><translation>Comando</translation></message>
+<message><source>Key</source><translation>Tecla</translation></message>
+<message><source>Reset &amp;All</source><translation>Repor &amp;tudo</translation></message>
+<message><source>Press the new key:</source><translation>Pressione a nova tecla:</translation></message>
+<message><source>%1 has no key now.</source><translation>%1 não tem mais tecla.</translation></message>
+<message><source>%1 has the key that it came with.</source><translation>%1 tem de novo a tecla original.</translation></message>
+<message><source>Every command has the key that it came with.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
+<message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
+<message><source>along the line</source><translation>ao longo da linha</translation></message>
+<message><source>across the lines</source><translation>através das linhas</translation></message>
+<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
+<message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
+<message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
+<message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
+<message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
+<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
+<message><source>cancel and let go</source><translation>cancelar e soltar</translation></message>
+<message><source>to the next field</source><translation>para o campo seguinte</translation></message>
+<message><source>to the field before</source><translation>para o campo anterior</translation></message>
+<message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
+<message><source>the cell cursor</source><translation>o cursor de células</translation></message>
+<message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
@@ -354,6 +464,248 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>at least %1</source><translation>pelo menos %1</translation></message>
+<message><source>something that is no rock</source><translation>algo que não é uma rocha</translation></message>
+<message><source>none seen</source><translation>nada à vista</translation></message>
+<message><source>, hangs below</source><translation>, pende por baixo</translation></message>
+<message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
+<message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
+<message><source>outside the region of interest</source><translation>fora da região de interesse</translation></message>
+<message><source>called none by hand</source><translation>classificado à mão como não rocha</translation></message>
+<message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
+<message><source>Split</source><translation>Dividir</translation></message>
+<message><source>Merge</source><translation>Mesclar</translation></message>
+<message><source>No Rock</source><translation>Não é rocha</translation></message>
+<message><source>Let go of this rock</source><translation>Soltar esta rocha</translation></message>
+<message><source>. Hidden parts are not counted.</source><translation>. As partes ocultas não são contadas.</translation></message>
+<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
+<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
+<message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
+<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno duvidoso: hachurado</translation></message>
+<message><source>called a rock by hand</source><translation>classificado à mão como rocha</translation></message>
+<message><source>A Rock</source><translation>É rocha</translation></message>
+<message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
+<message><source>This is a rock after all (N)</source><translation>É uma rocha, sim (N)</translation></message>
+<message><source>Rock %1</source><translation>Rocha %1</translation></message>
+<message><source>visible spans</source><translation>extensões visíveis</translation></message>
+<message><source>distance</source><translation>distância</translation></message>
+<message><source>visible area</source><translation>área visível</translation></message>
+<message><source>%1 m²</source><translation>%1 m²</translation></message>
+<message><source>in front</source><translation>na frente</translation></message>
+<message><source>%1 % of its outline</source><translation>%1 % do seu contorno</translation></message>
+<message><source>behind rocks</source><translation>atrás das rochas</translation></message>
+<message><source>visible contacts</source><translation>contatos visíveis</translation></message>
+<message><source>free height below</source><translation>altura livre abaixo</translation></message>
+<message><source>arch angle</source><translation>ângulo do arco</translation></message>
+<message><source>confidence p</source><translation>confiança p</translation></message>
+<message><source>No rock</source><translation>Não é rocha</translation></message>
+<message><source>because</source><translation>porque</translation></message>
+<message><source>cells</source><translation>células</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
+<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno duvidoso</translation></message>
+<message><source>no doubtful ones</source><translation>sem as duvidosas</translation></message>
+<message><source>Export…</source><translation>Exportar…</translation></message>
+<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
+<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com p menor que 0.85, que estão hachuradas, ficam fora da tabela</translation></message>
+<message><source>b at least</source><translation>b pelo menos</translation></message>
+<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
+<message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
+<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
+<message><source>a visible [m]</source><translation>a visível [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Maior extensão visível transversal à linha de visada</translation></message>
+<message><source>b visible [m]</source><translation>b visível [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Menor extensão visível transversal à linha de visada</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
+<message><source>distance [m]</source><translation>distância [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>A partir do scanner: mediana das suas distâncias</translation></message>
+<message><source>area [m²]</source><translation>área [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Área visível transversal aos feixes</translation></message>
+<message><source>in front [%]</source><translation>na frente [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Parte do seu contorno onde ela é o lado mais próximo</translation></message>
+<message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
+<message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
+<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
+<message><source>fine</source><translation>fino</translation></message>
+<message><source>coarse</source><translation>grosso</translation></message>
+<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rochas, %2 hachuradas (p &lt; 0.85); %3 regiões de finos</translation></message>
+<message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
+<message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
+<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
+<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem: P20 %1, P50 %2, P80 %3, o maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>Size curve</source><translation>Curva granulométrica</translation></message>
+<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
+<message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
+<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
+<message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
+<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; só se enviam leituras e uma assinatura</translation></message>
+<message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
+<message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
+<message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
+<message><source>Recent</source><translation>Recentes</translation></message>
+<message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
+<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
+<message><source>Cab mode</source><translation>Modo cabine</translation></message>
+<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
+<message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
+<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
+<message><source>was %1</source><translation>antes: %1</translation></message>
+<message><source>Why</source><translation>Por quê</translation></message>
+<message><source>Target</source><translation>Alvo</translation></message>
+<message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
+<message><source>Lock</source><translation>Bloquear</translation></message>
+<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc e Soltar tudo o deixam onde está</translation></message>
+<message><source>Let go of this target</source><translation>Soltar este alvo</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe; o que o scanner mede mal em toda parte não está incluído</translation></message>
+<message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
+<message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
+<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
+<message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
+<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
+<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
+<message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
+<message><source>none here</source><translation>nenhuma aqui</translation></message>
+<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
+<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensões do que se vê dela; as partes ocultas não são contadas</translation></message>
+<message><source>Resolves</source><translation>Resolução</translation></message>
+<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
+<message><source>Surface</source><translation>Superfície</translation></message>
+<message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
+<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 do feixe</translation></message>
+<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
+<message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
+<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Do plano em relação ao horizonte, e no sentido horário a partir do norte da quadrícula, para onde ele cai</translation></message>
+<message><source>From the boom</source><translation>Ao braço</translation></message>
+<message><source>%1 · surface %2° off square</source><translation>%1 · superfície a %2° da perpendicular</translation></message>
+<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Até a reta do pivô do braço à cabeça, onde estavam na medição; 0°: o braço aponta de frente para a superfície</translation></message>
+<message><source>Cell</source><translation>Célula</translation></message>
+<message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
+<message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
+<message><source>none</source><translation>nenhuma</translation></message>
+<message><source>yes</source><translation>sim</translation></message>
+<message><source>, strength %1</source><translation>, força %1</translation></message>
+<message><source>Edge</source><translation>Borda</translation></message>
+<message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
+<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
+<message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
+<message><source>± not known</source><translation>± desconhecido</translation></message>
+<message><source>from</source><translation>a partir de</translation></message>
+<message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
+<message><source>Picture</source><translation>Imagem</translation></message>
+<message><source>Confidence</source><translation>Confiança</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
+<message><source>Measured</source><translation>Medições</translation></message>
+<message><source>Remove</source><translation>Remover</translation></message>
+<message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
+<message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
+<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
+<message><source>number of edges: not known yet</source><translation>número de bordas: ainda desconhecido</translation></message>
+<message><source>%1 edges</source><translation>%1 bordas</translation></message>
+<message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
+<message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
+<message><source>Edges</source><translation>Bordas</translation></message>
+<message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
+<message><source>Colours by class</source><translation>Cores por classe</translation></message>
+<message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
+<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
+<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
+<message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
+<message><source>auto</source><translation>auto</translation></message>
+<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>Advanced</source><translation>Avançado</translation></message>
+<message><source>Open…</source><translation>Abrir…</translation></message>
+<message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
+<message><source>Save…</source><translation>Salvar…</translation></message>
+<message><source>Save these settings as a preset file</source><translation>Salvar estes ajustes como arquivo de predefinição</translation></message>
+<message><source>Preset</source><translation>Predefinição</translation></message>
+<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Os degraus de profundidade que atingem os limiares, calculados a partir dos kernels: o número menor para um degrau em diagonal, o maior para um ao longo de linhas ou feixes. No campo acima pode-se digitar uma profundidade como 0.5 m; com níveis de cinza logarítmicos ela é tomada à distância dada aqui, e uma proporção como 5 % vale a qualquer distância.</translation></message>
+<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: o limiar superior é 3 vezes o inferior, como na tese. Clique para abrir o bloqueio.</translation></message>
+<message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
+<message><source>Unlocked</source><translation>Desbloqueado</translation></message>
+<message><source>Strong from  %1 % of range</source><translation>Forte a partir de  %1 % da distância</translation></message>
+<message><source>Upper threshold  %1</source><translation>Limiar superior  %1</translation></message>
+<message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
+<message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>computing …</source><translation>calculando …</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
+<message><source>
+%1 to %2 %3</source><translation>
+%1 a %2 %3</translation></message>
+<message><source>
+Double-click: back to the preset</source><translation>
+Clique duplo: voltar à predefinição</translation></message>
+<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
+<message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
+<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
+<message><source>Ranges</source><translation>Distâncias</translation></message>
+<message><source>Auto</source><translation>Auto</translation></message>
+<message><source>Black and white as the method scales the ranges</source><translation>Preto e branco segundo a escala de distâncias do método</translation></message>
+<message><source>The window stays as it is when another scan is opened</source><translation>A janela fica como está quando outra varredura é aberta</translation></message>
+<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
+<message><source>automatic: %1</source><translation>automático: %1</translation></message>
+<message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
+<message><source>range %1 m</source><translation>distância %1 m</translation></message>
+<message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
+<message><source>no return</source><translation>sem retorno</translation></message>
+<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
+<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
+<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>EDGE</source><translation>BORDA</translation></message>
+<message><source>not an edge</source><translation>não é uma borda</translation></message>
+<message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
+<message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
+<message><source>  gray %1</source><translation>  cinza %1</translation></message>
+<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
+<message><source>scanner frame</source><translation>sistema do scanner</translation></message>
+<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
+<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
+<message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
+<message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
+<message><source>time not known</source><translation>hora desconhecida</translation></message>
+<message><source>measured %1</source><translation>medido %1</translation></message>
+<message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
+<message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
+<message><source>%1 points</source><translation>%1 pontos</translation></message>
+<message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
+<message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
+<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
+<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
+<message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
+<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
+<message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
+<message><source>
+Ctrl+D restores the default settings.</source><translation>
+Ctrl+D restaura os ajustes padrão.</translation></message>
+<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>1 warning</source><translation>1 aviso</translation></message>
+<message><source>%1 warnings</source><translation>%1 avisos</translation></message>
+<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Mostra os avisos desta varredura e os marca como vistos; eles permanecem, e constam nos registros e nas capturas de tela</translation></message>
+<message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
+<message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
+<message><source>grid %1</source><translation>grade %1</translation></message>
+<message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
+<message><source>Range [m]</source><translation>Distância [m]</translation></message>
+<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
+<message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
+<message><source>Line</source><translation>Linha</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
 <message><source>No scan</source><translation>Nenhum scan</translation></message>
@@ -361,10 +713,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
-<message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Fit</source><translation>Ajustar</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
@@ -374,13 +724,10 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
-<message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
-<message><source>Surface</source><translation>Superfície</translation></message>
-<message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
@@ -395,7 +742,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
-<message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
@@ -406,6 +752,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
+<message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
@@ -414,12 +761,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar ao scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recarre&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>
-<message><source>&amp;Edge Cloud…</source><translation>Nuvem de &amp;bordas…</translation></message>
-<message><source>&amp;Full Cloud…</source><translation>Nuvem &amp;completa…</translation></message>
-<message><source>Edge &amp;Image…</source><translation>&amp;Imagem de bordas…</translation></message>
-<message><source>&amp;Gray Image…</source><translation>Imagem em &amp;tons de cinza…</translation></message>
-<message><source>&amp;Range Image…</source><translation>Imagem de &amp;distâncias…</translation></message>
-<message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Re&amp;port…</source><translation>Re&amp;latório…</translation></message>
 <message><source>&amp;Screenshot…</source><translation>Captura de &amp;tela…</translation></message>
 <message><source>&amp;Copy as Command</source><translation>Copiar como co&amp;mando</translation></message>
@@ -518,8 +859,6 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
 <message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
-<message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
-<message><source>&amp;Hide Selected</source><translation>&amp;Ocultar a seleção</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
 <message><source>&amp;Range Gate…</source><translation>&amp;Janela de distância…</translation></message>
@@ -527,18 +866,14 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Hide Nearer than This Cell</source><translation>Ocultar o que está mais perto que esta célula</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
-<message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>line %1</source><translation>linha %1</translation></message>
-<message><source>%1 edges</source><translation>%1 bordas</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 de %2 bordas</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
-<message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
 <message><source>growing</source><translation>a crescer</translation></message>
 <message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
@@ -550,366 +885,15 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>Where is the scan now?</source><translation>Onde está o scan agora?</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
-<message><source>Select</source><translation>Selecionar</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
-<message><source>number of edges: not known yet</source><translation>número de bordas: ainda desconhecido</translation></message>
-<message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
-<message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
-<message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
-<message><source>Colours by class</source><translation>Cores por classe</translation></message>
-<message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
-<message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
-<message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
-<message><source>auto</source><translation>auto</translation></message>
-<message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
-<message><source>Advanced</source><translation>Avançado</translation></message>
-<message><source>Open…</source><translation>Abrir…</translation></message>
-<message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
-<message><source>Save…</source><translation>Salvar…</translation></message>
-<message><source>Save these settings as a preset file</source><translation>Salvar estes ajustes como arquivo de predefinição</translation></message>
-<message><source>Preset</source><translation>Predefinição</translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Os degraus de profundidade que atingem os limiares, calculados a partir dos kernels: o número menor para um degrau em diagonal, o maior para um ao longo de linhas ou feixes. No campo acima pode-se digitar uma profundidade como 0.5 m; com níveis de cinza logarítmicos ela é tomada à distância dada aqui, e uma proporção como 5 % vale a qualquer distância.</translation></message>
-<message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: o limiar superior é 3 vezes o inferior, como na tese. Clique para abrir o bloqueio.</translation></message>
-<message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
-<message><source>Unlocked</source><translation>Desbloqueado</translation></message>
-<message><source>Strong from  %1 % of range</source><translation>Forte a partir de  %1 % da distância</translation></message>
-<message><source>Upper threshold  %1</source><translation>Limiar superior  %1</translation></message>
-<message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
-<message><source>• modified</source><translation>• modificado</translation></message>
-<message><source>computing …</source><translation>calculando …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
-<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
-<message><source>
-%1 to %2 %3</source><translation>
-%1 a %2 %3</translation></message>
-<message><source>
-Double-click: back to the preset</source><translation>
-Clique duplo: voltar à predefinição</translation></message>
-<message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
-<message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
-<message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
-<message><source>Ranges</source><translation>Distâncias</translation></message>
-<message><source>Auto</source><translation>Auto</translation></message>
-<message><source>Black and white as the method scales the ranges</source><translation>Preto e branco segundo a escala de distâncias do método</translation></message>
-<message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>The window stays as it is when another scan is opened</source><translation>A janela fica como está quando outra varredura é aberta</translation></message>
-<message><source>automatic: %1</source><translation>automático: %1</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
-<message><source>range %1 m</source><translation>distância %1 m</translation></message>
-<message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
-<message><source>no return</source><translation>sem retorno</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
-<message><source>EDGE</source><translation>BORDA</translation></message>
-<message><source>not an edge</source><translation>não é uma borda</translation></message>
-<message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
-<message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
-<message><source>  gray %1</source><translation>  cinza %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>scanner frame</source><translation>sistema do scanner</translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
-<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
-<message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
-<message><source>time not known</source><translation>hora desconhecida</translation></message>
-<message><source>measured %1</source><translation>medido %1</translation></message>
-<message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
-<message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
-<message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
-<message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
-<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
-<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
-<message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
-<message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
-<message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
-<message><source>
-Ctrl+D restores the default settings.</source><translation>
-Ctrl+D restaura os ajustes padrão.</translation></message>
-<message><source>%1 ms</source><translation>%1 ms</translation></message>
-<message><source>1 warning</source><translation>1 aviso</translation></message>
-<message><source>%1 warnings</source><translation>%1 avisos</translation></message>
-<message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Mostra os avisos desta varredura e os marca como vistos; eles permanecem, e constam nos registros e nas capturas de tela</translation></message>
-<message><source>region of interest</source><translation>região de interesse</translation></message>
-<message><source>Open Session</source><translation>Abrir a sessão</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
-<message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
-<message><source>call of a rock</source><translation>classificação como rocha</translation></message>
-<message><source>call of no rock</source><translation>classificação como não rocha</translation></message>
-<message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
-<message><source>Report with settings and edits</source><translation>Relatório com ajustes e edições</translation></message>
-<message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>
-<message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
-<message><source>Outlines in the picture</source><translation>Contornos na imagem</translation></message>
-<message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
-<message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
-<message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
-<message><source>%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.</source><translation>%1 não foi escrito: dê a ele uma das extensões csv, json, png, dxf, geojson, ply, obj.</translation></message>
-<message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
-<message><source>a click splits it off</source><translation>um clique o separa</translation></message>
-<message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
-<message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
-<message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
-<message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
-<message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
-<message><source>being worked out …</source><translation>em cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
-<message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
-<message><source>at least %1</source><translation>pelo menos %1</translation></message>
-<message><source>something that is no rock</source><translation>algo que não é uma rocha</translation></message>
-<message><source>none seen</source><translation>nada à vista</translation></message>
-<message><source>, hangs below</source><translation>, pende por baixo</translation></message>
-<message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
-<message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
-<message><source>outside the region of interest</source><translation>fora da região de interesse</translation></message>
-<message><source>called none by hand</source><translation>classificado à mão como não rocha</translation></message>
-<message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
-<message><source>Split</source><translation>Dividir</translation></message>
-<message><source>Merge</source><translation>Mesclar</translation></message>
-<message><source>No Rock</source><translation>Não é rocha</translation></message>
-<message><source>Let go of this rock</source><translation>Soltar esta rocha</translation></message>
-<message><source>. Hidden parts are not counted.</source><translation>. As partes ocultas não são contadas.</translation></message>
-<message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
-<message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
-<message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno duvidoso: hachurado</translation></message>
-<message><source>called a rock by hand</source><translation>classificado à mão como rocha</translation></message>
-<message><source>A Rock</source><translation>É rocha</translation></message>
-<message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
-<message><source>This is a rock after all (N)</source><translation>É uma rocha, sim (N)</translation></message>
-<message><source>Rock %1</source><translation>Rocha %1</translation></message>
-<message><source>visible spans</source><translation>extensões visíveis</translation></message>
-<message><source>distance</source><translation>distância</translation></message>
-<message><source>visible area</source><translation>área visível</translation></message>
-<message><source>%1 m²</source><translation>%1 m²</translation></message>
-<message><source>in front</source><translation>na frente</translation></message>
-<message><source>%1 % of its outline</source><translation>%1 % do seu contorno</translation></message>
-<message><source>behind rocks</source><translation>atrás das rochas</translation></message>
-<message><source>visible contacts</source><translation>contatos visíveis</translation></message>
-<message><source>free height below</source><translation>altura livre abaixo</translation></message>
-<message><source>arch angle</source><translation>ângulo do arco</translation></message>
-<message><source>confidence p</source><translation>confiança p</translation></message>
-<message><source>No rock</source><translation>Não é rocha</translation></message>
-<message><source>because</source><translation>porque</translation></message>
-<message><source>cells</source><translation>células</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
-<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno duvidoso</translation></message>
-<message><source>no doubtful ones</source><translation>sem as duvidosas</translation></message>
-<message><source>Export…</source><translation>Exportar…</translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com p menor que 0.85, que estão hachuradas, ficam fora da tabela</translation></message>
-<message><source>b at least</source><translation>b pelo menos</translation></message>
-<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
-<message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
-<message><source>Rock</source><translation>Rocha</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
-<message><source>a visible [m]</source><translation>a visível [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Maior extensão visível transversal à linha de visada</translation></message>
-<message><source>b visible [m]</source><translation>b visível [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Menor extensão visível transversal à linha de visada</translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
-<message><source>distance [m]</source><translation>distância [m]</translation></message>
-<message><source>From the scanner: median of its ranges</source><translation>A partir do scanner: mediana das suas distâncias</translation></message>
-<message><source>area [m²]</source><translation>área [m²]</translation></message>
-<message><source>Visible area across the beams</source><translation>Área visível transversal aos feixes</translation></message>
-<message><source>in front [%]</source><translation>na frente [%]</translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation>Parte do seu contorno onde ela é o lado mais próximo</translation></message>
-<message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
-<message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
-<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
-<message><source>p</source><translation>p</translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
-<message><source>fine</source><translation>fino</translation></message>
-<message><source>coarse</source><translation>grosso</translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rochas, %2 hachuradas (p &lt; 0.85); %3 regiões de finos</translation></message>
-<message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
-<message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
-<message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem: P20 %1, P50 %2, P80 %3, o maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
-<message><source>Size curve</source><translation>Curva granulométrica</translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
-<message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
-<message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falhou (%2); feche outros programas ou use uma varredura menor.</translation></message>
-<message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as bordas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>Opening %1</source><translation>Abrindo %1</translation></message>
-<message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
-<message><source>Saving %1</source><translation>Salvando %1</translation></message>
-<message><source>writing</source><translation>escrevendo</translation></message>
-<message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
-<message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
-<message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
-<message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
-<message><source>Save session</source><translation>Salvar sessão</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
-<message><source>Open session</source><translation>Abrir sessão</translation></message>
-<message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
-<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: o scan desta sessão não está lá: foi movido, ou o disco não está aqui. Ajustes e vista voltaram; o resto vem com o scan.</translation></message>
-<message><source>Locate…</source><translation>Localizar…</translation></message>
-<message><source>The session %1 stays as it was: this is another scan.</source><translation>A sessão %1 fica como estava: este é outro scan.</translation></message>
-<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é o scan desta sessão: o conteúdo é outro. Ajustes e vista voltaram; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
-<message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
-<message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
-<message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
-<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
-<message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
-<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; só se enviam leituras e uma assinatura</translation></message>
-<message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
-<message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
-<message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
-<message><source>Recent</source><translation>Recentes</translation></message>
-<message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
-<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
-<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
-<message><source>Cab mode</source><translation>Modo cabine</translation></message>
-<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
-<message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
-<message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
-<message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
-<message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
-<message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
-<message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de não borda</translation></message>
-<message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
-<message><source>✓ edge</source><translation>✓ borda</translation></message>
-<message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
-<message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
-<message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
-<message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
-<message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
-<message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
-<message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
-<message><source>click the higher cell</source><translation>clique na célula mais alta</translation></message>
-<message><source>click the end of one side</source><translation>clique na extremidade de um lado</translation></message>
-<message><source>click where the sides meet</source><translation>clique onde os lados se encontram</translation></message>
-<message><source>click the end of the other side</source><translation>clique na extremidade do outro lado</translation></message>
-<message><source>click one end of a</source><translation>clique em uma extremidade de a</translation></message>
-<message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
-<message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
-<message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
-<message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
-<message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
-<message><source>Range Gate</source><translation>Janela de distância</translation></message>
-<message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
-<message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
-<message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
-<message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
-<message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
-<message><source>Hide</source><translation>Ocultar</translation></message>
-<message><source>Isolate</source><translation>Isolar</translation></message>
-<message><source>Show All</source><translation>Mostrar tudo</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
-<message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
-<message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
-<message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
-<message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
-<message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
-<message><source>Pin %1</source><translation>Fixar %1</translation></message>
-<message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
-<message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
-<message><source>Name %1</source><translation>Nomear %1</translation></message>
-<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
-<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
-<message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
-<message><source>locked</source><translation>bloqueado</translation></message>
-<message><source>Pinned %1</source><translation>Fixado %1</translation></message>
-<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
-<message><source>was %1</source><translation>antes: %1</translation></message>
-<message><source>Target</source><translation>Alvo</translation></message>
-<message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc e Soltar tudo o deixam onde está</translation></message>
-<message><source>Let go of this target</source><translation>Soltar este alvo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe; o que o scanner mede mal em toda parte não está incluído</translation></message>
-<message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
-<message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
-<message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
-<message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
-<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
-<message><source>none here</source><translation>nenhuma aqui</translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensões do que se vê dela; as partes ocultas não são contadas</translation></message>
-<message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
-<message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
-<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 do feixe</translation></message>
-<message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
-<message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
-<message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Do plano em relação ao horizonte, e no sentido horário a partir do norte da quadrícula, para onde ele cai</translation></message>
-<message><source>From the boom</source><translation>Ao braço</translation></message>
-<message><source>%1 · surface %2° off square</source><translation>%1 · superfície a %2° da perpendicular</translation></message>
-<message><source>To the straight line from the boom's pivot to the head, where they were when this was measured; 0° off square: the boom points straight at the surface</source><translation>Até a reta do pivô do braço à cabeça, onde estavam na medição; 0°: o braço aponta de frente para a superfície</translation></message>
-<message><source>Cell</source><translation>Célula</translation></message>
-<message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
-<message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
-<message><source>none</source><translation>nenhuma</translation></message>
-<message><source>yes</source><translation>sim</translation></message>
-<message><source>, strength %1</source><translation>, força %1</translation></message>
-<message><source>Edge</source><translation>Borda</translation></message>
-<message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
-<message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
-<message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
-<message><source>± not known</source><translation>± desconhecido</translation></message>
-<message><source>from</source><translation>a partir de</translation></message>
-<message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
-<message><source>Picture</source><translation>Imagem</translation></message>
-<message><source>Confidence</source><translation>Confiança</translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Measured</source><translation>Medições</translation></message>
-<message><source>Remove</source><translation>Remover</translation></message>
-<message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
-<message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
 <message><source>Edge strength</source><translation>Força da borda</translation></message>
@@ -1032,6 +1016,22 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>
 <message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY e CSV: também as células preenchidas e não medidas, que o campo filled_sd_mm marca</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY e CSV: o campo confidence, que porcentagem de ajustes próximos também encontra a borda; 0 onde não há</translation></message>
+<message><source>&amp;Edge Cloud…</source><translation>Nuvem de &amp;bordas…</translation></message>
+<message><source>Edge points (%1)</source><translation>Pontos de borda (%1)</translation></message>
+<message><source>&amp;Full Cloud…</source><translation>Nuvem &amp;completa…</translation></message>
+<message><source>All points, with a field for edges (%1)</source><translation>Todos os pontos, com um campo para as bordas (%1)</translation></message>
+<message><source>Edge &amp;Image…</source><translation>&amp;Imagem de bordas…</translation></message>
+<message><source>Edge map as a picture, %1</source><translation>Mapa de bordas como imagem, %1</translation></message>
+<message><source>&amp;Gray Image…</source><translation>Imagem em &amp;tons de cinza…</translation></message>
+<message><source>Gray image, %1</source><translation>Imagem em tons de cinza, %1</translation></message>
+<message><source>&amp;Range Image…</source><translation>Imagem de &amp;distâncias…</translation></message>
+<message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distâncias em milímetros como imagem de 16 bits, %1</translation></message>
+<message><source>Report with settings and edits</source><translation>Relatório com ajustes e edições</translation></message>
+<message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
+<message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>
+<message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
+<message><source>Outlines in the picture</source><translation>Contornos na imagem</translation></message>
+<message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>

@@ -1,6 +1,6 @@
-// What the methods cost beside each other, as ratios measured in one run: docs/performance.md is made of it.
-// edgescan-bench [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]
-// --short: a million cells, processor time alone; ends with 1 when a ratio falls under three quarters of what is held.
+// The cost of the methods relative to each other, as ratios measured in one run: the source of docs/performance.md. edgescan-bench
+// [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers] --short: a million cells, processor time only; exits
+// with 1 if a ratio falls below three quarters of its goal.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
@@ -36,7 +36,7 @@ struct Wanted {
     std::string previous;
 };
 
-// One row of the table. `held`: what is reached so far where that is less than `atLeast`.
+// One row of the table. `held`: the ratio reached so far, where it is less than `atLeast`.
 struct Goal {
     const char* what;
     double atLeast, aim;
@@ -66,7 +66,7 @@ const Goal& openCvGoal(const std::string& name) {
     return kOpenCvAny;
 }
 
-// Prints rows and remembers whether all were held.
+// Prints rows and remembers whether all goals were reached.
 class Table {
 public:
     void begin(const char* title) const { std::printf("\n## %s\n\n| ratio | measured | at least | aim |\n|---|---|---|---|\n", title); }
@@ -82,7 +82,7 @@ private:
     bool held_ = true;
 };
 
-// A sweep of scale^2 million cells: the bell and its mirror images side by side, so that no seam is an edge.
+// A sweep of scale^2 million cells: the bell and its mirror images next to each other, so that a seam is never an edge.
 Scan enlarged(const Scan& scan, int scale) {
     if (scale == 1) return scan;
     const auto folded = [](int i, int n) { return (i / n) % 2 == 0 ? i % n : n - 1 - i % n; };
@@ -108,7 +108,7 @@ Scan enlarged(const Scan& scan, int scale) {
 }
 
 void runPlus(const Scan& scan, int threads) {
-    const edges::DepthEdgeSettings settings;
+    const edges::Settings settings;
     const edges::DepthEdges found = edges::decideDepthEdges(
         edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
     (void)edges::edgeCells(found.mask);
@@ -124,7 +124,7 @@ Grid<std::uint8_t> edgeMapBy(const edges::GrayLoops& loops, const Scan& scan, co
     return edges::cannyBy(loops, edges::smoothBy(loops, levels, thesis), thesis);
 }
 
-// As few lines of OpenCV as the thesis's recipe takes.
+// The thesis's recipe in as few lines of OpenCV as possible.
 cv::Mat plainOpenCv(const Scan& scan, const edges::Settings& thesis) {
     const cv::Mat ranges(scan.lines(), scan.beams(), CV_32F, const_cast<float*>(scan.rangeMm.cells.data()));
     double least = 0, most = 0;
@@ -142,7 +142,7 @@ cv::Mat cvCanny(const Grid<std::uint8_t>& blurred, const edges::Settings& thesis
     return edges;
 }
 
-// The valid cells: index, place and label of each. The memory is not cleared before it is written.
+// The valid cells: index, position and label of each. The memory is not cleared before it is written.
 struct LabelledCloud {
     std::size_t points = 0;
     std::unique_ptr<std::uint32_t[]> index;
@@ -154,7 +154,7 @@ struct LabelledCloud {
 };
 constexpr int kAtOnce = 16; // cells
 
-// Adds a line's valid cells, many at once where all of them are.
+// Adds a line's valid cells; many at once if all of them are valid.
 void addLine(LabelledCloud& cloud, const std::vector<float>& xyz, const CellState* states, const std::uint8_t* labels, int beams,
              std::uint32_t first) {
     const float *const x = xyz.data(), *const y = x + beams, *const z = y + beams;
@@ -191,7 +191,7 @@ void addLine(LabelledCloud& cloud, const std::vector<float>& xyz, const CellStat
 LabelledCloud labelledCloud(const Scan& scan, const edges::Settings& thesis) {
     const Grid<std::uint8_t> mask = thesisMask(scan, thesis);
     const CartesianTables tables(scan);
-    LabelledCloud cloud(scan.cells() + 1); // a cell that does not count is written behind the last
+    LabelledCloud cloud(scan.cells() + 1); // cells that are not valid are written behind the last entry
     const auto beams = static_cast<std::size_t>(scan.beams());
     std::vector<float> xyz(3 * beams);
     for (int i = 0; i < scan.lines(); ++i) {
@@ -201,7 +201,7 @@ LabelledCloud labelledCloud(const Scan& scan, const edges::Settings& thesis) {
     return cloud;
 }
 
-// Bytes that one thread copies in a millisecond, read and written ones together.
+// Bytes that one thread copies per millisecond: bytes read plus bytes written.
 double bytesPerMs() {
     std::vector<char> from(std::size_t{128} << 20U, 1), to(from.size());
     std::vector<Candidate> copy{{"copy", [&] { std::memcpy(to.data(), from.data(), from.size()); }}};
@@ -209,10 +209,10 @@ double bytesPerMs() {
     return 2.0 * static_cast<double>(from.size()) / medianOf(copy[0].cpuMs);
 }
 
-// Full runs, sliders and the gray path at one size.
+// Measures full runs, sliders and the gray path at one size.
 void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     const edges::Settings thesis = edges::findPreset("thesis")->settings;
-    const edges::DepthEdgeSettings plus;
+    const edges::Settings plus;
     const edges::DepthSurface surface = edges::depthSurface(scan, true);
     const edges::DepthResponses responses = edges::depthResponses(surface, plus);
     const Grid<std::uint8_t> blurred = edges::smooth(edges::grayImage(scan, thesis).levels, thesis);
@@ -242,7 +242,7 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     const std::string title = std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams";
     table.begin(title.c_str());
     table.row(kPlusToThesis, cpu(kOneThread) / cpu(kPlain));
-    if (walls) { // what else the machine does would fall into wall times
+    if (walls) { // other processes on the machine would disturb wall times
         table.row(kPlusWallToThesis, wall(kTwo) / wall(kPlain));
         table.row(kTwoThreads, wall(kOneThread) / wall(kTwo));
     }

@@ -1,7 +1,6 @@
 // Prints a hash of every mask, class, response and strength that the methods make of simulated sweeps, of sweeps of noise, and of the
 // scans that are named: what a faster program must print as well.
 // build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same of an older build > old; diff old new
-#include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
@@ -68,7 +67,7 @@ void print(const std::string& name, const Scan& scan) {
             rest.add(found->responses->jump.cells);
             rest.add(found->responses->crease.cells);
             rest.add(found->responses->border);
-            rest.add(edges::requestedStrength(*found->responses, edges::depthEdgeSettings(settings)).cells);
+            rest.add(edges::requestedStrength(*found->responses, settings).cells);
             rest.add(found->surface->inverse.u.cells);
             rest.add(found->surface->slips.remaining[0]);
             rest.add(found->surface->slips.remaining[1]);
@@ -90,7 +89,7 @@ void printSimulated(const char* name, const std::function<void(sim::SimulationSe
     if (simulated) print(name, simulated->scan);
 }
 
-// Ranges that stand for no surface at all, of every size from one cell on.
+// Ranges without any surface, in all sizes from one cell on.
 Scan noise(int lines, int beams) {
     std::mt19937 random(static_cast<unsigned>(1000 * lines + beams));
     Scan scan;

@@ -1,5 +1,5 @@
-// What EdgeScan+ and the rocks from its edges cost beside the thesis's Canny: thread CPU time, stage by stage, all interleaved in one run.
-// build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
+// The cost of EdgeScan+, and of the rocks from its edges, relative to the thesis's Canny: thread CPU time, stage by stage, all interleaved
+// in one run. build/release/bin/edgescan_edges_bench [SCAN [ROUNDS]]; without a scan, a simulated sweep of 1000 x 1141.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
@@ -23,7 +23,7 @@ using namespace edgescan::bench;
 
 namespace {
 
-// Stages that others are told as multiples of.
+// The time that others are given as multiples of.
 constexpr const char* kThesis = "thesis: gray levels, Gaussian, Canny";
 constexpr const char* kResponses = "EdgeScan+ responses, from the scan on";
 constexpr const char* kDecision = "EdgeScan+ decision";
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     const Scan scan = scanOf(argc, argv);
     const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 15;
     const edges::Settings thesis = edges::findPreset("thesis")->settings;
-    const edges::DepthEdgeSettings depth;
+    const edges::Settings depth;
     InverseRange inverse = inverseRange(scan);
     const edges::DepthSurface surface = edges::depthSurface(scan, true);
     const edges::DepthResponses responses = edges::depthResponses(surface, depth);

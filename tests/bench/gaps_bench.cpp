@@ -1,6 +1,6 @@
-// Filled gaps against the simulator's truth, beside nearest, bilinear and OpenCV's inpainting: tables for docs/gaps.md.
-// build/release/bin/edgescan_gaps_bench [SEED...]; half grids of both bells. edgescan_gaps_bench --many FIRST COUNT: so many seeds of both,
-// grids of 250 lines x 286 beams.
+// Compares filled gaps with the simulator's truth, and with nearest, bilinear and OpenCV's inpainting: tables for docs/gaps.md.
+// build/release/bin/edgescan_gaps_bench [SEED...]; half grids of both bells. edgescan_gaps_bench --many FIRST COUNT: this many seeds of
+// both, grids of 250 lines x 286 beams.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/lab/score/evaluation.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -29,7 +29,7 @@ constexpr int kBlobs = 400;
 constexpr int kWidest = 8; // cells of --fill
 constexpr double kFarOffMm = 100;
 
-// Round blobs of so many cells across lose their ranges; what each cell belongs to, 0 = none.
+// Removes the ranges of round blobs with a diameter of `size` cells; returns the blob of each cell, 0 = not in a blob.
 Grid<int> dropBlobs(Scan& scan, int size, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     Grid<int> blob(scan.lines(), scan.beams());
@@ -74,7 +74,7 @@ Ranges nearest(const Scan& scan, const Grid<int>& blob) {
     return filled;
 }
 
-// The mean of the straight lines in u of both ways, each by its length.
+// The mean of the straight lines in u of both directions, each weighted by its length.
 Ranges bilinear(const Scan& scan, const Grid<int>& blob) {
     Ranges filled(scan.lines(), scan.beams());
     for (int i = 0; i < scan.lines(); ++i) {
@@ -122,11 +122,11 @@ Ranges ours(const Scan& scan, const Grid<int>& blob) {
     return filled;
 }
 
-// Whether a blob and the cells beside it lie on one surface: one object, torn apart nowhere by 50 mm. Blobs with cells that hit nothing are
-// left out: -1.
+// Whether a blob and the cells next to it are on one surface: one object, without steps of 50 mm. -1 for blobs with cells that hit no
+// surface.
 std::vector<int> onOneSurface(const Grid<int>& blob, const sim::SimulationTruth& truth) {
     constexpr double kTornMm = 50;
-    const Grid<std::uint16_t> tornBeam = lab::wholeTears(truth.toNextBeam), tornLine = lab::wholeTears(truth.toNextLine);
+    const Grid<std::uint16_t> tornBeam = sim::wholeTears(truth.toNextBeam), tornLine = sim::wholeTears(truth.toNextLine);
     std::vector<int> one(kBlobs + 1, 1), object(kBlobs + 1, 0);
     for (int i = 1; i + 1 < blob.lines; ++i) {
         for (int j = 1; j + 1 < blob.beams; ++j) {
@@ -268,7 +268,7 @@ struct Voids {
     void print() const { std::printf("Of %zu cells whose beam hit nothing, %zu were filled.\n\n", open, filled); }
 };
 
-double fOf(const Scan& scan, const lab::TruthSet& truth, bool fill) {
+double fOf(const Scan& scan, const sim::TruthSet& truth, bool fill) {
     edges::Settings settings;
     settings.fillCells = fill ? kWidest : 0;
     settings.fillEdges = fill;
@@ -281,7 +281,7 @@ struct EdgeScores {
 };
 
 EdgeScores edgeScores(const sim::Simulation& one, std::uint64_t m) {
-    const lab::TruthSet truth = lab::truthSetOf(one);
+    const sim::TruthSet truth = sim::truthSetOf(one);
     Scan holes = one.scan;
     dropBlobs(holes, 7, 9000 + m);
     return {one.scan.name, fOf(one.scan, truth, false), fOf(one.scan, truth, true), fOf(holes, truth, false), fOf(holes, truth, true)};
@@ -294,7 +294,7 @@ void printEach(const std::vector<EdgeScores>& scores) {
     std::printf("\n");
 }
 
-/// Gain by filling: mean, least, and of how many scenes it is below -0.003.
+/// Gain by filling: mean, least, and the number of scenes with a gain below -0.003.
 void printGains(const std::vector<EdgeScores>& scores) {
     const auto row = [&](const char* name, double EdgeScores::*before, double EdgeScores::*after) {
         double sum = 0, least = 1;

@@ -1,4 +1,4 @@
-// What a line costs beside drawing: thread CPU time per line, stage by stage. build/release/bin/edgescan_live_bench [LINES]
+// The cost of a line without drawing: thread CPU time per line, stage by stage. build/release/bin/edgescan_live_bench [LINES]
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
@@ -21,7 +21,7 @@ double threadSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The least of a few runs: what it costs, not what the machine was disturbed by.
+/// The least of several runs: the cost without disturbances by the machine.
 template <class Run>
 double perLine(int lines, Run run) {
     double best = 1e9;
@@ -47,7 +47,7 @@ double receive(const std::vector<Bytes>& frames, int snapshotEvery) {
     scanner::SweepSettings settings;
     settings.expectedLines = static_cast<int>(frames.size());
     scanner::ColaStream stream;
-    files::SweepFeed feed(settings);
+    scanner::SweepFeed feed(settings);
     std::int64_t ns = 1'700'000'000'000'000'000;
     std::shared_ptr<const Scan> shown;
     const double start = threadSeconds();
@@ -68,7 +68,7 @@ double record(const std::vector<Bytes>& frames) {
     return threadSeconds() - start;
 }
 
-/// One picture of the whole sweep: while it grows the edges are measured anew for each.
+/// One picture of the whole sweep: while the sweep grows, the edges are recomputed for each picture.
 double pictureSeconds(const std::shared_ptr<const Scan>& scan, edges::Method method) {
     edges::Settings settings;
     settings.method = method;

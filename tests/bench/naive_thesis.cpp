@@ -1,4 +1,4 @@
-// Written for reading, not for speed: that is its purpose.
+// Written for reading, not for speed: this is its purpose.
 #include "tests/bench/naive_thesis.h"
 
 #include <algorithm>

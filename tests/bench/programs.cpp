@@ -1,4 +1,4 @@
-// Starts programs and waits for them; the system says what they cost.
+// Starts programs and waits for them; the system reports their cost.
 #include "tests/bench/programs.h"
 
 #include "core/files/open_save/save_scan.h"
@@ -73,7 +73,7 @@ std::vector<ProgramRow> programRows(const std::string& previous, const std::stri
             std::vector<double> cpu[2], wall[2];
             for (int run = 0; run < 2 * rounds; ++run) {
                 auto cost = costOf(run % 2 == 0 ? previous : present, task.arguments);
-                if (!cost && task.arguments.back() == "--comments") { // 0.1 wrote comments unasked, and knows no such flag
+                if (!cost && task.arguments.back() == "--comments") { // version 0.1 always wrote comments and does not know the flag
                     cost = costOf(run % 2 == 0 ? previous : present, {task.arguments.begin(), task.arguments.end() - 1});
                 }
                 if (!cost) {

@@ -1,4 +1,4 @@
-// Whole runs of two builds of edgescan-cli, in turn.
+// Runs of two builds of edgescan-cli, alternating.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct ProgramRow {
     double presentMs = 0; ///< processor time
 };
 
-/// Runs each command `rounds` times with either program, in a folder of its own that holds the scan as grid, text and PCD. Empty where one
-/// of them fails.
+/// Runs each command `rounds` times with either program, in a new folder that holds the scan as grid, text and PCD. Empty if one of them
+/// fails.
 [[nodiscard]] std::vector<ProgramRow> programRows(const std::string& previous, const std::string& present, const Scan& scan, int rounds);
 
 } // namespace edgescan::bench

@@ -1,4 +1,4 @@
-// Candidates measured in turn, so that what else the machine does falls on all of them alike.
+// Runs candidates alternately, so that disturbances by the machine affect all of them in the same way.
 #pragma once
 
 #include "core/edges/pipeline/pipeline.h"
@@ -21,7 +21,7 @@ struct Candidate {
     std::string name;
     std::function<void()> run;
     std::vector<double> cpuMs{};  ///< of this thread
-    std::vector<double> wallMs{}; ///< with those that it waits for
+    std::vector<double> wallMs{}; ///< including threads that it waits for
 };
 
 inline void runOnce(Candidate& candidate) {

@@ -20,10 +20,10 @@ TEST(CliAudit, NamesTheLineThatWasAltered) {
     for (int n = 0; n < 4; ++n) ASSERT_TRUE(log.append("opened", {{"scan", "bell" + std::to_string(n)}}));
     const auto whole = runCli("audit " + path + " --json");
     ASSERT_EQ(whole.code, 0) << whole.err;
-    const json told = json::parse(whole.out);
-    EXPECT_EQ(told["schema"], "edgescan-audit/1");
-    EXPECT_EQ(told["lines"], 4);
-    EXPECT_EQ(runCli("audit " + path + " --last " + told["last_sha256"].get<std::string>()).code, 0);
+    const json report = json::parse(whole.out);
+    EXPECT_EQ(report["schema"], "edgescan-audit/1");
+    EXPECT_EQ(report["lines"], 4);
+    EXPECT_EQ(runCli("audit " + path + " --last " + report["last_sha256"].get<std::string>()).code, 0);
     EXPECT_EQ(runCli("audit " + path + " --last 00").code, 1);
     std::string text = test::fileText(path);
     text.replace(text.find("bell2"), 5, "bell9");

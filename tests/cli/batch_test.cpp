@@ -3,16 +3,15 @@
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <sstream>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 namespace edgescan {
@@ -144,11 +143,11 @@ TEST(CliBatch, KilledThreeTimesAndContinuedItsTableIsThatOfAnUndisturbedRun) {
             ::execl(program.c_str(), program.c_str(), "batch", archive.c_str(), "-o", results.c_str(), "--jobs", "2", nullptr);
             ::_exit(127);
         }
-        for (int i = 0; i < 6000 && rowsDone() < 25 * kill; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        const bool far = test::waitUntil([&] { return rowsDone() >= 25 * kill; });
         ::kill(process, SIGKILL);
         int status = 0;
         ::waitpid(process, &status, 0);
-        ASSERT_GE(rowsDone(), 25 * kill);
+        ASSERT_TRUE(far);
         EXPECT_FALSE(fs::exists(folder / "r/results.csv")) << "a table before all is done";
     }
     const auto last = runCli(inArchive(folder, "r"));

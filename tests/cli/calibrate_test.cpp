@@ -24,18 +24,18 @@ TEST(CliCalibrate, WritesAFileThatOpensAndSaysHowSureItIs) {
     const auto run = runCli("calibrate " + path("a.json") + " -o " + path("robot.json") + " --picture " + path("views.png") + " --seam " +
                             path("seam.png") + " --json -");
     ASSERT_EQ(run.code, 0) << run.err;
-    const auto told = nlohmann::json::parse(run.out);
-    EXPECT_EQ(told["schema"], "edgescan-calibrate/1");
-    EXPECT_NEAR(told["errors"]["t1_mm"].get<double>(), 12, 1);
-    EXPECT_GT(told["one_sd"]["tilt_deg"].get<double>(), 0);
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["schema"], "edgescan-calibrate/1");
+    EXPECT_NEAR(report["errors"]["t1_mm"].get<double>(), 12, 1);
+    EXPECT_GT(report["one_sd"]["tilt_deg"].get<double>(), 0);
     const auto file = openCalibration(path("robot.json"));
     ASSERT_TRUE(file) << file.error().sentence();
     EXPECT_NEAR(file->mountM.x(), 0.012, 0.001);
     EXPECT_GT(std::filesystem::file_size(path("views.png")), 1000U);
     EXPECT_GT(std::filesystem::file_size(path("seam.png")), 1000U);
-    EXPECT_GT(told["seam_edges"].get<std::size_t>(), 100U);
-    EXPECT_GT(told["seam_edges_met_after"].get<double>(), 0.9);
-    EXPECT_GT(told["seam_edges_met_before"].get<double>(), 0.5);
+    EXPECT_GT(report["seam_edges"].get<std::size_t>(), 100U);
+    EXPECT_GT(report["seam_edges_met_after"].get<double>(), 0.9);
+    EXPECT_GT(report["seam_edges_met_before"].get<double>(), 0.5);
 
     // With the robot's present file as base; neither this file nor the scan is overwritten.
     const std::string robot = fileText(path("robot.json"));
@@ -57,9 +57,9 @@ TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
     ASSERT_EQ(runCli("convert " + path("said.json") + " " + path("back.json") + " --line-start=-0.2").code, 0);
     const auto run = runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash --json -");
     ASSERT_EQ(run.code, 0) << run.err;
-    const auto told = nlohmann::json::parse(run.out);
-    EXPECT_EQ(told["schema"], "edgescan-backlash/1");
-    EXPECT_NEAR(told["backlash_deg"].get<double>(), 0.2, 3 * told["one_sd_deg"].get<double>());
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["schema"], "edgescan-backlash/1");
+    EXPECT_NEAR(report["backlash_deg"].get<double>(), 0.2, 3 * report["one_sd_deg"].get<double>());
     EXPECT_NE(runCli("calibrate " + path("there.json") + " " + path("back.json") + " --backlash -o " + path("new.json")).code, 0);
     EXPECT_NE(runCli("calibrate " + path("there.json") + " --backlash").code, 0);
     EXPECT_NE(runCli("calibrate " + path("there.json")).code, 0);

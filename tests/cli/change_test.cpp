@@ -21,14 +21,14 @@ TEST(CliChange, TellsWhatABlastDid) {
     ASSERT_EQ(runCli("simulate -o " + path("again.json") + size + " --repeat 1").code, 0);
     const auto run = runCli("change " + path("a.json") + " " + path("b.json") + " --json - --picture " + path("c.png"));
     ASSERT_EQ(run.code, 0) << run.err;
-    const auto told = nlohmann::json::parse(run.out);
-    EXPECT_EQ(told["schema"], "edgescan-change/1");
-    EXPECT_EQ(told["lined_up_by"], "surfaces");
-    EXPECT_TRUE(told["out_of_spec"]);
-    EXPECT_GT(told["cells"]["farther"], 100);
-    EXPECT_GT(told["cells"]["nearer"], 100);
-    ASSERT_GE(told["regions"].size(), 2U);
-    EXPECT_GE(told["regions"][0]["area_m2"], told["regions"][1]["area_m2"]);
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["schema"], "edgescan-change/1");
+    EXPECT_EQ(report["lined_up_by"], "surfaces");
+    EXPECT_TRUE(report["out_of_spec"]);
+    EXPECT_GT(report["cells"]["farther"], 100);
+    EXPECT_GT(report["cells"]["nearer"], 100);
+    ASSERT_GE(report["regions"].size(), 2U);
+    EXPECT_GE(report["regions"][0]["area_m2"], report["regions"][1]["area_m2"]);
     EXPECT_TRUE(std::filesystem::exists(path("c.png")));
     const auto table = runCli("change " + path("a.json") + " " + path("b.json"));
     EXPECT_NE(table.out.find("OUT OF SPEC"), std::string::npos) << table.out;
@@ -36,7 +36,7 @@ TEST(CliChange, TellsWhatABlastDid) {
     // Noise alone must not count as a moved surface.
     const auto same = nlohmann::json::parse(runCli("change " + path("a.json") + " " + path("again.json") + " --json -").out);
     EXPECT_EQ(same["regions"].size(), 0U);
-    EXPECT_LT(same["cells"]["farther"], told["cells"]["farther"].get<int>() / 10);
+    EXPECT_LT(same["cells"]["farther"], report["cells"]["farther"].get<int>() / 10);
     // Existing pose files are used.
     std::ofstream(path("a.pose")) << "0 0 0\n0 0 0\n";
     const auto posed =

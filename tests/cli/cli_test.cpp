@@ -8,6 +8,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -25,11 +26,18 @@ struct Cli : public ::testing::Test {
     void SetUp() override { ASSERT_TRUE(files::saveScan(test::boxesScan(40, 60, 3, 0.05), scanPath)); }
 };
 
-bool sharedIsThere() { return std::filesystem::exists(EDGESCAN_SHARED_DIR); }
+TEST(CliReference, TheThesisMaskOfTheProjectsOwnScan) {
+    const auto run = runCli("detect " + (test::ownData() / "thesis/steps.json").string() + " --preset thesis --lower 10 --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    const json reference = json::parse(test::fileText(test::ownData() / "thesis/reference.json"))["cases"][1];
+    EXPECT_EQ(report["edges"], reference["edges"]);
+    EXPECT_EQ(report["edge_mask_sha256"], reference["mask_sha256"]);
+}
 
 TEST(CliReference, TheFoundingFigureThroughBothFiles) {
-    if (!sharedIsThere()) GTEST_SKIP() << "../shared is absent: the corridor scan cannot be opened";
-    const std::string corridor = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/";
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    const std::string corridor = (test::sharedFolder() / "data/lms200_corridor/").string();
     for (const char* file : {"scan000.json", "scan000.u16", "scan000.3d"}) {
         const auto run = runCli("detect " + corridor + file + " --preset thesis --lower 10 --json -");
         ASSERT_EQ(run.code, 0) << run.err;

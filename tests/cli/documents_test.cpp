@@ -95,8 +95,8 @@ std::vector<std::string> headingsCited(const std::string& text, std::size_t at) 
 // The file with this name in a text: relative to the root or, in documents, to their own folder. Empty if it does not exist.
 fs::path documentNamed(const std::string& name, const fs::path& citing) {
     if (fs::is_regular_file(kRoot / name)) return kRoot / name;
-    const fs::path beside = citing.parent_path() / name;
-    return citing.extension() == kMark && fs::is_regular_file(beside) ? beside : fs::path();
+    const fs::path sibling = citing.parent_path() / name;
+    return citing.extension() == kMark && fs::is_regular_file(sibling) ? sibling : fs::path();
 }
 
 void checkCitations(const fs::path& file) {

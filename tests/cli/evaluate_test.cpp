@@ -1,4 +1,4 @@
-// edgescan-cli evaluate from outside.
+// edgescan-lab evaluate from outside.
 #include "core/containers/png/png.h"
 #include "tests/support/run_program.h"
 
@@ -16,8 +16,9 @@ namespace {
 
 using nlohmann::json;
 using test::runCli;
+using test::runLab;
 
-struct CliEvaluate : public ::testing::Test {
+struct LabEvaluate : public ::testing::Test {
     test::TemporaryFolder folder;
     std::string scan = (folder / "bell.json").string();
     std::string truth = (folder / "truth").string();
@@ -38,13 +39,13 @@ struct CliEvaluate : public ::testing::Test {
     }
 
     json evaluated(const std::string& file, const std::string& flags = "") const {
-        const auto run = runCli("evaluate " + file + " --truth " + truth + " --json - " + flags);
+        const auto run = runLab("evaluate " + file + " --truth " + truth + " --json - " + flags);
         EXPECT_EQ(run.code, 0) << run.err;
         return json::parse(run.out);
     }
 };
 
-TEST_F(CliEvaluate, TheTruthAsAMaskIsPerfect) {
+TEST_F(LabEvaluate, TheTruthAsAMaskIsPerfect) {
     const json all = evaluated(maskOf("truth.png", [](std::uint8_t cell) { return cell > 0; }), "--tolerance 0");
     EXPECT_FALSE(all.contains("sweep"));
     EXPECT_GT(all["fixed"]["all"]["truth"], 100);
@@ -62,7 +63,7 @@ TEST_F(CliEvaluate, TheTruthAsAMaskIsPerfect) {
     EXPECT_DOUBLE_EQ(nothing["all"]["f"], 0.0);
 }
 
-TEST_F(CliEvaluate, ASweepHoldsItsFixedThresholdAndTheBest) {
+TEST_F(LabEvaluate, ASweepHoldsItsFixedThresholdAndTheBest) {
     const json report = evaluated(scan, "--method edgescan+ --sweep --thresholds 0.7,1,1.4,2.5");
     EXPECT_EQ(report["swept"], "sensitivity");
     EXPECT_EQ(report["sweep"]["thresholds"], json::array({0.7, 1.0, 1.4, 2.5}));
@@ -78,7 +79,7 @@ TEST_F(CliEvaluate, ASweepHoldsItsFixedThresholdAndTheBest) {
     EXPECT_EQ(evaluated(scan, "--preset thesis --sweep --thresholds 6")["swept"], "lower");
 }
 
-TEST_F(CliEvaluate, TheUsualSweepIsNeverWorseThanTheSettings) {
+TEST_F(LabEvaluate, TheUsualSweepIsNeverWorseThanTheSettings) {
     const json report = evaluated(scan, "--method jumps --sensitivity 1.03 --sweep");
     const json& thresholds = report["sweep"]["thresholds"];
     EXPECT_NE(std::find(thresholds.begin(), thresholds.end(), json(1.03)), thresholds.end()) << thresholds.dump();
@@ -87,7 +88,7 @@ TEST_F(CliEvaluate, TheUsualSweepIsNeverWorseThanTheSettings) {
         EXPECT_GE(report["sweep"][group]["ods"].get<double>(), report["fixed"][group]["f"].get<double>()) << group;
 }
 
-TEST_F(CliEvaluate, TheTruthOfAnotherSceneIsRefused) {
+TEST_F(LabEvaluate, TheTruthOfAnotherSceneIsRefused) {
     const std::string other = (folder / "other.json").string();
     const auto make = [&](const std::string& flags) {
         const auto run = runCli("simulate -o " + other + " --lines 100 --beams 120 " + flags);
@@ -96,8 +97,8 @@ TEST_F(CliEvaluate, TheTruthOfAnotherSceneIsRefused) {
     for (const char* flags :
          {"--seed 6", "--scene pile --seed 5", "--scene empty --seed 5", "--seed 5 --rocks 200", "--scene wall --distance 4"}) {
         make(flags);
-        for (const char* command : {"evaluate ", "compare --no-peers "}) {
-            const auto run = runCli(command + other + " --truth " + truth);
+        for (const char* command : {"evaluate ", "benchmark --no-peers "}) {
+            const auto run = runLab(command + other + " --truth " + truth);
             EXPECT_EQ(run.code, 1) << flags;
             EXPECT_NE(run.err.find("the truth is of another scene: "), std::string::npos) << flags << run.err;
         }
@@ -108,12 +109,12 @@ TEST_F(CliEvaluate, TheTruthOfAnotherSceneIsRefused) {
           "--profile standard --noise 3", "--status-codes 0.3", "--motor-skew 1", "--no-footprint --no-echo-loss"}) {
         const std::string own = (folder / "own").string();
         make(std::string("--seed 5 ") + flags + " --truth " + own);
-        const auto run = runCli("evaluate " + other + " --truth " + own);
+        const auto run = runLab("evaluate " + other + " --truth " + own);
         EXPECT_EQ(run.code, 0) << flags << run.err;
     }
 }
 
-TEST_F(CliEvaluate, RocksAreListedOneByOne) {
+TEST_F(LabEvaluate, RocksAreListedOneByOne) {
     const json report = evaluated(scan);
     const json& rocks = report["rocks"];
     ASSERT_EQ(rocks.size(), report["fixed"]["rocks"]["count"]);
@@ -129,7 +130,7 @@ TEST_F(CliEvaluate, RocksAreListedOneByOne) {
     EXPECT_DOUBLE_EQ(report["fixed"]["rocks"]["at_least_80_percent"].get<double>(),
                      static_cast<double>(good) / static_cast<double>(rocks.size()));
     // Two files: the second file's rocks name it.
-    const auto twice = runCli("evaluate " + scan + " " + scan + " --truth " + truth + " --truth " + truth + " --json -");
+    const auto twice = runLab("evaluate " + scan + " " + scan + " --truth " + truth + " --truth " + truth + " --json -");
     ASSERT_EQ(twice.code, 0) << twice.err;
     const json both = json::parse(twice.out)["rocks"];
     ASSERT_EQ(both.size(), 2 * rocks.size());
@@ -137,7 +138,7 @@ TEST_F(CliEvaluate, RocksAreListedOneByOne) {
     EXPECT_EQ(both.back()["object"], rocks.back()["object"]);
 }
 
-TEST_F(CliEvaluate, AMaskWithItsRangesHasThe3DErrorOfItsScan) {
+TEST_F(LabEvaluate, AMaskWithItsRangesHasThe3DErrorOfItsScan) {
     const std::string mask = (folder / "edges.png").string();
     ASSERT_EQ(runCli("detect " + scan + " --mask " + mask).code, 0);
     EXPECT_FALSE(evaluated(mask)["fixed"].contains("error_mm"));
@@ -145,13 +146,13 @@ TEST_F(CliEvaluate, AMaskWithItsRangesHasThe3DErrorOfItsScan) {
     const json direct = evaluated(scan)["fixed"];
     EXPECT_EQ(with["error_mm"], direct["error_mm"]);
     EXPECT_EQ(with["all"], direct["all"]);
-    EXPECT_EQ(runCli("evaluate " + scan + " --truth " + truth + " --ranges " + scan).code, 2);
-    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --ranges " + scan + " --ranges " + scan).code, 2);
+    EXPECT_EQ(runLab("evaluate " + scan + " --truth " + truth + " --ranges " + scan).code, 2);
+    EXPECT_EQ(runLab("evaluate " + mask + " --truth " + truth + " --ranges " + scan + " --ranges " + scan).code, 2);
 }
 
-TEST_F(CliEvaluate, RocksAreScoredAgainstTheTrueOnes) {
+TEST_F(LabEvaluate, RocksAreScoredAgainstTheTrueOnes) {
     const std::string pictures = (folder / "pictures").string();
-    const auto run = runCli("evaluate --rocks " + scan + " --truth " + truth + " --json - --pictures " + pictures);
+    const auto run = runLab("evaluate --rocks " + scan + " --truth " + truth + " --json - --pictures " + pictures);
     ASSERT_EQ(run.code, 0) << run.err;
     const json report = json::parse(run.out);
     EXPECT_EQ(report["schema"], "edgescan-evaluate-rocks/1");
@@ -165,40 +166,40 @@ TEST_F(CliEvaluate, RocksAreScoredAgainstTheTrueOnes) {
     for (const json& rock : report["rocks"]) found += rock["found"].get<bool>() ? 1U : 0U;
     EXPECT_EQ(strict["found"], found);
     EXPECT_TRUE(std::filesystem::exists(pictures + "/rocks-1.png"));
-    const auto table = runCli("evaluate --rocks " + scan + " --truth " + truth);
+    const auto table = runLab("evaluate --rocks " + scan + " --truth " + truth);
     EXPECT_EQ(table.code, 0);
     EXPECT_NE(table.out.find("EdgeScan+ rocks"), std::string::npos);
 
     const std::string other = (folder / "other").string();
     ASSERT_EQ(runCli("simulate -o " + (folder / "other.json").string() + " --truth " + other + " --lines 100 --beams 120 --seed 6").code,
               0);
-    EXPECT_EQ(runCli("evaluate --rocks " + scan + " --truth " + other).code, 1) << "the truth of another scene";
+    EXPECT_EQ(runLab("evaluate --rocks " + scan + " --truth " + other).code, 1) << "the truth of another scene";
     for (const char* flags : {"--rocks --sweep", "--rocks --tolerance 3", "--rocks --method sobel", "--peers", "--level 2"}) {
-        const auto refused = runCli("evaluate " + scan + " --truth " + truth + " " + flags);
+        const auto refused = runLab("evaluate " + scan + " --truth " + truth + " " + flags);
         EXPECT_EQ(refused.code, 2) << flags;
         EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
     }
 }
 
-TEST_F(CliEvaluate, RefusesWhatDoesNotBelongTogether) {
-    const auto twice = runCli("evaluate " + scan + " --truth " + truth + " --truth " + truth);
+TEST_F(LabEvaluate, RefusesWhatDoesNotBelongTogether) {
+    const auto twice = runLab("evaluate " + scan + " --truth " + truth + " --truth " + truth);
     EXPECT_EQ(twice.code, 2);
     EXPECT_NE(twice.err.find("once per file"), std::string::npos) << twice.err;
     const std::string mask = maskOf("mask.png", [](std::uint8_t cell) { return cell > 0; });
-    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --sweep").code, 2);
-    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --method canny").code, 2);
-    EXPECT_EQ(runCli("evaluate " + mask + " --truth " + truth + " --tolerance nan").code, 2);
+    EXPECT_EQ(runLab("evaluate " + mask + " --truth " + truth + " --sweep").code, 2);
+    EXPECT_EQ(runLab("evaluate " + mask + " --truth " + truth + " --method canny").code, 2);
+    EXPECT_EQ(runLab("evaluate " + mask + " --truth " + truth + " --tolerance nan").code, 2);
     const std::string sweep = "evaluate " + scan + " --truth " + truth + " --method edgescan+ ";
-    EXPECT_EQ(runCli(sweep + "--thresholds 1,2").code, 2); // without --sweep
+    EXPECT_EQ(runLab(sweep + "--thresholds 1,2").code, 2); // without --sweep
     for (const char* wrong : {"2,1", "1,1", "0.1,1", "1,nan", "1,5"}) {
-        const auto run = runCli(sweep + "--sweep --thresholds " + wrong);
+        const auto run = runLab(sweep + "--sweep --thresholds " + wrong);
         EXPECT_EQ(run.code, 2) << wrong;
         EXPECT_NE(run.err.find("rising values of --sensitivity, from 0.3 to 3"), std::string::npos) << wrong << run.err;
     }
-    EXPECT_EQ(runCli("evaluate " + scan + " --truth " + (folder / "nowhere").string()).code, 1);
+    EXPECT_EQ(runLab("evaluate " + scan + " --truth " + (folder / "nowhere").string()).code, 1);
 
     ASSERT_TRUE(containers::savePng8(Grid<std::uint8_t>(10, 12), folder / "small.png"));
-    const auto small = runCli("evaluate " + (folder / "small.png").string() + " --truth " + truth);
+    const auto small = runLab("evaluate " + (folder / "small.png").string() + " --truth " + truth);
     EXPECT_EQ(small.code, 1);
     EXPECT_NE(small.err.find("10 x 12 cells and its truth 100 x 120"), std::string::npos) << small.err;
 }

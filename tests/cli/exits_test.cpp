@@ -1,6 +1,7 @@
 // The output of the programs for any input: text of files and names reaches the terminal only with escapes, every number has limits, and
 // after closed pipes and failures no process hangs and no temporary file remains.
 #include "tests/support/run_program.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::fileText;
 using test::runCli;
+using test::runLab;
+using test::runProgram;
 using test::TemporaryFolder;
 
 const fs::path kSourceRoot = EDGESCAN_SOURCE_DIR;
@@ -98,8 +101,13 @@ struct NumberFlag {
     std::string command, flag, type;
 };
 
-const std::vector<std::string> kCommands{"info",  "detect", "convert", "simulate", "evaluate", "verify",
-                                         "serve", "record", "replay",  "why",      "compare"};
+const std::vector<std::string> kCommands{"info", "detect", "convert", "simulate", "verify", "serve", "record", "replay", "why"};
+const std::vector<std::string> kLabCommands{"benchmark", "repeatability", "evaluate"};
+
+// The program that has this command.
+std::string programOf(const std::string& command) {
+    return std::ranges::count(kLabCommands, command) > 0 ? "edgescan-lab" : "edgescan-cli";
+}
 
 // Every flag of `help` that takes a value, with the help's name of the value.
 std::vector<NumberFlag> flagsIn(const std::string& command, const std::string& help) {
@@ -118,6 +126,7 @@ std::string rest(const std::string& command) {
     if (command == "convert") return "no-such-file.json out.json";
     if (command == "simulate") return "-o /nowhere/out.json --lines 4 --beams 4";
     if (command == "evaluate") return "no-such-file.json --truth no-such-folder";
+    if (command == "repeatability") return "no-such-file.json no-such-file-either.json";
     if (command == "record") return "127.0.0.1:1 -o /nowhere/out.mcap --seconds 0.1";
     if (command == "why") return "no-such-file.json --line 0 --beam 0";
     return "no-such-file.json";
@@ -126,8 +135,10 @@ std::string rest(const std::string& command) {
 TEST(Exits, EveryNumberHasLimitsAndIsRefusedByName) {
     int numbers = 0;
     std::set<std::string> tried;
-    for (const std::string& command : kCommands) {
-        const std::string help = runCli(command + " --help").out;
+    std::vector<std::string> commands = kCommands;
+    commands.insert(commands.end(), kLabCommands.begin(), kLabCommands.end());
+    for (const std::string& command : commands) {
+        const std::string help = runProgram(programOf(command), command + " --help").out;
         for (const NumberFlag& flag : flagsIn(command, help)) {
             // CLI11's own names of number types: such a flag was added without limits.
             for (const char* bare : {"FLOAT", "INT", "UINT"}) EXPECT_FALSE(flag.type.starts_with(bare)) << command << " " << flag.flag;
@@ -144,7 +155,7 @@ TEST(Exits, EveryNumberHasLimitsAndIsRefusedByName) {
                 const bool list = flag.flag == "--sensor" || flag.flag == "--thresholds";
                 if (list && (value.empty() || value.find(',') != std::string::npos)) continue;
                 if (flag.flag == "--sensor") value += ",0,0";
-                const auto run = runCli(command + " " + others + " " + flag.flag + "='" + value + "'");
+                const auto run = runProgram(programOf(command), command + " " + others + " " + flag.flag + "='" + value + "'");
                 EXPECT_EQ(run.code, 2) << command << " " << flag.flag << " " << value << ": " << run.err;
                 EXPECT_NE(run.err.find(flag.flag), std::string::npos) << command << " " << flag.flag << " " << value << ": " << run.err;
                 EXPECT_TRUE(std::regex_search(run.err, std::regex(R"([0-9]( to |\.\.)[0-9])")))
@@ -191,6 +202,14 @@ int lineCount(const std::string& text) { return static_cast<int>(std::ranges::co
 
 std::string inQuotes(const fs::path& path) { return "'" + path.string() + "'"; }
 
+void expectSafe(const test::ProgramRun& run, const std::string& command) {
+    EXPECT_TRUE(terminalIsSafeFrom(run.out)) << command << "\n" << run.out;
+    EXPECT_TRUE(terminalIsSafeFrom(run.err)) << command << "\n" << run.err;
+    EXPECT_EQ(run.err.find("not foreseen"), std::string::npos) << command << "\n" << run.err;
+    EXPECT_LE(run.code, 2) << command << "\n" << run.err;
+    EXPECT_TRUE(run.code == 0 || lineCount(run.err) + lineCount(run.out) >= 1) << command;
+}
+
 TEST(Exits, NamesReachNoTerminalAsTheyAre) {
     const TemporaryFolder folder;
     ASSERT_EQ(runCli("simulate -o " + (folder / "scan.json").string() + " --lines 12 --beams 16").code, 0);
@@ -199,12 +218,11 @@ TEST(Exits, NamesReachNoTerminalAsTheyAre) {
         const fs::path scan = folder / (name + ".pcd");
         ASSERT_EQ(runCli("convert " + (folder / "scan.json").string() + " " + inQuotes(scan)).code, 0) << name;
         std::vector<std::string> commands;
-        for (const char* command : {"info ", "detect ", "verify ", "replay ", "serve ", "compare ", "why --line 0 --beam 0 "})
+        for (const char* command : {"info ", "detect ", "verify ", "replay ", "serve ", "why --line 0 --beam 0 "})
             commands.push_back(command + missing);
         commands.push_back("info " + inQuotes(scan));
         commands.push_back("detect " + inQuotes(scan));
         commands.push_back("detect --json - " + inQuotes(scan));
-        commands.push_back("compare --only thesis " + inQuotes(scan));
         commands.push_back("why --line 1 --beam 1 " + inQuotes(scan));
         commands.push_back("verify " + inQuotes(scan));
         commands.push_back("verify --json " + inQuotes(scan));
@@ -213,18 +231,13 @@ TEST(Exits, NamesReachNoTerminalAsTheyAre) {
         commands.push_back("detect --" + inQuotes(name) + " " + inQuotes(scan));
         commands.push_back("detect --method " + inQuotes(name) + " " + inQuotes(scan));
         commands.push_back("detect --json " + inQuotes(folder / name / "x.json") + " " + inQuotes(scan));
-        commands.push_back("evaluate " + missing + " --truth " + missing);
         commands.push_back("record " + inQuotes(name) + " -o " + inQuotes(folder / name / "x.mcap"));
         commands.push_back("simulate --scene " + inQuotes(name) + " -o " + (folder / "x.json").string());
         commands.push_back(inQuotes(name));
-        for (const std::string& command : commands) {
-            const auto run = runCli(command);
-            EXPECT_TRUE(terminalIsSafeFrom(run.out)) << command << "\n" << run.out;
-            EXPECT_TRUE(terminalIsSafeFrom(run.err)) << command << "\n" << run.err;
-            EXPECT_EQ(run.err.find("not foreseen"), std::string::npos) << command << "\n" << run.err;
-            EXPECT_LE(run.code, 2) << command << "\n" << run.err;
-            EXPECT_TRUE(run.code == 0 || lineCount(run.err) + lineCount(run.out) >= 1) << command;
-        }
+        for (const std::string& command : commands) expectSafe(runCli(command), command);
+        for (const std::string& command :
+             {"benchmark " + missing, "benchmark --only thesis " + inQuotes(scan), "evaluate " + missing + " --truth " + missing})
+            expectSafe(runLab(command), command);
         // Exports store the name and the source, whatever its bytes.
         const std::string export_ = inQuotes(folder / (name + "_edges.csv"));
         ASSERT_EQ(runCli("detect " + inQuotes(scan) + " --edges " + export_).code, 0) << name;
@@ -243,8 +256,8 @@ TEST(Exits, HundredThousandCharactersAreToldShort) {
 }
 
 TEST(Exits, WhatHostileFilesHoldReachesNoTerminal) {
-    const fs::path hostile = fs::path(EDGESCAN_SHARED_DIR) / "data/hostile";
-    if (!fs::exists(hostile)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/hostile");
+    const fs::path hostile = test::sharedFolder() / "data/hostile";
     for (const char* name : {"m_esc_meta.mcap", "p_36.pcd", "g_format_1.json", "p_18.pcd"}) {
         for (const char* command : {"info ", "detect ", "detect --json - ", "replay ", "verify ", "why --line 0 --beam 0 "}) {
             const auto run = runCli(command + (hostile / name).string());
@@ -287,7 +300,8 @@ TEST(Exits, PipesHangNothing) {
         for (const char* extension : {".pcd", ".json", ".mcap"}) fs::create_symlink(pipe, pipe + extension);
         std::string command = std::regex_replace(commands[n], std::regex("PIPE"), pipe);
         command = std::regex_replace(command, std::regex("SCAN"), scan);
-        const std::string line = "timeout 60 " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli " + command + " >" + words(n) + " 2>&1";
+        const std::string line = "timeout 60 " + std::string(EDGESCAN_BIN_DIR) + "/" + programOf(command.substr(0, command.find(' '))) +
+                                 " " + command + " >" + words(n) + " 2>&1";
         statuses.push_back(std::async(std::launch::async, [line] { return std::system(line.c_str()); }));
     }
     for (std::size_t n = 0; n < commands.size(); ++n) {

@@ -143,5 +143,25 @@ TEST(Layers, TheCommandLineLinksNeitherQtNorVtkNorOpenGl) {
         EXPECT_EQ(libraries.find(forbidden), std::string::npos) << forbidden;
 }
 
+// Every library of core/lab that `program` (a path below the build folder) links: named in the statement of build.ninja that makes it.
+std::string labLinkedBy(const std::string& program) {
+    static const std::string build = test::fileText((fs::path(EDGESCAN_BIN_DIR).parent_path() / "build.ninja").string());
+    const std::size_t at = build.find("build " + program + ":");
+    if (at == std::string::npos) return "there is no " + program;
+    const std::string statement = build.substr(at, build.find("\n\n", at) - at);
+    return matched(statement, R"((libedgescan_lab_[a-z_]*))");
+}
+
+TEST(Layers, OnlyTheLabLinksTheLab) {
+    const fs::path build = fs::path(EDGESCAN_BIN_DIR).parent_path();
+    if (!fs::exists(build / "build.ninja")) GTEST_SKIP() << "the link lines are read from build.ninja, and this build has none";
+    EXPECT_EQ(labLinkedBy("bin/edgescan-cli"), "");
+    EXPECT_NE(labLinkedBy("bin/edgescan-lab"), "");
+    const std::string all = test::fileText((build / "build.ninja").string());
+    if (all.find("build bin/edgescan:") != std::string::npos) EXPECT_EQ(labLinkedBy("bin/edgescan"), "");
+    const std::string module = matched(all, R"(build (python/edgescan/_edgescan[^:\s]*):)");
+    if (!module.empty()) EXPECT_EQ(labLinkedBy(module), "");
+}
+
 } // namespace
 } // namespace edgescan

@@ -12,6 +12,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "tests/support/served_program.h"
+#include "tests/support/shared_folder.h"
 #include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
@@ -106,30 +107,30 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
         EXPECT_EQ(record.code, 0) << record.err;
         return std::pair(path, json::parse(record.out));
     };
-    const auto told = [](const json& document) { return document["warnings"].dump(); };
+    const auto warningsIn = [](const json& document) { return document["warnings"].dump(); };
     const std::string both =
         "ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the motor turning on while a line is measured). "
         "Give --axis, --line-step where that is wrong.";
-    const auto [nothing, said] = recorded("nothing.mcap", "");
-    EXPECT_EQ(said["mounting"]["assumed"], (json{"axis", "line_step_deg"}));
-    EXPECT_TRUE(said["mounting"]["expected_lines"].is_null());
-    EXPECT_NE(told(said).find(both), std::string::npos) << told(said);
+    const auto [nothing, summary] = recorded("nothing.mcap", "");
+    EXPECT_EQ(summary["mounting"]["assumed"], (json{"axis", "line_step_deg"}));
+    EXPECT_TRUE(summary["mounting"]["expected_lines"].is_null());
+    EXPECT_NE(warningsIn(summary).find(both), std::string::npos) << warningsIn(summary);
     const auto detect = runCli("detect " + nothing + " --json - --edges " + (folder / "edges.csv").string());
-    EXPECT_NE(told(json::parse(detect.out)).find(both), std::string::npos) << detect.out;
+    EXPECT_NE(warningsIn(json::parse(detect.out)).find(both), std::string::npos) << detect.out;
     EXPECT_NE(test::fileText(folder / "edges.csv.provenance.json").find(both), std::string::npos);
     EXPECT_NE(runCli("info " + nothing).out.find("ASSUMED: the axis (spin)"), std::string::npos);
     EXPECT_NE(runCli("replay --quiet " + nothing).out.find(both), std::string::npos);
     EXPECT_EQ(runCli("info " + nothing + " --axis spin --line-step 2").out.find("ASSUMED"), std::string::npos);
-    const std::string asTold = runCli("detect --json - " + nothing + " --axis sweep --line-step 2").out;
+    const std::string whenOpened = runCli("detect --json - " + nothing + " --axis sweep --line-step 2").out;
 
-    const auto [step, stepSaid] = recorded("step.mcap", "--line-step 2 --expected-lines 90");
-    EXPECT_EQ(stepSaid["mounting"]["assumed"], (json{"axis"}));
-    EXPECT_NE(told(stepSaid).find("ASSUMED: the axis (spin). Give --axis where"), std::string::npos) << told(stepSaid);
-    const auto [all, allSaid] = recorded("all.mcap", "--line-step 2 --axis sweep");
-    EXPECT_TRUE(allSaid["mounting"]["assumed"].empty());
-    EXPECT_EQ(told(allSaid).find("ASSUMED"), std::string::npos) << told(allSaid);
+    const auto [step, stepGiven] = recorded("step.mcap", "--line-step 2 --expected-lines 90");
+    EXPECT_EQ(stepGiven["mounting"]["assumed"], (json{"axis"}));
+    EXPECT_NE(warningsIn(stepGiven).find("ASSUMED: the axis (spin). Give --axis where"), std::string::npos) << warningsIn(stepGiven);
+    const auto [all, allGiven] = recorded("all.mcap", "--line-step 2 --axis sweep");
+    EXPECT_TRUE(allGiven["mounting"]["assumed"].empty());
+    EXPECT_EQ(warningsIn(allGiven).find("ASSUMED"), std::string::npos) << warningsIn(allGiven);
     // Flags given on opening give the same result as flags given on recording.
-    EXPECT_EQ(json::parse(asTold)["edge_mask_sha256"], hashOf(all));
+    EXPECT_EQ(json::parse(whenOpened)["edge_mask_sha256"], hashOf(all));
 
     std::ofstream(folder / "robot.json")
         << R"({"format": "edgescan-calibration/1", "robot": "R", "stepper": {"axis": [1, 0, 0], "step_deg": 2}})";
@@ -373,9 +374,9 @@ TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldByEveryCommand) {
 }
 
 TEST_F(Live, ReplayAndDetectSayTheSameOfTheSharedRecordings) {
-    const std::filesystem::path shared = EDGESCAN_SHARED_DIR;
+    EDGESCAN_NEEDS_SHARED("protocol/vectors");
+    const std::filesystem::path shared = test::sharedFolder();
     std::vector<std::filesystem::path> recordings{shared / "protocol/vectors/sweep_demo.mcap"};
-    if (!std::filesystem::exists(recordings.front())) GTEST_SKIP() << "../shared is absent: its recordings cannot be played";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(shared / "data")) {
         if (entry.path().extension() == ".mcap") recordings.push_back(entry.path());
     }

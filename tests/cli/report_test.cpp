@@ -41,11 +41,11 @@ TEST(CliReport, IsOneFileThatLoadsNothingAndPromisesNothing) {
     EXPECT_EQ(countOf(text, "src="), 3U + countOf(text, ".src="));
     EXPECT_NE(text.find("default-src 'none'"), std::string::npos);
     const auto detect = json::parse(runCli("detect " + scan.string() + " --sensitivity 1.5 --json -").out);
-    for (const std::string& told :
+    for (const std::string& phrase :
          {detect["sha256"].get<std::string>(), detect["edge_mask_sha256"].get<std::string>(),
           std::to_string(detect["edges"].get<int>()) + " cells", std::string("candidates: geometry only, one viewpoint"),
           std::string("changed from the default"), std::string("Ann B., surveyor"), std::string("no pose was given")})
-        EXPECT_NE(text.find(told), std::string::npos) << told;
+        EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     // The command in the page makes the same page again, except for the time in it.
     std::smatch command;
     ASSERT_TRUE(std::regex_search(text, command, std::regex("<pre id=\"command\">edgescan-cli ([^<]*)</pre>")));
@@ -90,10 +90,10 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     const auto change = runCli("change " + before.string() + " " + now.string());
     ASSERT_EQ(change.code, 0) << change.err;
     const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
-    for (const std::string& told :
+    for (const std::string& phrase :
          {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"),
           inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})
-        EXPECT_NE(text.find(told), std::string::npos) << told;
+        EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);
     EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
     // Targets of another scan, and an impossible path.
@@ -170,15 +170,15 @@ TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
         found.wide = document.documentElement.scrollWidth > window.innerWidth;
         document.body.setAttribute('data-found', JSON.stringify(found));)JS");
     ASSERT_FALSE(found.empty());
-    const json told = json::parse(found);
-    EXPECT_GT(told["first"]["drawn"].get<int>(), 3000) << told;
-    EXPECT_GT(told["first"]["edges"].get<int>(), 100);
-    EXPECT_NE(told["turned"]["sum"], told["first"]["sum"]);
-    EXPECT_EQ(told["home"]["sum"], told["first"]["sum"]);
-    EXPECT_LT(told["edgesOnly"]["drawn"].get<int>(), told["first"]["drawn"].get<int>());
-    EXPECT_FALSE(told["wide"].get<bool>());
+    const json result = json::parse(found);
+    EXPECT_GT(result["first"]["drawn"].get<int>(), 3000) << result;
+    EXPECT_GT(result["first"]["edges"].get<int>(), 100);
+    EXPECT_NE(result["turned"]["sum"], result["first"]["sum"]);
+    EXPECT_EQ(result["home"]["sum"], result["first"]["sum"]);
+    EXPECT_LT(result["edgesOnly"]["drawn"].get<int>(), result["first"]["drawn"].get<int>());
+    EXPECT_FALSE(result["wide"].get<bool>());
     std::smatch match;
-    const std::string picked = told["picked"];
+    const std::string picked = result["picked"];
     ASSERT_TRUE(std::regex_search(picked, match, std::regex("Line ([0-9]+), beam ([0-9]+): range ([0-9]+) mm"))) << picked;
     EXPECT_EQ(std::stod(match[3]), std::round(scan.rangeMm.at(std::stoi(match[1]), std::stoi(match[2])))) << picked;
 }
@@ -229,11 +229,11 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
         found.picked = document.getElementById('pick').textContent;
         document.body.setAttribute('data-found', JSON.stringify(found));)JS");
     ASSERT_FALSE(found.empty());
-    const json told = json::parse(found);
-    EXPECT_GT(told["rocks"]["coloured"].get<int>(), 3000) << told;
-    EXPECT_EQ(told["rocks"]["green"].get<int>(), 0) << told;
-    EXPECT_GT(told["edges"]["green"].get<int>(), 100) << told;
-    EXPECT_NE(told["picked"].get<std::string>().find("Line "), std::string::npos) << told;
+    const json result = json::parse(found);
+    EXPECT_GT(result["rocks"]["coloured"].get<int>(), 3000) << result;
+    EXPECT_EQ(result["rocks"]["green"].get<int>(), 0) << result;
+    EXPECT_GT(result["edges"]["green"].get<int>(), 100) << result;
+    EXPECT_NE(result["picked"].get<std::string>().find("Line "), std::string::npos) << result;
 }
 
 TEST(CliReport, PrintsOnA4InARealBrowser) {

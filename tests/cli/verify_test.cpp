@@ -3,6 +3,7 @@
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -91,8 +92,8 @@ TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
 }
 
 TEST(CliVerify, ARealScanInEveryFormat) {
-    const std::string corridor = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/";
-    if (!std::filesystem::exists(corridor)) GTEST_SKIP() << "../shared is absent: the corridor scan cannot be opened";
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    const std::string corridor = (test::sharedFolder() / "data/lms200_corridor/").string();
     const test::TemporaryFolder folder;
     std::string all;
     for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz"}) {

@@ -1,9 +1,11 @@
 // No text of the program makes a promise (docs/operator.md, "S14"): checks every string in the sources, every help text, every document.
+// Comments are plain English: no word of the list in CONTRIBUTING.md, "Words".
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <sstream>
 #include <string>
 
 namespace edgescan {
@@ -84,13 +86,14 @@ TEST(Words, NoStringOfTheProgramPromises) {
 }
 
 TEST(Words, NoHelpPromises) {
-    for (const char* command :
-         {"", "info", "detect", "convert", "simulate", "evaluate", "verify", "serve", "record", "replay", "why", "compare"}) {
+    for (const char* command : {"", "info", "detect", "convert", "simulate", "verify", "serve", "record", "replay", "why"}) {
         const std::string help = test::runCli(std::string(command) + " --help").out;
         EXPECT_GT(help.size(), 100U) << command;
         EXPECT_EQ(promiseIn(help), "") << command;
     }
     EXPECT_EQ(promiseIn(test::runProgram("edgescan", "--help").out), "");
+    for (const char* command : {"", "benchmark", "repeatability", "evaluate"})
+        EXPECT_EQ(promiseIn(test::runLab(std::string(command) + " --help").out), "") << command;
 }
 
 TEST(Words, NoDocumentPromises) {
@@ -111,6 +114,63 @@ TEST(Words, NoDocumentPromises) {
     }
     for (const char* name : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md"}) check(kRoot / name);
     EXPECT_GT(documents, 30);
+}
+
+// The comment of a line of C++, or of a line of a script or of CMake; empty if it has none.
+std::string commentOf(const std::string& line, bool cpp) {
+    if (!cpp) {
+        const std::size_t at = line.find_first_not_of(' ');
+        return at != std::string::npos && line[at] == '#' ? line.substr(at) : std::string();
+    }
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (quote != 0) {
+            if (line[i] == '\\')
+                ++i;
+            else if (line[i] == quote)
+                quote = 0;
+        } else if (line[i] == '"' || (line[i] == '\'' && (i == 0 || std::isalnum(static_cast<unsigned char>(line[i - 1])) == 0))) {
+            quote = line[i];
+        } else if (line.compare(i, 2, "//") == 0) {
+            return line.substr(i);
+        }
+    }
+    return {};
+}
+
+// The private word in a comment, or empty. Names in backticks are not words.
+std::string privateWordIn(const std::string& comment) {
+    static const std::regex name("`[^`]*`");
+    static const std::regex words(R"(\b(told|tells|stands|sits|sittings?|beside|anew|nobody|somebody|whoever|or none)\b)",
+                                  std::regex::icase);
+    std::smatch match;
+    const std::string text = std::regex_replace(comment, name, "");
+    return std::regex_search(text, match, words) ? match[0].str() : std::string();
+}
+
+TEST(Words, NoCommentHasAPrivateWord) {
+    EXPECT_EQ(privateWordIn(commentOf("x(\"// told\"); // Nobody reads it.", true)), "Nobody");
+    EXPECT_EQ(privateWordIn(commentOf("x(\"// told\"); // read", true) + commentOf("set(x \"# told\")", false)), "");
+    std::size_t comments = 0;
+    for (const char* folder : {"core/base", "core/scan", "core/scanner", "core/edges", "core/rocks", "core/inspect", "core/sim", "core/lab",
+                               "core/batch", "ui", "app", "tests", "packaging"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+            const std::string extension = entry.path().extension().string();
+            const bool cpp = extension == ".cpp" || extension == ".h";
+            const bool script = extension == ".txt" || extension == ".cmake" || extension == ".py" ||
+                                (extension.empty() && folder == std::string("packaging"));
+            if (!entry.is_regular_file() || !(cpp || script) || entry.path().filename() == "words_test.cpp") continue;
+            std::istringstream lines(test::fileText(entry.path()));
+            int number = 0;
+            for (std::string line; std::getline(lines, line);) {
+                ++number;
+                const std::string comment = commentOf(line, cpp);
+                comments += comment.empty() ? 0 : 1;
+                EXPECT_EQ(privateWordIn(comment), "") << entry.path() << ':' << number << ": " << comment;
+            }
+        }
+    }
+    EXPECT_GT(comments, 10000U);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
-// libFuzzer: any bytes as a stream from the scanner. However they are cut, the frames are the same and every byte is accounted for.
+// libFuzzer: any bytes as a stream from the scanner. In whatever pieces they are pushed, the frames are the same and every byte is
+// accounted for.
 #include "core/scanner/cola/frames.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ using namespace edgescan;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     if (size < 2) return 0;
-    // The first byte chooses the dialect, the second how long the pieces are.
+    // The first byte chooses the dialect, the second one the length of the pieces.
     std::optional<scanner::Dialect> only;
     if (bytes[0] % 3 != 0) only = bytes[0] % 3 == 1 ? scanner::Dialect::A : scanner::Dialect::B;
     const std::size_t piece = std::size_t{bytes[1]} + 1;

@@ -1,5 +1,5 @@
-// Replays the seeds, what was found so far (tests/fuzz/found/NAME_fuzz/*) and damaged seeds through every fuzzer: no libFuzzer, so
-// that any compiler's sanitizers can watch, and the same inputs each time.
+// Runs the seeds, the inputs found so far (tests/fuzz/found/NAME_fuzz/*) and damaged seeds through every fuzzer. It does not need
+// libFuzzer, so it works with every compiler's sanitizers, with the same inputs each time.
 #include "tests/support/damage.h"
 #include "tests/support/seed_files.h"
 
@@ -26,7 +26,7 @@ const std::map<std::string, Fuzzer>& fuzzers() {
 }
 
 void feed(Fuzzer fuzzer, const std::string& bytes) {
-    // A copy of exactly this size: a byte read behind it is seen.
+    // A copy of exactly this size: sanitizers detect a read behind its end.
     const std::vector<std::uint8_t> exact(bytes.begin(), bytes.end());
     fuzzer(exact.data(), exact.size());
 }

@@ -1,6 +1,6 @@
-// The cost fuzzer: thread CPU time and peak memory per byte of input, for every fuzzer of this folder. Each input is read in a process of
-// its own, so that its peak is its own. Inputs are the kinds of tests/support/costly_files.h, seeds of a whole sweep, and those damaged.
-// edgescan_cost [KILOBYTES] [ROUNDS]; the worst case of each reader is printed, and one beyond its factor fails.
+// The cost fuzzer: thread CPU time and peak memory per byte of input, for every fuzzer of this folder. Each input is read in its own
+// process, so that its peak is its own. Inputs are the kinds of tests/support/costly_files.h, seeds of a whole sweep, and damaged ones.
+// edgescan_cost [KILOBYTES] [ROUNDS]; prints the worst case of each reader, and fails if one exceeds its factor.
 #include "tests/support/costly_files.h"
 #include "tests/support/damage.h"
 
@@ -33,20 +33,20 @@ const std::map<std::string, Fuzzer>& fuzzers() {
 
 struct Cost {
     double nanoseconds = 0;
-    double bytes = 0; ///< peak, without what was there before
+    double bytes = 0; ///< peak, minus the memory used before
     bool ended = false;
 };
 
-/// Beyond these a file costs more than its size warrants: ten times the worst that is known of today, whatever the machine.
+/// Above these limits a file costs more than its size justifies: ten times the worst known case, on any machine.
 struct Factor {
     double nsPerByte = 0, bytesPerByte = 0;
 };
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kSlower = 30; // sanitizers keep and look at everything
+constexpr double kSlower = 30; // sanitizers store and check all memory accesses
 #else
 constexpr double kSlower = 1;
 #endif
-constexpr double kFixedNs = 1e9 * kSlower; // what any file may take: 8 MiB may be unpacked from a few bytes
+constexpr double kFixedNs = 1e9 * kSlower; // the fixed cost of any file: a few bytes may unpack to 8 MiB
 constexpr double kFixedBytes = 3e8 * kSlower;
 
 std::uint64_t peakNow() {
@@ -103,7 +103,7 @@ struct Row {
 
 namespace {
 
-/// Ratios of small inputs tell of what every file takes, not of its bytes.
+/// Ratios of small inputs show the fixed cost of a file, not the cost of its bytes.
 constexpr double kLeastBytes = 65536;
 
 std::string nameOf(const SeedFile& seed, const std::string& what) { return seed.extension + (seed.extension.empty() ? "" : " ") + what; }
@@ -141,8 +141,8 @@ public:
 
 private:
     static const Factor& factorOf(const std::string& reader) {
-        // A telegram of a recording or a capture may say that up to 2,000 lines were lost before it; each is a line of the sweep.
-        // A packed byte may be 64 of text.
+        // A telegram of a recording or a capture may announce up to 2,000 lost lines before it; each becomes a line of the sweep. A packed
+        // byte may become 64 bytes of text.
         static const std::map<std::string, Factor> some{
             {"mcap", {50'000, 5'000}}, {"capture", {50'000, 5'000}}, {"packed", {100'000, 10'000}}};
         static const Factor other{20'000, 2'000};

@@ -1,4 +1,4 @@
-// Fuzzes the reader of E57. The pages' checksums are made right first, or hardly anything would get past them.
+// Fuzzes the reader of E57. The checksums of the pages are corrected first; otherwise hardly any input would pass them.
 #include "core/containers/e57/paged_bytes.h"
 #include "tests/fuzz/open_bytes.h"
 

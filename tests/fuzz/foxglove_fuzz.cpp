@@ -1,4 +1,4 @@
-// Fuzzes the reader of our clouds for Foxglove.
+// Fuzzes the reader of EdgeScan's own clouds for Foxglove.
 #include "tests/fuzz/open_bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -1,4 +1,4 @@
-// Whatever bytes come as a recording: a scan or a sentence.
+// Any bytes as a recording: the result is a scan or an error sentence.
 #include "core/files/recording/replay.h"
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace edgescan;
-    // The magic is given, so that the fuzzer need not find it.
+    // The magic bytes are given, so that the fuzzer does not have to find them.
     Bytes file(containers::kMcapMagic.begin(), containers::kMcapMagic.end());
     file.insert(file.end(), bytes, bytes + size);
     const auto recording = files::Recording::fromBytes(std::move(file), "fuzz");

@@ -1,4 +1,4 @@
-// What every fuzzer of a reader does: open the bytes, and hold the scan to what it promises.
+// The common part of every fuzzer of a reader: opens the bytes, and checks the scan.
 #pragma once
 
 #include "core/files/open_save/open_scan.h"
@@ -23,7 +23,7 @@ inline int openBytes(const std::uint8_t* bytes, std::size_t size, const char* ex
     options.lineStepDeg = 0.5;
     const bool ranges = std::string(extension) == ".png" || std::string(extension) == ".tif" || std::string(extension) == ".csv" ||
                         std::string(extension) == ".npy";
-    if (ranges) options.axis = Axis::Sweep; // elsewhere it would keep clouds from being projected
+    if (ranges) options.axis = Axis::Sweep; // for other files the axis would prevent the projection of clouds
     const auto scan = files::readScanBytes(std::as_bytes(std::span(bytes, size)), extension, options);
     if (!scan) {
         const std::string sentence = scan.error().sentence();

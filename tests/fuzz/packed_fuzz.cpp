@@ -1,4 +1,4 @@
-// Fuzzes the reader of what is packed with gzip.
+// Fuzzes the reader of gzip files.
 #include "tests/fuzz/open_bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -1,4 +1,4 @@
-// Fuzzes the readers of range pictures; the content says whether PNG or TIFF.
+// Fuzzes the readers of range pictures; the content decides between PNG and TIFF.
 #include "tests/fuzz/open_bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

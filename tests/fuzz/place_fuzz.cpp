@@ -1,4 +1,4 @@
-// Whatever bytes come as a pose or a calibration file: numbers that can be used, or a sentence.
+// Any bytes as a pose or a calibration file: the result is usable numbers or an error sentence.
 #include "core/scan/georef/calibration.h"
 #include "core/scan/georef/poses.h"
 #include "tests/support/robot_files.h"

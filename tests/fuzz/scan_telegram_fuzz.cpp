@@ -1,4 +1,4 @@
-// libFuzzer: any bytes as a scan telegram. What decodes must survive encoding in both dialects and give ranges that are numbers.
+// libFuzzer: any bytes as a scan telegram. A decoded telegram must survive encoding in both dialects, and its ranges must be numbers.
 #include "core/scanner/sick_lms/scan_telegram.h"
 #include "tests/support/beam_angles.h"
 
@@ -27,7 +27,7 @@ void check(ByteView payload, scanner::Dialect dialect) {
     for (const scanner::Dialect target : {scanner::Dialect::A, scanner::Dialect::B}) {
         const Bytes once = scanner::encodeScanTelegram(*telegram, target);
         const auto back = scanner::decodeScanTelegram(once, target);
-        // Compared as bytes: a scale may be "not a number", which is unequal to itself.
+        // Compared as bytes: a scale may be NaN, which is unequal to itself.
         if (!back || scanner::encodeScanTelegram(*back, target) != once) std::abort();
     }
 }

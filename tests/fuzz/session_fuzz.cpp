@@ -1,4 +1,4 @@
-// Whatever bytes come as a session: one that is written and read back the same, or a sentence.
+// Any bytes as a session file: the result is a session that can be written and read back unchanged, or an error sentence.
 #include "core/inspect/session_file/session_file.h"
 
 #include <cstdint>

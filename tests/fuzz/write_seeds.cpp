@@ -1,4 +1,4 @@
-// Writes the seeds: edgescan_fuzz_seeds FOLDER makes FOLDER/NAME_fuzz/seed-N for every fuzzer.
+// Writes the seeds: edgescan_fuzz_seeds FOLDER creates FOLDER/NAME_fuzz/seed-N for every fuzzer.
 #include "tests/support/seed_files.h"
 
 int main(int count, char** words) {

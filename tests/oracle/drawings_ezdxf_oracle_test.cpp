@@ -1,4 +1,4 @@
-// ezdxf, a DXF library of its own, reads the drawings that we write: points, layers, polylines, and no complaint of its audit.
+// ezdxf, an independent DXF library, reads the drawings that EdgeScan writes: points, layers, polylines, and its audit reports no fault.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/cloud_columns.h"
@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-// The system's own Python: its packages are there, another one on the PATH has its own.
+// The system's own Python has this package; another one on the PATH may not have it.
 bool ezdxfIsThere() { return std::system("/usr/bin/python3 -c 'import ezdxf' >/dev/null 2>&1") == 0; }
 
 constexpr const char* kReader = R"(

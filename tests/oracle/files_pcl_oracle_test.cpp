@@ -1,4 +1,4 @@
-// PCL reads what we write and we read what PCL writes. Needs pcl_common and pcl_io.
+// PCL reads EdgeScan's files, and EdgeScan reads PCL's. Needs pcl_common and pcl_io.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/georef/placed_points.h"

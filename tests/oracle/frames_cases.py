@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-# Makes tests/unit/scan/georef/frames_cases.json: the frame chain of docs/coordinates.md, worked out apart from the program. Each rotation is
-# made of Rodrigues' formula, each step written down as points. usage: frames_cases.py > ../unit/georef/frames_cases.json
+# Makes tests/unit/scan/georef/frames_cases.json: the frame chain of docs/coordinates.md, computed independently of the program. Each
+# rotation uses Rodrigues' formula, each step is written down as points.
+#
+# usage: frames_cases.py > ../unit/scan/georef/frames_cases.json
 import json
 import math
 
@@ -50,7 +52,7 @@ def worked_out(q):
     R_AM = about(q["axis"], phi)
     p_A = on(R_AM, p_M)
     p_I = plus(on(q["R_IA"], p_A), q["t_IA_m"])
-    # The two elevations of the inclinometer: of its x axis, and of its y axis after that.
+    # The two elevations of the inclinometer: first of its x axis, then of its y axis.
     pitch = q["tilt_x_deg"]
     roll = math.degrees(math.asin(math.sin(math.radians(q["tilt_y_deg"])) / math.cos(math.radians(pitch))))
     R_LI = times(about(Y, -pitch), about(X, roll))

@@ -1,4 +1,4 @@
-// OpenCV reads the pictures that we write, and we read those that it writes.
+// OpenCV reads the pictures that EdgeScan writes, and EdgeScan reads those of OpenCV.
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/provenance/provenance.h"
@@ -20,7 +20,7 @@ std::shared_ptr<const edges::Detection> detectionOf(unsigned seed) {
     return edges::detectEdges(std::make_shared<const Scan>(std::move(scan)), edges::Settings{});
 }
 
-/// Angles that a picture cannot say.
+/// The angles, which a picture does not contain.
 ReadingOptions angles() {
     ReadingOptions options;
     options.beamStartDeg = 0;

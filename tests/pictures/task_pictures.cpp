@@ -22,7 +22,7 @@ namespace edgescan::ui {
 namespace {
 
 struct Bell {
-    std::string before, after, turned;                           ///< the last one: 200 degrees of a scanner that sits askew
+    std::string before, after, turned;                           ///< the last one: 200 degrees of a scanner with mounting errors
     mutable std::unique_ptr<scanner::EmulatedScanner> scanner{}; // sends until the picture is made
 };
 
@@ -38,7 +38,7 @@ void click(ImageView& view, int line, int beam) {
 
 bool rocksShown(WindowFixture& on) {
     QTest::keyClick(&on.window, Qt::Key_K);
-    return QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000);
+    return eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
 }
 
 // The largest rock about the middle of the picture: the one that an operator asks about.
@@ -76,7 +76,7 @@ bool picked(WindowFixture& on, const Bell& bell) {
     const QPoint at = on.viewer.views.placeOf(rockInTheMiddle(on).cell);
     QTest::keyClick(&on.window, Qt::Key_P);
     click(on.viewer.views.gray(), at.y(), at.x());
-    return QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000);
+    return eventually([&] { return on.viewer.targets.settled(); });
 }
 
 // The first and the last beam of a rock in the line of one of its cells, less the cells at its border.
@@ -98,7 +98,7 @@ bool measured(WindowFixture& on, const Bell& bell) {
     click(on.viewer.views.gray(), at.y(), to);
     QTest::keyClick(&on.window, Qt::Key_P);
     click(on.viewer.views.gray(), at.y(), at.x());
-    return QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000);
+    return eventually([&] { return on.viewer.targets.settled(); });
 }
 
 bool handedOver(WindowFixture& on, const Bell& bell) {
@@ -113,7 +113,7 @@ bool handedOver(WindowFixture& on, const Bell& bell) {
 bool compared(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell)) return false;
     QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
-    return on.open(bell.after) && QTest::qWaitFor([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }, 60000);
+    return on.open(bell.after) && eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); });
 }
 
 bool live(WindowFixture& on, const Bell& bell) {
@@ -132,8 +132,8 @@ bool live(WindowFixture& on, const Bell& bell) {
     sweep.firstLineDeg = -90;
     sweep.axis = Axis::Sweep;
     on.viewer.live.connectTo("127.0.0.1", bell.scanner->port(), sweep);
-    return QTest::qWaitFor(
-        [&] { return on.viewer.engine.picture() && on.viewer.engine.picture()->detection->scan->lines() > scan->lines() / 2; }, 60000);
+    return eventually(
+        [&] { return on.viewer.engine.picture() && on.viewer.engine.picture()->detection->scan->lines() > scan->lines() / 2; });
 }
 
 bool calibrated(WindowFixture& on, const Bell& bell) {
@@ -143,7 +143,7 @@ bool calibrated(WindowFixture& on, const Bell& bell) {
     calibrating->card()->resize(calibrating->card()->size().boundedTo(on.window.size() - QSize(60, 60)));
     calibrating->card()->move(on.window.geometry().center() - calibrating->card()->rect().center());
     calibrating->start();
-    return QTest::qWaitFor([&] { return calibrating->found() != nullptr; }, 60000);
+    return eventually([&] { return calibrating->found() != nullptr; });
 }
 
 // With the dialogs that stand over the window.

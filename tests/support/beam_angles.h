@@ -1,4 +1,4 @@
-// The beam angles of a telegram's grid, one after the other: what tests compare the sweep's angles with.
+// The beam angles of a telegram's grid in order: tests compare the sweep's angles with them.
 #pragma once
 
 #include "core/scanner/sick_lms/scan_telegram.h"

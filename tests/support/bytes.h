@@ -26,7 +26,7 @@ T valueAt(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-/// "" when the bytes open.
+/// The refusal, or "" if the bytes open.
 inline std::string refusalOf(const std::string& bytes, const std::string& extension, const ReadingOptions& options = {}) {
     const auto scan = readBytes(bytes, extension, options);
     return scan ? std::string() : scan.error().sentence();

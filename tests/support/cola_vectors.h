@@ -1,7 +1,9 @@
-// The real telegrams in ../shared/protocol/vectors, and what they decode to.
+// Telegrams that no code of EdgeScan wrote, and what they decode to: the project's own in tests/data/telegrams, real ones in
+// ../shared/protocol/vectors.
 #pragma once
 
 #include "core/scanner/sick_lms/scan_telegram.h"
+#include "tests/support/shared_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,8 +17,10 @@
 
 namespace edgescan::test {
 
-inline std::filesystem::path protocolFolder() { return std::filesystem::path(EDGESCAN_SHARED_DIR) / "protocol"; }
+inline std::filesystem::path protocolFolder() { return sharedFolder() / "protocol"; }
 inline std::filesystem::path vectorsFolder() { return protocolFolder() / "vectors"; }
+
+inline std::filesystem::path ownTelegrams() { return ownData() / "telegrams"; }
 
 inline Bytes fileBytes(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -39,7 +43,7 @@ inline std::string crc32Text(ByteView bytes) {
     return text;
 }
 
-/// Over the values as 16-bit numbers, whatever their width on the wire: as the tables have it.
+/// Over the values as 16-bit numbers, whatever their width on the wire, as in the tables.
 inline std::string crc32Text(const scanner::ScanChannel& channel) {
     Bytes bytes;
     for (const std::uint16_t value : channel.values) {
@@ -84,5 +88,4 @@ inline std::vector<std::map<std::string, std::string>> csvRows(const std::filesy
 
 } // namespace edgescan::test
 
-#define EDGESCAN_NEEDS_VECTORS()                                                                                                           \
-    if (!std::filesystem::exists(edgescan::test::vectorsFolder())) GTEST_SKIP() << edgescan::test::vectorsFolder() << " is not there"
+#define EDGESCAN_NEEDS_VECTORS() EDGESCAN_NEEDS_SHARED("protocol/vectors")

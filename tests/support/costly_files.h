@@ -1,5 +1,4 @@
-// Files that want as much time or memory as they can for their size: what somebody would send who wants a reader to hang. For the cost
-// fuzzer.
+// Files that need as much time or memory as possible for their size, as an attacker would send them. For the cost fuzzer.
 #pragma once
 
 #include "core/base/base64.h"
@@ -11,12 +10,12 @@
 
 namespace edgescan::test {
 
-/// A kind of file that can be made of any size.
+/// A kind of file that can be made in any size.
 struct CostlyKind {
     std::string reader; ///< as in SeedFile
     std::string extension;
     std::string name;
-    std::function<std::string(std::size_t bytes)> make; ///< about so many bytes
+    std::function<std::string(std::size_t bytes)> make; ///< of about this many bytes
 };
 
 namespace costly {
@@ -32,7 +31,7 @@ inline std::string head(const char* data, std::size_t points, const char* sizes 
            "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string(points) + "\nDATA " + data + "\n";
 }
 
-/// Points all round, without any order.
+/// Points in all directions, in random order.
 inline std::string looseFloats(std::size_t points) {
     std::mt19937 random(4);
     std::normal_distribution<float> normal(0, 5);
@@ -51,7 +50,7 @@ inline std::string looseText(std::size_t bytes, const char* before = "") {
     return text;
 }
 
-/// E57 points of three bits each; `farApart`: on a grid whose cells are nearly all empty.
+/// E57 points of three bits each; `farApart`: on a grid with almost only empty cells.
 inline std::string bitPoints(std::size_t bytes, bool farApart) {
     std::vector<double> bits;
     for (std::size_t n = 0; n < 2 * bytes; ++n) bits.push_back(static_cast<double>(n % 7 % 2));
@@ -70,7 +69,7 @@ inline std::string bitPoints(std::size_t bytes, bool farApart) {
     return e57Bytes({part});
 }
 
-/// Telegrams of three beams; `jump` counted as lost before each.
+/// Telegrams of three beams, with `jump` telegrams counted as lost before each.
 inline std::string colaTelegrams(std::size_t count, int jump = 0) {
     std::string stream;
     for (std::size_t n = 0; n < count; ++n) {
@@ -103,7 +102,7 @@ inline std::string recordingText(const scanner::SweepMetadata& metadata, const s
     return {bytes.begin() + static_cast<std::ptrdiff_t>(containers::kMcapMagic.size()), bytes.end()};
 }
 
-/// Lines whose counters, beams or both change in ways that make sweeps of lost lines.
+/// Lines whose counters or beams, or both, change so that sweeps of lost lines result.
 inline std::string strangeLines(std::size_t bytes, int jump, bool alternate, int expected) {
     std::vector<files::RecordingMessagePtr> messages;
     std::size_t made = 0;
@@ -127,7 +126,8 @@ inline void addText(std::string& content, const std::string& text) {
     content += text;
 }
 
-/// The head of a chunk that claims so many bytes behind it; `compression` as long as that instead of records.
+/// The head of a chunk that claims this many bytes behind it; `compression`: the claimed length is that of the compression's name instead
+/// of the records.
 inline void addFalseChunk(std::string& file, std::uint64_t rest, bool longCompression) {
     file += '\6';
     putAt(file, file.size(), rest + 40);
@@ -148,7 +148,8 @@ inline void addSoundChunk(std::string& file) {
     addRecord(file, 6, chunk + plain);
 }
 
-/// False starts of chunks that claim nearly all that follows; `sound`: a sound chunk after every 64 of them, so that each is new damage.
+/// False starts of chunks that claim almost all of the following bytes; `sound`: with a valid chunk after every 64 of them, so that each is
+/// new damage.
 inline std::string falseChunks(std::size_t bytes, bool longCompression, bool sound = false) {
     std::string file(20, '\x77');
     for (int n = 0; file.size() < bytes; ++n) {
@@ -161,7 +162,7 @@ inline std::string falseChunks(std::size_t bytes, bool longCompression, bool sou
     return file + std::string(200, '\x77');
 }
 
-/// A large metadata record, damage, and a summary that names it over and over.
+/// A large metadata record, damage, and a summary that lists the record many times.
 inline std::string namedOverAndOver(std::size_t bytes) {
     std::string file;
     std::string content, map;
@@ -191,7 +192,7 @@ inline std::string smallRecords(std::size_t bytes, int opcode, const std::string
     return file;
 }
 
-/// As large as makes about so many bytes.
+/// Its size is chosen so that about this many bytes result.
 inline std::string blackPng(std::size_t bytes) {
     std::string png;
     for (int side = 512; png.size() < bytes && side <= 8192; side *= 2) {
@@ -201,7 +202,7 @@ inline std::string blackPng(std::size_t bytes) {
     return png;
 }
 
-/// One cloud for Foxglove whose message has so many bytes of text in its data.
+/// One cloud for Foxglove whose message has this many bytes of text in its data.
 inline std::string foxgloveCloud(std::size_t bytes) {
     const std::size_t points = std::max<std::size_t>(1, bytes / 16);
     const std::string message =

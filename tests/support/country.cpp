@@ -1,5 +1,5 @@
-// With EDGESCAN_TEST_COUNTRY=de_DE.UTF-8 a test program runs as if the whole process followed that country: C functions, streams that are
-// made from then on, case of letters. What the core writes and reads must not change.
+// With EDGESCAN_TEST_COUNTRY=de_DE.UTF-8 a test program runs as if the whole process used that locale: C functions, streams created later,
+// upper and lower case. What the core writes and reads must not change.
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Damages a text or binary file as disks, editors and cables do.
+// Damages a text or binary file like faults of disks, editors and cables.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 
 namespace edgescan::test {
 
-/// Another byte, a byte that numbers are made of, some bytes gone, some twice: by the round; every second one near the beginning.
+/// The round decides: another byte, a byte that numbers consist of, some bytes deleted, some doubled; every second damage is near the
+/// beginning.
 inline std::string damaged(std::string text, std::mt19937& random, int round) {
     for (auto flips = 1 + random() % 5; flips > 0 && !text.empty(); --flips) {
         const std::size_t at = random() % (round % 2 == 0 ? text.size() : std::min<std::size_t>(text.size(), 500));

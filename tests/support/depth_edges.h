@@ -1,15 +1,15 @@
-// EdgeScan+ from a scan to its edges in one call; the program keeps what is in between.
+// EdgeScan+ from a scan to its edges in one call; the program stores the intermediate results.
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 
 namespace edgescan::test {
 
-inline edges::DepthResponses depthResponses(const Scan& scan, const edges::DepthEdgeSettings& settings) {
+inline edges::DepthResponses depthResponses(const Scan& scan, const edges::Settings& settings) {
     return edgescan::edges::depthResponses(edges::depthSurface(scan, settings.straighten, 0, settings.noiseKind), settings);
 }
 
-inline edges::DepthEdges depthEdges(const Scan& scan, const edges::DepthEdgeSettings& settings) {
+inline edges::DepthEdges depthEdges(const Scan& scan, const edges::Settings& settings) {
     return edges::decideDepthEdges(depthResponses(scan, settings), settings);
 }
 

@@ -1,4 +1,4 @@
-// The edges of a detector with one threshold on a picture of levels.
+// The edges of a detector with one threshold on an image of levels.
 #pragma once
 
 #include "core/edges/pipeline/methods.h"

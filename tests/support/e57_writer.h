@@ -1,4 +1,4 @@
-// Writes E57 files from the description of the format, the slow and plain way: nothing of the reader is used.
+// Writes E57 files from the description of the format, slowly and simply; shares no code with the reader.
 #pragma once
 
 #include "tests/support/bytes.h"
@@ -34,7 +34,7 @@ struct E57Column {
         return text + "/>";
     }
 
-    /// One bit after the other, the lowest first; the last byte filled up with zeros.
+    /// Bit by bit, the lowest first; the last byte is filled with zeros.
     [[nodiscard]] std::string stream() const {
         std::vector<bool> bits;
         const auto put = [&](std::uint64_t value, int count) {
@@ -65,9 +65,9 @@ struct E57Column {
 
 struct E57Part {
     std::vector<E57Column> columns;
-    std::string xml;                         ///< elements beside the points: pose, bounds, name
-    std::size_t bytesPerPacket = 96;         ///< of the first stream; the others are cut elsewhere
-    std::optional<std::uint64_t> promised{}; ///< points, where it is not the truth
+    std::string xml;                         ///< further elements next to the points: pose, bounds, name
+    std::size_t bytesPerPacket = 96;         ///< of the first stream; the others are split at other places
+    std::optional<std::uint64_t> promised{}; ///< the claimed number of points, if it is not the true one
 };
 
 inline std::uint32_t slowCrc32c(const std::string& bytes) {
@@ -79,7 +79,7 @@ inline std::uint32_t slowCrc32c(const std::string& bytes) {
     return ~crc;
 }
 
-/// Cuts into pages of 1,024 bytes with the checksum, highest byte first, in the last four.
+/// Splits into pages of 1,024 bytes with the checksum, highest byte first, in the last four.
 inline std::string e57Pages(std::string logical) {
     logical.resize((logical.size() + 1019) / 1020 * 1020, ' ');
     std::string file;
@@ -92,7 +92,7 @@ inline std::string e57Pages(std::string logical) {
     return file;
 }
 
-/// The pages' checksums made right again after something in them was changed.
+/// Corrects the checksums of the pages after a change.
 inline std::string withE57Checksums(std::string file) {
     std::string logical;
     for (std::size_t at = 0; at + 1024 <= file.size(); at += 1024) logical += file.substr(at, 1020);
@@ -101,7 +101,7 @@ inline std::string withE57Checksums(std::string file) {
 
 inline std::uint64_t e57Place(std::size_t logical) { return logical / 1020 * 1024 + logical % 1020; }
 
-/// The packets of one scan: an index packet and an empty one among those with points; streams cut without regard to points.
+/// The packets of one scan: packets with points, an index packet and an empty packet; the streams are split without regard to points.
 inline std::string e57Packets(const E57Part& part) {
     std::vector<std::string> streams;
     for (const E57Column& column : part.columns) streams.push_back(column.stream());
@@ -129,7 +129,7 @@ inline std::string e57Packets(const E57Part& part) {
     return packets;
 }
 
-/// A whole file. `extra`: elements of the root beside data3D.
+/// A whole file. `extra`: further elements of the root next to data3D.
 inline std::string e57Bytes(const std::vector<E57Part>& parts, const std::string& extra = {}) {
     std::string logical(48, '\0');
     std::string scans;
@@ -176,7 +176,7 @@ inline std::vector<E57Column> e57Cartesian(const std::vector<Eigen::Vector3d>& p
     return columns;
 }
 
-/// Whole numbers with just as many bits as they need.
+/// Integers with as many bits as they need.
 inline E57Column e57Whole(const std::string& name, std::vector<double> values) {
     E57Column column{name, E57Column::As::Integer, std::move(values)};
     for (const double value : column.values) {

@@ -1,4 +1,4 @@
-// JSON Schema as far as docs/export-record.schema.json uses it; a keyword that is not known is a failure, so that none is passed over.
+// The part of JSON Schema that docs/export-record.schema.json uses. An unknown keyword is a failure, so that every keyword is checked.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ inline bool isOfType(const SchemaJson& value, const std::string& type) {
     return type == "object" && value.is_object();
 }
 
-/// What is wrong with `value`, or empty. `root` is the whole schema, for references.
+/// The fault of `value`, or empty. `root` is the whole schema, for references.
 inline std::string schemaProblem(const SchemaJson& value, const SchemaJson& schema, const SchemaJson& root, const std::string& at = "$");
 
 inline std::string objectProblem(const SchemaJson& value, const std::string& key, const SchemaJson& rule, const SchemaJson& schema,

@@ -1,4 +1,4 @@
-// Scan telegrams made in memory, for tests of what comes after the wire.
+// Scan telegrams made in memory, for tests of the code behind the connection.
 #pragma once
 
 #include "core/files/recording/writer.h"
@@ -25,7 +25,7 @@ struct LineStyle {
     std::uint32_t frequency = 2500; ///< 1/100 Hz
 };
 
-/// Range of a cell in the tests: tells line and beam apart.
+/// Range of a cell in the tests: different for each line and beam.
 inline std::uint16_t rawOf(int line, int beam) { return static_cast<std::uint16_t>(1000 + (line * 131 + beam * 17) % 9000); }
 
 /// Line `n` as the scanner sends it.
@@ -50,7 +50,7 @@ inline scanner::ScanTelegram telegramOfLine(int n, const LineStyle& style = {}) 
 
 inline std::int64_t hostNsOfLine(int n) { return kEpochNs + n * kPeriodNs + 41'000'000; }
 
-/// "line n of the sender is row r of the scan", for every cell.
+/// True if row `row` of the scan holds line `line` of the sender, for every cell.
 inline bool rowHolds(const Scan& scan, int row, int line) {
     for (int beam = 0; beam < scan.beams(); ++beam) {
         if (scan.state.at(row, beam) != CellState::Valid || scan.rangeMm.at(row, beam) != static_cast<float>(rawOf(line, beam)))
@@ -69,7 +69,7 @@ inline bool sameScan(const Scan& a, const Scan& b) {
     return a.rangeMm == b.rangeMm && a.state == b.state && std::get<PolarGeometry>(a.geometry) == std::get<PolarGeometry>(b.geometry);
 }
 
-/// States add up to lines x beams, in the scan and in the progress.
+/// Whether the states add up to lines x beams, in the scan and in the progress.
 inline bool addsUp(const Scan& scan, const scanner::SweepProgress& progress) {
     std::size_t sum = 0;
     for (const std::size_t count : progress.cells) sum += count;

@@ -1,4 +1,4 @@
-// A scanner session and what it told, for tests; an emulated scanner with few beams.
+// A scanner session and a record of its events, for tests; an emulated scanner with few beams.
 #pragma once
 
 #include "core/scanner/emulator/emulator.h"
@@ -19,6 +19,15 @@ namespace edgescan::test {
 
 using namespace std::chrono_literals;
 
+/// Waits that no busy machine makes too short, for tests of a scanner that answers.
+inline scanner::ScannerTimeouts patient() {
+    scanner::ScannerTimeouts timeouts;
+    timeouts.connect = timeouts.answer = timeouts.firstScan = timeouts.silence = kPatience;
+    timeouts.detect = 3s; // a dialect that the scanner does not speak costs so long
+    timeouts.rests = {20ms, 40ms};
+    return timeouts;
+}
+
 /// Short waits, so that a test of failures is quick.
 inline scanner::ScannerTimeouts hasty() {
     scanner::ScannerTimeouts timeouts;
@@ -26,12 +35,12 @@ inline scanner::ScannerTimeouts hasty() {
     timeouts.detect = 150ms;
     timeouts.answer = 1s;
     timeouts.firstScan = 1s;
-    timeouts.silence = 100ms; // ten periods of 25 Hz are more: 400 ms
+    timeouts.silence = 100ms; // ten periods of 25 Hz are longer: 400 ms
     timeouts.rests = {20ms, 40ms};
     return timeouts;
 }
 
-/// Everything that a session told. Destroy the session first.
+/// All events of a session. Destroy the session before this object.
 class Listener {
 public:
     [[nodiscard]] scanner::SessionEvents events() {
@@ -41,20 +50,20 @@ public:
                 [this](const scanner::ColaFrame& frame) { add(sent_, frame); }};
     }
 
-    /// True as soon as `done` is, which sees this listener locked.
+    /// True as soon as `done` is true. `done` is called while this listener is locked.
     template <class Condition>
-    [[nodiscard]] bool waitFor(Condition done, std::chrono::milliseconds timeout = 20s) {
+    [[nodiscard]] bool waitFor(Condition done) {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, timeout, [&] { return done(*this); });
+        return changed_.wait_for(lock, kPatience, [&] { return done(*this); });
     }
-    [[nodiscard]] bool waitForPhase(scanner::SessionPhase phase, std::chrono::milliseconds timeout = 20s) {
-        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; }, timeout);
+    [[nodiscard]] bool waitForPhase(scanner::SessionPhase phase) {
+        return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; });
     }
-    [[nodiscard]] bool waitForScans(std::size_t count, std::chrono::milliseconds timeout = 20s) {
-        return waitFor([count](const Listener& l) { return l.scans_ >= count; }, timeout);
+    [[nodiscard]] bool waitForScans(std::size_t count) {
+        return waitFor([count](const Listener& l) { return l.scans_ >= count; });
     }
 
-    // After the session is gone, or inside waitFor.
+    // Call these after the session is destroyed, or inside waitFor.
     [[nodiscard]] const std::vector<scanner::SessionState>& states() const { return states_; }
     [[nodiscard]] const std::vector<scanner::ScannerIdentity>& identities() const { return identities_; }
     [[nodiscard]] const std::vector<scanner::ColaFrame>& frames() const { return frames_; }
@@ -110,7 +119,7 @@ private:
     std::size_t scans_ = 0;
 };
 
-/// A scan whose range tells the cell.
+/// A scan whose range identifies the cell.
 inline Scan countingScan(int lines, int beams) {
     return makeScan(lines, beams, [](int i, int j) { return (i + j) % 17 == 0 ? 0 : 1000 + i * 10 + j; });
 }
@@ -124,15 +133,15 @@ inline std::unique_ptr<scanner::EmulatedScanner> served(const Scan& scan, const 
     return std::move(*scanner);
 }
 
-inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner) {
+inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner, const scanner::ScannerTimeouts& timeouts = patient()) {
     scanner::SessionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
-    settings.timeouts = hasty();
+    settings.timeouts = timeouts;
     return settings;
 }
 
-/// What the counters of the received telegrams say.
+/// The counters of the received telegrams.
 struct Account {
     std::int64_t received = 0; ///< without duplicates
     std::int64_t lost = 0;

@@ -1,4 +1,4 @@
-// The TCP sockets that this process holds, as the kernel tells it.
+// The TCP sockets of this process, as the kernel lists them.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Writes gzip, ZIP and numpy files for tests: the containers by hand, DEFLATE by zlib.
+// Writes gzip, ZIP and numpy files for tests: the containers byte by byte, DEFLATE by zlib.
 #pragma once
 
 #include "tests/support/bytes.h"
@@ -14,7 +14,7 @@
 
 namespace edgescan::test {
 
-/// DEFLATE with gzip's header and check, or without any.
+/// DEFLATE with gzip's header and checksum, or without.
 inline std::string packedBytes(const std::string& bytes, bool gzip) {
     z_stream stream{};
     deflateInit2(&stream, 6, Z_DEFLATED, gzip ? 15 + 16 : -15, 8, Z_DEFAULT_STRATEGY);
@@ -54,7 +54,7 @@ inline std::string zipBytes(const std::vector<std::pair<std::string, std::string
         putAt(extra, 12, std::uint64_t{data.size()});
         const auto at = static_cast<std::uint32_t>(archive.size());
         std::string sizes = common;
-        putAt(sizes, 14, std::uint64_t{0xFFFFFFFFFFFFFFFF}); // elsewhere: in the field behind the name
+        putAt(sizes, 14, std::uint64_t{0xFFFFFFFFFFFFFFFF}); // the sizes are in the field behind the name
         putAt(sizes, 22, static_cast<std::uint16_t>(name.size()));
         archive += "PK\x03\x04" + sizes;
         putAt(archive, archive.size(), static_cast<std::uint16_t>(extra.size()));
@@ -88,7 +88,7 @@ inline std::string npyBytes(std::string header, const std::string& data) {
     return bytes + header + data;
 }
 
-/// Numbers as "<f4", ">u2" ...; of `sides` (lines, beams) in Fortran's order.
+/// Numbers as "<f4", ">u2" ...; with `sides` (lines, beams) in Fortran order.
 inline std::string npyData(const std::vector<double>& values, const std::string& type,
                            std::optional<std::pair<std::size_t, std::size_t>> sides = {}) {
     std::string data;

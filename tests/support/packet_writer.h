@@ -1,4 +1,4 @@
-// Writes network captures from the descriptions of the formats: PCAP, PCAPNG, Ethernet, IP and TCP. Nothing of the reader is used.
+// Writes network captures from the descriptions of the formats: PCAP, PCAPNG, Ethernet, IP and TCP. Shares no code with the reader.
 #pragma once
 
 #include "tests/support/bytes.h"
@@ -11,7 +11,7 @@
 
 namespace edgescan::test {
 
-/// The highest byte first, as networks have it.
+/// The highest byte first, as in network protocols.
 inline std::string netBytes(std::uint64_t value, int bytes) {
     std::string text;
     for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) text += static_cast<char>(value >> shift);
@@ -61,7 +61,7 @@ inline std::string packetOf(const TcpPart& part, const PacketStyle& style) {
     switch (style.link) {
     case Link::Ethernet: {
         std::string frame = std::string(12, '\x22') + tags + type + ip;
-        if (frame.size() < 60) frame.resize(60, '\x7e'); // the least that Ethernet carries
+        if (frame.size() < 60) frame.resize(60, '\x7e'); // the smallest frame of Ethernet
         return frame;
     }
     case Link::Cooked:

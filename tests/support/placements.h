@@ -9,7 +9,7 @@
 
 namespace edgescan::test {
 
-/// Somewhere near N 6,200,000 E 620,000; `lines` poses, one of them for all lines when 1. The mounting is a little off the ideal.
+/// Near N 6,200,000 E 620,000; `lines` poses, or one pose for all lines if 1. The mounting differs slightly from the ideal one.
 inline std::shared_ptr<const Placement> randomPlacement(unsigned seed, int lines, bool sweep) {
     std::mt19937 random(seed);
     const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };

@@ -1,4 +1,4 @@
-// Point files written here by hand, without the program's own writers: text, CSV, LAS, PCD and PLY of rounded coordinates.
+// Point files written without the program's own writers: text, CSV, LAS, PCD and PLY of rounded coordinates.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ namespace edgescan::test {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// A further column of whole numbers, one per point.
+/// An additional column of integers, one per point.
 struct WholeColumn {
     std::string name;
     std::vector<std::uint32_t> values;

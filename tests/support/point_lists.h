@@ -1,4 +1,4 @@
-// Makes synthetic scans and writes them as point lists in the ways that programs do.
+// Makes synthetic scans and writes them as point lists, as different programs do.
 #pragma once
 
 #include "core/scan/grid/cartesian.h"
@@ -15,7 +15,7 @@
 
 namespace edgescan::test {
 
-/// A folder of its own that goes away with the test.
+/// A temporary folder, removed at the end of the test.
 class Folder {
 public:
     Folder() {
@@ -47,9 +47,9 @@ struct ScanShape {
     Axis axis = Axis::Sweep;
     int lines = 40, beams = 60;
     double beamStart = 0, beamStep = 0.5, lineStart = 30, lineStep = -0.5;
-    double motorJitter = 0;  ///< of the line step
+    double motorJitter = 0;  ///< share of the line step
     double noReturns = 0.05; ///< share of cells
-    double fraction = 0;     ///< of a millimetre in the ranges; 0 = whole millimetres
+    double fraction = 0;     ///< share of a millimetre in the ranges; 0 = whole millimetres
     double nearest = 1500;
     unsigned seed = 1;
 };
@@ -93,7 +93,7 @@ struct ListStyle {
     bool doubledLines = false;
 };
 
-/// Points in the order and the numbers of the style; (0, 0, 0) where there is no return.
+/// Points in the order and number format of the style; (0, 0, 0) for cells without a return.
 inline std::vector<Eigen::Vector3d> listOf(const Scan& scan, const ListStyle& style, unsigned seed = 7) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -123,7 +123,7 @@ inline std::vector<Eigen::Vector3d> listOf(const Scan& scan, const ListStyle& st
 inline std::string numberText(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
-    // The tests also run where the decimal point is a comma; a list has a point everywhere.
+    // The tests also run with locales whose decimal point is a comma; a list always has a point.
     std::string number = text;
     std::replace(number.begin(), number.end(), ',', '.');
     return number;
@@ -138,8 +138,8 @@ inline std::string textOf(const std::vector<Eigen::Vector3d>& points, const List
     return text;
 }
 
-/// Greatest distance, metres, from a point of `expected` to the nearest cell's point of `found`; both hold the same cells in some
-/// order, compared through sorted coordinates rounded to `grain`.
+/// Largest distance, metres, from a point of `expected` to the point of the nearest cell of `found`. Both hold the same cells in some
+/// order; they are compared through sorted coordinates rounded to `grain`.
 inline double farthestFrom(const Scan& expected, const Scan& found) {
     const CartesianTables a(expected);
     const CartesianTables b(found);
@@ -152,7 +152,7 @@ inline double farthestFrom(const Scan& expected, const Scan& found) {
         if (found.state[k] == CellState::Valid) pb.push_back(b.point(k));
     }
     if (pa.size() != pb.size()) return 1e9;
-    // A direction in general position orders both lists alike.
+    // Sorting along a direction in general position gives both lists the same order.
     const Eigen::Vector3d d(0.5377, 1.8339, -2.2588);
     const auto byD = [&](const Eigen::Vector3d& x, const Eigen::Vector3d& y) { return x.dot(d) < y.dot(d); };
     std::sort(pa.begin(), pa.end(), byD);

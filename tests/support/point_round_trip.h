@@ -1,4 +1,4 @@
-// A scan as a bare list of points, rounded, shuffled and thinned, and what of it comes back when the list is opened.
+// Writes a scan as a bare list of points, rounded, shuffled and thinned, and compares the scan that is opened from the list.
 #pragma once
 
 #include "core/edges/pipeline/pipeline.h"
@@ -55,31 +55,32 @@ inline std::string fileOf(const Points& points, const RoundTrip& trip) {
     return pointText(points, trip.decimals);
 }
 
-/// What came back.
+/// The result of the comparison.
 struct CameBack {
     std::string problem; ///< the error's sentence; empty: it opened
     int lines = 0, beams = 0;
     std::size_t written = 0;
-    std::size_t lost = 0;          ///< points that have no cell of their own
-    std::size_t moved = 0;         ///< cells whose range is not that of the same cell of the original
-    std::size_t edges = 0;         ///< cells of the original's mask
-    std::size_t differ = 0;        ///< of the mask
-    std::size_t unclear = 0;       ///< points so near the axis that rounding may move them by more than half a line: nothing tells theirs
-    std::size_t movedClear = 0;    ///< of `moved`: cells that had a point, and one that is none of these
-    std::size_t differRounded = 0; ///< mask cells that differ where each cell keeps its place and gets the range of its rounded point
-    double seconds = 0;            ///< to open it
+    std::size_t lost = 0;   ///< points without a cell of their own
+    std::size_t moved = 0;  ///< cells whose range differs from that of the same cell of the original
+    std::size_t edges = 0;  ///< edge cells of the original
+    std::size_t differ = 0; ///< cells in which the masks differ
+    /// points so near the axis that rounding may move them by more than half a line: their line cannot be recovered
+    std::size_t unclear = 0;
+    std::size_t movedClear = 0;    ///< of `moved`: cells that had a point that is not such an unclear point
+    std::size_t differRounded = 0; ///< mask cells that differ if each cell stays and gets the range of its rounded point
+    double seconds = 0;            ///< time to open it
     bool turnedLines = false, turnedBeams = false;
-    std::vector<std::array<double, 4>> examples; ///< of moved cells: line, beam, range that was, range that is
+    std::vector<std::array<double, 4>> examples; ///< of moved cells: line, beam, range before, range after
     std::vector<std::string> warnings;
 };
 
-/// How the cells of `found` lie in `original`: mirrored, and without the lines and beams at its ends that have no point.
+/// The position of the cells of `found` in `original`: mirrored, and without lines and beams without points at the ends.
 struct Alignment {
     bool turnLines = false, turnBeams = false;
     int firstLine = 0, firstBeam = 0;
     std::size_t agreeing = 0;
 
-    /// Cell of the original; empty outside of it.
+    /// Cell of the original; empty outside.
     [[nodiscard]] std::optional<std::size_t> cell(const Scan& original, const Scan& found, int i, int j) const {
         const int line = firstLine + (turnLines ? found.lines() - 1 - i : i);
         const int beam = firstBeam + (turnBeams ? found.beams() - 1 - j : j);
@@ -120,7 +121,7 @@ inline std::shared_ptr<const Grid<std::uint8_t>> maskOf(const Scan& scan) {
     return edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{})->mask;
 }
 
-/// The original with the cells that were not written as no returns.
+/// The original, with the cells that were not written as no returns.
 inline Scan onlyWritten(Scan scan, const std::vector<std::uint32_t>& cells) {
     std::vector<bool> is(scan.cells(), false);
     for (const std::uint32_t k : cells) is[k] = true;
@@ -130,7 +131,7 @@ inline Scan onlyWritten(Scan scan, const std::vector<std::uint32_t>& cells) {
     return scan;
 }
 
-/// The scan with its lines or beams listed the other way round.
+/// The scan with its lines or beams in the opposite order.
 inline Scan turnedOver(const Scan& scan, bool lines, bool beams) {
     Scan turned = scan;
     auto* polar = std::get_if<PolarGeometry>(&turned.geometry);
@@ -147,7 +148,7 @@ inline Scan turnedOver(const Scan& scan, bool lines, bool beams) {
     return turned;
 }
 
-/// Written points, by cell, whose line their rounded numbers do not tell.
+/// Written points, by cell, whose line cannot be recovered from their rounded numbers.
 inline std::vector<bool> unclearCells(const Scan& scan, const WrittenPoints& written, const RoundTrip& trip) {
     std::vector<bool> unclear(scan.cells(), false);
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -173,7 +174,7 @@ inline Scan withRoundedRanges(Scan scan, const WrittenPoints& written, const Rou
     return scan;
 }
 
-/// A shuffled list has lost its direction: the original is taken in the direction in which it was found.
+/// A shuffled list has no direction: the original is compared in the direction that was found.
 inline CameBack compared(const Scan& asWritten, const Scan& found, std::size_t written, double toleranceMm,
                          const std::vector<bool>& unclearAsWritten = {}) {
     CameBack back;

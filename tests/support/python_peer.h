@@ -1,4 +1,4 @@
-// The independent Python tools in ../shared/protocol/tools, as separate programs.
+// The independent Python tools in ../shared/protocol/tools, run as separate programs.
 #pragma once
 
 #include "tests/support/cola_vectors.h"
@@ -16,10 +16,10 @@ namespace edgescan::test {
 
 inline bool pythonIsThere() {
     static const bool there = std::system("python3 -c 1 >/dev/null 2>&1") == 0;
-    return there && std::filesystem::exists(protocolFolder() / "tools" / "cola.py");
+    return there;
 }
 
-/// A program of its own that ends with the test.
+/// A process that ends with the test.
 class Process {
 public:
     explicit Process(std::vector<std::string> words) {
@@ -49,4 +49,5 @@ private:
 } // namespace edgescan::test
 
 #define EDGESCAN_NEEDS_PYTHON()                                                                                                            \
-    if (!edgescan::test::pythonIsThere()) GTEST_SKIP() << "python3 or " << edgescan::test::protocolFolder() << "/tools is not there"
+    EDGESCAN_NEEDS_SHARED("protocol/tools");                                                                                               \
+    if (!edgescan::test::pythonIsThere()) GTEST_SKIP() << "needs python3"

@@ -1,4 +1,4 @@
-// Calibrations and poses as the files that a person would write, and a robot with typical numbers.
+// Calibrations and poses as files written by a person would look, and a robot with typical values.
 #pragma once
 
 #include "core/base/utc_time.h"
@@ -24,7 +24,7 @@ inline Json matrixJson(const Eigen::Matrix3d& m) {
     return rows;
 }
 
-/// JSON by hand: one line per key, lists on it, so that a person sees the table.
+/// JSON in a readable form: one line per key, with lists on one line.
 inline std::string readable(const Json& object) {
     std::string text = "{\n";
     std::size_t left = object.size();
@@ -44,7 +44,7 @@ inline std::string readable(const Json& object) {
     return text + "}\n";
 }
 
-/// {"format": "edgescan-calibration/1", ...} with every key; parseCalibration gives the same numbers back.
+/// {"format": "edgescan-calibration/1", ...} with every key; parseCalibration returns the same numbers.
 inline std::string calibrationText(const Calibration& c) {
     Json stepper{{"mount_rpy_deg", vectorJson(c.mountRpyDeg)},
                  {"mount_m", vectorJson(c.mountM)},
@@ -86,7 +86,7 @@ inline Calibration exampleCalibration() {
 
 inline Json timeJson(double seconds) { return std::isnan(seconds) ? Json() : Json(utcText(seconds)); }
 
-/// {"format": "edgescan-pose/1", ...}; parsePoses gives the same numbers back (times to the millisecond).
+/// {"format": "edgescan-pose/1", ...}; parsePoses returns the same numbers (times to the millisecond).
 inline std::string posesText(const PoseTrack& poses) {
     Json object{{"format", "edgescan-pose/1"},
                 {"robot", poses.robot},

@@ -1,4 +1,4 @@
-// Small scenes of rocks with what is true of them, and the stages up to the leaves in one call.
+// Small scenes of rocks with their truth, and the stages up to the segments in one call.
 #pragma once
 
 #include "core/edges/pipeline/pipeline.h"
@@ -40,8 +40,8 @@ inline rocks::Segmentation rockLeavesOf(const std::shared_ptr<const Scan>& scan)
     return rocks::segmentRocks(rocks::rockInputs(*edges::detectEdges(scan, edges::Settings{}, edges::KeepFor::Rocks)));
 }
 
-/// Panoptic quality of the regions against true rocks of `fewest` measured cells and more; what lies on walls is left out, as is what lies
-/// on smaller rocks.
+/// Panoptic quality of the regions relative to true rocks of at least `fewest` measured cells. Regions on walls and on smaller rocks are
+/// left out.
 inline double panopticQuality(const rocks::Segmentation& leaves, const rocks::RegionMap& map, const sim::SimulationTruth& truth,
                               std::uint32_t fewest) {
     const Grid<std::uint32_t> labels = rocks::regionLabels(leaves, map);

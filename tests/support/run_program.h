@@ -1,4 +1,4 @@
-// Runs one of our programs and keeps what it said.
+// Runs one of EdgeScan's programs and stores its output.
 #pragma once
 
 #include <sys/wait.h>
@@ -23,7 +23,7 @@ inline std::string fileText(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A folder of its own, removed at the end.
+/// A temporary folder, removed at the end.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -53,5 +53,6 @@ inline ProgramRun runProgram(const std::string& name, const std::string& argumen
 }
 
 inline ProgramRun runCli(const std::string& arguments) { return runProgram("edgescan-cli", arguments); }
+inline ProgramRun runLab(const std::string& arguments) { return runProgram("edgescan-lab", arguments); }
 
 } // namespace edgescan::test

@@ -1,4 +1,4 @@
-// Point clouds without provenance, as files: what tests compare with other programs' readers.
+// Point clouds without provenance, as files: tests compare them with other programs' readers.
 #pragma once
 
 #include "core/base/whole_file.h"

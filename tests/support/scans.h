@@ -39,7 +39,7 @@ Scan makeScan(int lines, int beams, Range range) {
     return scan;
 }
 
-/// A scan while it grows: the first lines of `scan`.
+/// A growing scan: the first lines of `scan`.
 inline std::shared_ptr<const Scan> firstLines(const Scan& scan, int lines) {
     auto part = std::make_shared<Scan>();
     const auto cells = static_cast<std::ptrdiff_t>(scan.rangeMm.index(lines, 0));
@@ -56,7 +56,7 @@ inline double wallRangeMm(const PolarGeometry& polar, int line, int beam, double
     return std::round(distanceMm / (std::sin(a) * std::cos(p)));
 }
 
-/// Boxes at different depths before a back wall, with a share of cells without a return.
+/// Boxes at different depths in front of a back wall, with a share of cells without a return.
 inline Scan boxesScan(int lines, int beams, std::uint32_t seed, double dropouts = 0.0) {
     std::mt19937 random(seed);
     Grid<float> depth(lines, beams, 9000.0F);

@@ -1,4 +1,4 @@
-// A simulated scan with what it is scored against.
+// A simulated scan with its ground truth.
 #pragma once
 
 #include "core/sim/simulate.h"

@@ -1,4 +1,4 @@
-// One small whole file per reader and kind, made in memory: seeds for the fuzzers and for the test that damages them.
+// One small complete file per reader and kind, made in memory: seeds for the fuzzers, and for the test with damaged files.
 #pragma once
 
 #include "core/containers/png/png.h"
@@ -38,7 +38,7 @@ inline ReadingOptions seedOptions() {
     return options;
 }
 
-/// 16-bit gray TIFF, one strip, not compressed.
+/// 16-bit gray TIFF, one strip, uncompressed.
 inline std::string smallTiff(const Scan& scan) {
     const auto width = static_cast<std::uint32_t>(scan.beams());
     const auto height = static_cast<std::uint32_t>(scan.lines());
@@ -107,7 +107,7 @@ inline std::vector<SeedFile> smallArrays(const Scan& scan) {
             {"numpy", ".npz", zipBytes({{"points.npy", grid}, {"ranges.npy", table}}, true)}};
 }
 
-/// A few telegrams as other programs keep them.
+/// A few telegrams as other programs store them.
 inline std::vector<SeedFile> smallCaptures(int lines, int beams) {
     std::string stream;
     for (int line = 0; line < lines; ++line) {
@@ -124,7 +124,7 @@ inline std::vector<SeedFile> smallCaptures(int lines, int beams) {
             {"capture", ".pcapng", captureOf(parts, {.ipv6 = true, .vlans = 1, .bigEndian = true, .pcapng = true})}};
 }
 
-/// Of a scan of so many lines and beams.
+/// Seeds for a scan with this many lines and beams.
 inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     const Scan scan = makeScan({.lines = lines, .beams = beams, .beamStart = 20});
     const Grid<std::uint8_t> mask(scan.lines(), scan.beams(), 255);
@@ -158,7 +158,7 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     for (int n = 0; n < 300; ++n)
         cloud += numberText("%.3f", 3 + n % 7 * 0.1) + " " + numberText("%.3f", n * 0.013 - 2) + " " +
                  numberText("%.3f", n * 37 % 300 * 0.011) + "\n";
-    seeds.push_back({"text", ".xyz", cloud}); // no grid: projected
+    seeds.push_back({"text", ".xyz", cloud}); // no grid: it will be projected
     seeds.push_back({"range_csv", ".csv", "1200,1300,1400,0,1500,1600\n1210,1310,,0,1510,1610\n1205,1305,1400,7,1505,1605\n"});
     if (files::saveScan(scan, folder / "grid.json"))
         seeds.push_back({"raw_grid", ".json", readText(folder / "grid.json") + '\0' + readText(folder / "grid.u16")});
@@ -172,7 +172,7 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     return seeds;
 }
 
-/// The same and those of what is no scan file: telegrams, recordings (without their magic), poses, calibrations.
+/// The same, and seeds of files that are not scans: telegrams, recordings (without their magic bytes), poses, calibrations.
 inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     std::vector<SeedFile> seeds = seedFiles(lines, beams);
     const auto text = [](const auto& bytes) { return std::string(bytes.begin(), bytes.end()); };

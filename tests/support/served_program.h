@@ -1,4 +1,4 @@
-// edgescan-cli serve as a program of its own, ended with the object.
+// edgescan-cli serve as a process that ends with this object.
 #pragma once
 
 #include "tests/support/run_program.h"

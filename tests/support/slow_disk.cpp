@@ -1,4 +1,4 @@
-// Put before a program with LD_PRELOAD: a disk whose syncs take EDGESCAN_SLOW_SYNC_MS, and that is full after EDGESCAN_FULL_AFTER bytes.
+// A library for LD_PRELOAD: simulates a disk whose syncs take EDGESCAN_SLOW_SYNC_MS, and which is full after EDGESCAN_FULL_AFTER bytes.
 #include <cerrno>
 #include <cstdlib>
 #include <ctime>

@@ -1,4 +1,4 @@
-// The flags that tell a reader the angles of a grid without any.
+// The flags that give a reader the angles of a grid without angles.
 #pragma once
 
 #include "core/files/open_save/open_scan.h"

@@ -29,7 +29,7 @@ class AuditWindowTest : public QObject {
         return lines;
     }
     static bool written(WindowFixture& on) {
-        return QTest::qWaitFor([&] { return on.viewer.audit.written(); }, 5000);
+        return eventually([&] { return on.viewer.audit.written(); });
     }
 
 private slots:
@@ -51,10 +51,10 @@ private slots:
             QVERIFY(on.use(settings));
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             on.viewer.engine.save(exports::ExportContent::EdgeImage, QString::fromStdString((place / "edges.png").string()));
-            QVERIFY(saved.wait(10000));
+            QVERIFY(saved.wait(kPatienceMs));
             QSignalSpy reported(&on.viewer.report, &ScanReport::ended);
             on.viewer.report.writeTo(QString::fromStdString((place / "report.html").string()));
-            QVERIFY(reported.wait(10000));
+            QVERIFY(reported.wait(kPatienceMs));
             QVERIFY(written(on));
         }
         const auto check = checkAudit(place / "audit.jsonl");
@@ -77,7 +77,7 @@ private slots:
         std::filesystem::create_symlink("/dev/full", place / "audit.jsonl");
         WindowFixture on(QString::fromStdString((place / "viewer.ini").string()));
         QVERIFY(on.showWith(scan_));
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.notice.isVisible() && on.viewer.notice.text().contains("AUDIT LOG"); }, 5000));
+        QVERIFY(eventually([&] { return on.viewer.notice.isVisible() && on.viewer.notice.text().contains("AUDIT LOG"); }));
         QVERIFY(!on.viewer.audit.written());
         // Space is free again: the lines of the meantime are written too.
         std::filesystem::remove(place / "audit.jsonl");

@@ -116,11 +116,11 @@ private slots:
             for (const QLabel* each : side->findChildren<QLabel*>()) {
                 if (!each->isVisible() || each->text().isEmpty()) continue;
                 ++seen;
-                const QString told = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
-                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(told));
+                const QString where = QString("\"%1\" at %2 x %3").arg(each->text()).arg(size.width()).arg(size.height());
+                QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
                 QVERIFY2(each->wordWrap() || each->text().contains('\n') ||
                              each->fontMetrics().horizontalAdvance(each->text()) <= each->contentsRect().width() + 1,
-                         qPrintable(told));
+                         qPrintable(where));
             }
             QVERIFY(seen >= 10);
             const auto* number = side->findChild<QLabel*>("cab-size");
@@ -183,7 +183,7 @@ private slots:
         on.viewer.views.pin(on.viewer.views.cellAt(100, 120));
         on.viewer.rocks.setShown(true);
         on.viewer.comparing.keep();
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.rocks.picture() != nullptr; }, 30000));
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr; }));
         on.viewer.selection.select({100, 101, 102});
         on.viewer.markedEdges.mark(on.viewer.views.cellAt(100, 120), true);
         QSet<QString> dialogs;
@@ -316,7 +316,7 @@ private slots:
         // The second number belongs to the rock, once rocks are shown.
         QCOMPARE(side.sizeShown(), QString("–"));
         press(on.window, "cab-rocks");
-        QTRY_VERIFY_WITH_TIMEOUT(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind(), 20000);
+        QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         for (const QDockWidget* dock : on.window.findChildren<QDockWidget*>()) QVERIFY(dock->isHidden());
         const rocks::Rock* rock = on.viewer.rocks.picture()->rockAt(known.probe.line * 240 + known.probe.beam);
         const QString size = rock == nullptr

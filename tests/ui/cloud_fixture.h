@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cloud_demo_scan.h"
+#include "tests/ui/patience.h"
 
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
@@ -75,11 +76,11 @@ protected:
     }
 
     [[nodiscard]] bool rests() const {
-        return QTest::qWaitFor([this] { return view_->atRest(); }, 20000);
+        return eventually([this] { return view_->atRest(); });
     }
     [[nodiscard]] bool nextFrame() const {
         QSignalSpy drawn(view_.get(), &CloudView::frameDrawn);
-        return drawn.wait(20000);
+        return drawn.wait(kPatienceMs);
     }
 
     std::unique_ptr<CloudView> view_;
@@ -97,7 +98,7 @@ private slots:
         view_->setShaded(false); // the tests count pixels of exact colours
         view_->resize(900, 640);
         view_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(view_.get(), kPatienceMs));
         scan_ = demo::room(200, 300);
         edges_ = demo::edges(*scan_);
     }

@@ -145,15 +145,20 @@ private slots:
         QVERIFY(countColour(image.copy(QRect(at - QPoint(reach, reach), at + QPoint(reach, reach))), white) > 30);
         QCOMPARE(countColour(before, white), 0);
         // A hidden point gets a dotted ring.
+        bool hidden = false;
         for (std::uint32_t k = 0; k < scan_->cells(); k += 31) {
             const auto seen = view_->pixelOf(k);
             if (!seen || !view_->rect().contains(seen->toPoint())) continue;
             const auto front = view_->cellAt(*seen);
             if (!front || (view_->geometryOfCloud()->point(*front) - view_->geometryOfCloud()->point(k)).norm() < 3.0F) continue;
             view_->setMarkedCell(k);
-            keep(view_->grabFrame(CloudView::Points::All), "cloud_marker_hidden");
+            const QImage dotted = view_->grabFrame(CloudView::Points::All);
+            keep(dotted, "cloud_marker_hidden");
+            QVERIFY(countColour(dotted, white) > 0);
+            hidden = true;
             break;
         }
+        QVERIFY(hidden);
         view_->setMarkedCell(std::nullopt);
         QCOMPARE(countColour(view_->grabFrame(), white), 0);
     }

@@ -28,12 +28,10 @@ class ComparingTest : public QObject {
     std::string before_, after_, placed_, other_;
 
     static bool known(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor(
-                                   [&] {
-                                       const Comparing& comparing = on.viewer.comparing;
-                                       return comparing.settled() && (!comparing.pictureA() || comparing.comparison() != nullptr);
-                                   },
-                                   30000);
+        return on.settled() && eventually([&] {
+                   const Comparing& comparing = on.viewer.comparing;
+                   return comparing.settled() && (!comparing.pictureA() || comparing.comparison() != nullptr);
+               });
     }
     static bool showWith(WindowFixture& on, const std::string& path) {
         on.window.resize(1280, 800);
@@ -113,7 +111,7 @@ private slots:
         // A row of the legend is a switch.
         QTest::mouseClick(legend.row(ChangeRow::Unchanged), Qt::LeftButton, Qt::NoModifier,
                           QPoint(8, legend.row(ChangeRow::Unchanged)->height() / 2));
-        QVERIFY(QTest::qWaitFor([&] { return painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)) == 0; }, 10000));
+        QVERIFY(eventually([&] { return painted(on.viewer.views.edges(), changeColour(ChangeRow::Unchanged)) == 0; }));
         QCOMPARE(painted(on.viewer.views.edges(), changeColour(ChangeRow::Gained)), numberIn(legend.counted(ChangeRow::Gained)));
         // With the settings of A the difference is empty; without A the picture is normal.
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
@@ -226,7 +224,7 @@ private slots:
         const auto* covered = legend.findChild<QLabel*>("change-covered");
         QVERIFY(covered->isHidden());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QTRY_VERIFY_WITH_TIMEOUT(covered->isVisible(), 30000);
+        QTRY_VERIFY(covered->isVisible());
         QTest::keyClick(&on.window, Qt::Key_K);
         QTRY_VERIFY(covered->isHidden());
     }
@@ -240,15 +238,15 @@ private slots:
         QVERIFY(QString::fromStdString(on.picture().detection->scan->path).endsWith("after.json"));
         // Only one scan has a pose: refused, no comparison.
         on.viewer.comparing.compareWith(QString::fromStdString(placed_));
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }, 30000));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));
         QVERIFY2(on.viewer.notice.text().contains("has none"), qPrintable(on.viewer.notice.text()));
         QVERIFY(!on.viewer.views.scene().instead);
         // A scan of another place, and a missing file.
         on.viewer.comparing.compareWith(QString::fromStdString(other_));
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }, 30000));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));
         QCOMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);
         on.viewer.comparing.compareWith("/nowhere/at/all.json");
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled(); }, 30000));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled(); }));
         QVERIFY2(on.viewer.notice.text().contains("nowhere"), qPrintable(on.viewer.notice.text()));
     }
 
@@ -290,7 +288,7 @@ private slots:
                 press ? QTest::keyPress(&on.viewer.views.gray(), Qt::Key_Backslash)
                       : QTest::keyRelease(&on.viewer.views.gray(), Qt::Key_Backslash);
                 QCOMPARE(on.viewer.views.flipped(), press);
-                QVERIFY(QTest::qWaitFor([&] { return cloud.framesDrawn() > frames; }, 10000));
+                QVERIFY(eventually([&] { return cloud.framesDrawn() > frames; }));
                 if (n == 0) continue; // the first flip uploads a cloud
                 times.push_back(edges::threadCpuMilliseconds() - before);
                 waits.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);

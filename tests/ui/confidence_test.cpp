@@ -25,7 +25,7 @@ class ConfidenceTest : public QObject {
     std::string scan_;
 
     static bool known(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.viewer.confidence.made() != nullptr; }, 60000);
+        return on.settled() && eventually([&] { return on.viewer.confidence.made() != nullptr; });
     }
     static bool showByKey(WindowFixture& on) {
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
@@ -84,7 +84,7 @@ private slots:
         slider->setFocus();
         for (int n = 0; n < 7; ++n) QTest::keyClick(slider, Qt::Key_PageUp);
         QCOMPARE(slider->value(), 70);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.confidence.made()->leastPercent == 70; }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.confidence.made()->leastPercent == 70; }));
         std::size_t kept = 0;
         for (const std::uint32_t k : *detection.edges) kept += truth->percent[k] >= 70 ? 1 : 0;
         QCOMPARE(on.viewer.confidence.made()->shown(), kept);
@@ -108,7 +108,7 @@ private slots:
         other.method = edges::Method::Canny;
         QVERIFY(on.use(other));
         QVERIFY2(on.viewer.confidence.made() != first, "what was known of the picture before is still shown");
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }, 30000));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }));
         QVERIFY(known(on));
         QVERIFY(on.viewer.confidence.made()->of == on.viewer.engine.picture());
         QVERIFY(on.viewer.changeLegend.isVisible() && !on.viewer.confidenceLegend.isVisible());
@@ -147,7 +147,7 @@ private slots:
             const auto figure = [](const edges::EdgeConfidence& of, std::uint32_t k) {
                 return QString("%1 % of %2 settings").arg(of.percent[k]).arg(of.settings);
             };
-            QTRY_VERIFY2_WITH_TIMEOUT(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()), 60000);
+            QTRY_VERIFY2(card().contains("Confidence: " + figure(*truth, cell)), qPrintable(card()));
             // The views show the plain edges: the confidence picture is off.
             QVERIFY(!on.viewer.views.scene().instead && !on.viewer.confidence.made());
             // The key shows the same value, without a second computation.
@@ -165,7 +165,7 @@ private slots:
             QTRY_VERIFY(card().contains(QString::fromUtf8("Confidence: …\nwas ") + figure(*truth, cell)));
             const auto then = edges::edgeConfidence(second);
             const QString now = "Confidence: " + figure(*then, cell);
-            QTRY_VERIFY2_WITH_TIMEOUT(card().contains(now), qPrintable(card()), 60000);
+            QTRY_VERIFY2(card().contains(now), qPrintable(card()));
             QVERIFY(then->percent[cell] == truth->percent[cell] || card().contains(now + "\nwas " + figure(*truth, cell)));
             // A cell that is not an edge has no such row.
             const auto plain = std::ranges::find(second.mask->cells, 0) - second.mask->cells.begin();
@@ -189,7 +189,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_) && on.activate());
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.confidenceLegend.words().contains('%'); }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.confidenceLegend.words().contains('%'); }));
     }
 
     void bandsStandOutFromTheCloud() {

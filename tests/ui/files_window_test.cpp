@@ -60,7 +60,7 @@ private slots:
         }
         QSignalSpy failures(&window.viewer().engine, &Engine::failed);
         window.viewer().files.open({path});
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.viewer().notice.isVisible());
         QCOMPARE(window.viewer().notice.kind(), NoticeBar::Kind::Error);
         QVERIFY2(window.viewer().notice.text().contains(name.section('.', 0, 0)), qPrintable(window.viewer().notice.text()));
@@ -93,16 +93,16 @@ private slots:
         QVERIFY(offered != nullptr && offered->isVisible());
         QTest::mouseClick(offered, Qt::LeftButton);
         QVERIFY(on.settled());
-        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(eventually(tilted));
         QVERIFY(straighten->isChecked());
         QVERIFY2(window.viewer().notice.text().contains("Straightened: odd beams lie 0.3"), qPrintable(window.viewer().notice.text()));
         // ... and the menu undoes the correction.
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return !tilted(); }, 20000));
+        QVERIFY(eventually([&] { return !tilted(); }));
         QVERIFY(on.settled());
         QVERIFY(!straighten->isChecked());
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor(tilted, 20000));
+        QVERIFY(eventually(tilted));
         // Another file opens as recorded.
         QVERIFY(on.open(real_));
         QVERIFY(!straighten->isChecked());
@@ -122,7 +122,7 @@ private slots:
             QSignalSpy saved(&window.viewer().engine, &Engine::saved);
             const std::string path = (folder_ / name).string();
             window.viewer().engine.save(what, QString::fromStdString(path));
-            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.viewer().engine.working(); }, 10000));
+            QVERIFY(eventually([&] { return saved.count() == 1 && !window.viewer().engine.working(); }));
             const std::string other = (folder_ / (std::string("cli-") + name)).string();
             QCOMPARE(test::runCli("detect '" + real_ + "' " + flag + " " + other).code, 0);
             QVERIFY2(test::fileText(path) == test::fileText(other), name);
@@ -131,7 +131,7 @@ private slots:
         // A failed export names the path and leaves no file.
         QSignalSpy failures(&window.viewer().engine, &Engine::failed);
         window.viewer().engine.save(Export::EdgeCloud, "/nonexistent-folder/e.pcd");
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1; }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY(window.viewer().notice.text().contains("/nonexistent-folder/e.pcd"));
     }
 
@@ -147,7 +147,7 @@ private slots:
         emit window.viewer().views.gray().clicked(1499, 1499);
         QVERIFY(!window.viewer().statusLine.probeShown().isEmpty());
         window.viewer().files.open({QString::fromStdString(small)});
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().engine.picture()->detection->scan->lines() == 4; }, 20000));
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->detection->scan->lines() == 4; }));
         QVERIFY(window.viewer().statusLine.probeShown().isEmpty());
     }
 
@@ -165,10 +165,25 @@ private slots:
         QVERIFY(on.activate());
         QSignalSpy failures(&window.viewer().engine, &Engine::failed);
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.viewer().engine.working(); }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.viewer().engine.working(); }));
         QTest::keyClick(&window, Qt::Key_PageDown);
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().engine.picture()->detection->scan->lines() == 30; }, 10000));
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->detection->scan->lines() == 30; }));
         QVERIFY(window.windowTitle().contains("(3 of 3)"));
+    }
+
+    void everyKindOfExportIsReportedWhenItIsSaved() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        for (const exports::ExportKind& kind : exports::exportKinds()) {
+            if (kind.needs == exports::ExportKind::Needs::Rocks) continue; // rocks_window_test.cpp
+            QSignalSpy saved(&window.viewer().engine, &Engine::saved);
+            const std::string name = std::string(kind.key) + (kind.files.empty() ? ".pcd" : kind.files.front().extension);
+            window.viewer().engine.save(kind.content, QString::fromStdString((folder_ / name).string()));
+            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.viewer().engine.working(); }, 10000));
+            const QString counted = QString("%1 %2").arg(saved.front()[2].toLongLong()).arg(exports::countedThings(kind));
+            QVERIFY2(window.viewer().notice.text().contains(counted), qPrintable(window.viewer().notice.text()));
+        }
     }
 
     void aFailingSaveIsToldEvenWhileAScanOpens() {
@@ -178,7 +193,7 @@ private slots:
         QSignalSpy failures(&window.viewer().engine, &Engine::failed);
         window.viewer().engine.save(exports::ExportContent::EdgeCloud, "/nonexistent-folder/e.pcd");
         window.viewer().files.open({QString::fromStdString(real_)});
-        QVERIFY(QTest::qWaitFor([&] { return failures.count() == 1 && !window.viewer().engine.working(); }, 10000));
+        QVERIFY(eventually([&] { return failures.count() == 1 && !window.viewer().engine.working(); }));
     }
 
     void aDroppedFileIsOpened() {
@@ -207,12 +222,12 @@ private slots:
         QTRY_VERIFY(progress.count() > 0);
         QVERIFY(window.viewer().engine.working());
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return !window.viewer().engine.working(); }, 10000));
+        QVERIFY(eventually([&] { return !window.viewer().engine.working(); }));
         QCOMPARE(window.viewer().engine.picture(), before);
         // Two openings in a row: the second one is shown.
         window.viewer().files.openDemo();
         window.viewer().files.open({QString::fromStdString(real_)});
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().engine.picture() != before && !window.viewer().engine.working(); }, 20000));
+        QVERIFY(eventually([&] { return window.viewer().engine.picture() != before && !window.viewer().engine.working(); }));
         QCOMPARE(QString::fromStdString(window.viewer().engine.picture()->detection->scan->path), QString::fromStdString(real_));
     }
 };

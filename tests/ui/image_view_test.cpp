@@ -1,4 +1,5 @@
 // The image view as a real widget with real mouse events.
+#include "tests/ui/patience.h"
 #include "tests/ui/ramp_image.h"
 #include "ui/views/image/image_view.h"
 
@@ -70,7 +71,7 @@ private slots:
         view_ = std::make_unique<ImageView>(port_);
         view_->resize(400, 300);
         view_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(view_.get(), kPatienceMs));
     }
     void cleanup() { view_.reset(); }
 
@@ -160,7 +161,7 @@ private slots:
         ImageView other(port_);
         other.resize(400, 300);
         other.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&other));
+        QVERIFY(QTest::qWaitForWindowExposed(&other, kPatienceMs));
         const auto image = ramp(200, 100);
         view_->setImage(image);
         other.setImage(image);

@@ -100,12 +100,10 @@ bool laidOut(WindowFixture& on, const std::string& scan) {
     on.viewer.live.panel().show();
     edges::Settings other = on.viewer.engine.settings();
     other.sensitivity = 1.4;
-    return on.use(other) && QTest::qWaitFor(
-                                [&] {
-                                    return on.viewer.targets.settled() && on.viewer.rocks.picture() != nullptr &&
-                                           on.viewer.confidence.made() != nullptr && on.viewer.comparing.settled();
-                                },
-                                60000);
+    return on.use(other) && eventually([&] {
+               return on.viewer.targets.settled() && on.viewer.rocks.picture() != nullptr && on.viewer.confidence.made() != nullptr &&
+                      on.viewer.comparing.settled();
+           });
 }
 
 } // namespace
@@ -251,7 +249,7 @@ private slots:
             WindowFixture on(ini);
             QVERIFY(on.showWith(scan_));
             on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
-            QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
+            QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
             const auto& kept = on.viewer.targets.notebook().targets.front().asPinned;
             QVERIFY(kept.size() > 3);
             QCOMPARE(kept.front().first, std::string("Distance"));
@@ -267,9 +265,9 @@ private slots:
         QVERIFY(useLanguage("es", kTexts));
         WindowFixture on(ini);
         QVERIFY(on.showWith(scan_));
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && !on.viewer.targets.notebook().targets.empty(); }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && !on.viewer.targets.notebook().targets.empty(); }));
         on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         const QString card = on.viewer.targetsPanel.card().text();
         QVERIFY2(!card.contains("antes:"), qPrintable(card));
     }

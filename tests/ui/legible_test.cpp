@@ -142,9 +142,9 @@ private slots:
         QVERIFY(on.showWith(placed_));
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
         on.viewer.views.pin(on.viewer.views.cellAt(60, 80));
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080)}) {
             resizeTo(on.window, size);
             for (const QWidget* panel : {static_cast<QWidget*>(&on.viewer.rocksPanel), static_cast<QWidget*>(&on.viewer.targetsPanel)}) {

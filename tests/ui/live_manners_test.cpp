@@ -71,7 +71,7 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         const StateBadge& badge = window.viewer().live.panel().strip().badge();
-        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 5 && badge.text() == "LIVE", 20000);
+        QTRY_VERIFY(lines(window) > 5 && badge.text() == "LIVE");
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("HELD"));
         QVERIFY(badge.sign() != StateBadge::Sign::Good);
@@ -84,11 +84,11 @@ private slots:
         QVERIFY2(window.viewer().origin.text().startsWith("LIVE · "), qPrintable(window.viewer().origin.text()));
         QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Good);
         window.viewer().files.open({QString::fromStdString(bell_)});
-        QTRY_VERIFY_WITH_TIMEOUT(on.picture().detection->scan->path == bell_, 20000);
+        QTRY_VERIFY(on.picture().detection->scan->path == bell_);
         QTRY_VERIFY2(badge.text().contains("another picture") && badge.sign() != StateBadge::Sign::Good, qPrintable(badge.text()));
         QVERIFY2(window.viewer().origin.text().startsWith("FILE bell"), qPrintable(window.viewer().origin.text()));
         press(window, "live-follow");
-        QTRY_COMPARE_WITH_TIMEOUT(badge.text(), QString("LIVE"), 10000);
+        QTRY_COMPARE(badge.text(), QString("LIVE"));
         QVERIFY(on.picture().detection->scan->path != bell_);
     }
 
@@ -100,8 +100,8 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         for (int n = 0; n < 3; ++n) {
-            QTRY_VERIFY_WITH_TIMEOUT(!window.viewer().live.scanner().following(), 20000); // held at the end of a sweep
-            QTRY_VERIFY_WITH_TIMEOUT(!window.viewer().engine.behind(), 10000);
+            QTRY_VERIFY(!window.viewer().live.scanner().following()); // held at the end of a sweep
+            QTRY_VERIFY(!window.viewer().engine.behind());
             const QString name = QString::fromStdString(on.picture().detection->scan->name);
             QVERIFY2(window.windowTitle().startsWith(name + " "), qPrintable(window.windowTitle() + " for " + name));
             press(window, "live-follow");
@@ -116,7 +116,7 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 5, 20000);
+        QTRY_VERIFY(lines(window) > 5);
         QVERIFY(on.activate());
         press(window, "live-connect"); // Stop
         QVERIFY(!window.viewer().live.scanner().connected());
@@ -149,17 +149,17 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         press(window, "live-record");
-        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 10, 20000);
+        QTRY_VERIFY(lines(window) > 10);
         int asked = 0;
         const auto close = [&](const QString& button) {
-            QTimer::singleShot(200, &window, [&asked, button] {
+            const Meanwhile hand([&asked, button] {
                 auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-                if (box == nullptr || box->objectName() != "close-question") return;
+                if (box == nullptr || box->objectName() != "close-question" || !box->isVisible()) return false;
                 ++asked;
                 for (QAbstractButton* each : box->buttons()) {
-                    if (each->objectName() == button) return QTest::mouseClick(each, Qt::LeftButton);
+                    if (each->objectName() == button) return QTest::mouseClick(each, Qt::LeftButton), true;
                 }
-                QTest::keyClick(box, Qt::Key_Escape);
+                return QTest::keyClick(box, Qt::Key_Escape), true;
             });
             return window.close();
         };
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(!window.viewer().live.scanner().recording());
         const QStringList files = QDir(folder).entryList({"sweep_*.mcap"});
         QCOMPARE(files.size(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(bool(files::openScan(QDir(folder).filePath(files.front()).toStdString())), 10000);
+        QTRY_VERIFY(bool(files::openScan(QDir(folder).filePath(files.front()).toStdString())));
     }
 
     void aLostScannerPromisesNoEnd() {
@@ -182,9 +182,9 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         const HealthStrip& strip = window.viewer().live.panel().strip();
-        QTRY_VERIFY_WITH_TIMEOUT(strip.shown().end.starts_with("ends in "), 20000);
+        QTRY_VERIFY(strip.shown().end.starts_with("ends in "));
         emulated.reset();
-        QTRY_VERIFY_WITH_TIMEOUT(strip.shown().liveness == files::Liveness::Lost, 10000);
+        QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);
         QCOMPARE(strip.shown().end, std::string());
     }
 
@@ -195,19 +195,20 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep(Axis::Spin));
-        QTRY_VERIFY_WITH_TIMEOUT(lines(window) > 10, 20000);
+        QTRY_VERIFY(lines(window) > 10);
         const auto axis = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry).axis; };
         QVERIFY(axis() == Axis::Spin);
         const int before = lines(window);
         auto* button = window.viewer().live.panel().findChild<QToolButton*>("live-sweep");
         QVERIFY(button->isEnabled());
-        QTimer::singleShot(300, &window, [&] {
+        const Meanwhile hand([&] {
             auto* menu = button->menu();
+            if (!menu->isVisible()) return false;
             for (auto* list : menu->findChildren<QComboBox*>()) list->setCurrentIndex(list->findData(static_cast<int>(Axis::Sweep)));
-            menu->close();
+            return menu->close();
         });
         QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(axis() == Axis::Sweep, 10000);
+        QTRY_VERIFY(axis() == Axis::Sweep);
         QVERIFY2(lines(window) >= before, "the lines that are there go to their new places");
         QVERIFY(window.viewer().live.scanner().connected());
     }
@@ -228,21 +229,21 @@ private slots:
         window.viewer().files.open({QString::fromStdString(path)});
         const auto geometry = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry); };
         Timeline& timeline = window.viewer().live.timeline();
-        QTRY_VERIFY_WITH_TIMEOUT(timeline.active() && !window.viewer().engine.behind(), 10000);
+        QTRY_VERIFY(timeline.active() && !window.viewer().engine.behind());
         QVERIFY(geometry().axis == Axis::Spin);
         ReadingOptions options = window.viewer().files.options();
         options.axis = Axis::Sweep;
         options.lineStartDeg = -80.0;
         options.lineStepDeg = 1.25;
         window.viewer().files.readAgain(options, "mounting");
-        QTRY_VERIFY_WITH_TIMEOUT(!window.viewer().engine.opening() && timeline.active() && geometry().axis == Axis::Sweep, 10000);
+        QTRY_VERIFY(!window.viewer().engine.opening() && timeline.active() && geometry().axis == Axis::Sweep);
         QCOMPARE(geometry().lineDeg.at(1), -78.75);
         timeline.goTo(40);
-        QTRY_VERIFY_WITH_TIMEOUT(lines(window) == 40, 10000);
+        QTRY_VERIFY(lines(window) == 40);
         QVERIFY(geometry().axis == Axis::Sweep);
         QCOMPARE(geometry().lineDeg.at(1), -78.75);
         window.viewer().undo.undo();
-        QTRY_VERIFY_WITH_TIMEOUT(!window.viewer().engine.opening() && geometry().axis == Axis::Spin, 10000);
+        QTRY_VERIFY(!window.viewer().engine.opening() && geometry().axis == Axis::Spin);
     }
 };
 

@@ -66,7 +66,7 @@ class LiveSessionTest : public QObject {
         sweep.axis = Axis::Sweep;
         on.viewer.live.connectTo("127.0.0.1", scanner.port(), sweep);
         press(on, "live-record"); // before the first line arrives
-        return on.viewer.live.scanner().recording() && QTest::qWaitFor([&] { return lines(on) >= 50; }, 20000);
+        return on.viewer.live.scanner().recording() && eventually([&] { return lines(on) >= 50; });
     }
 
 private slots:
@@ -89,24 +89,20 @@ private slots:
             clickCell(on, 20, 150);
             clickCell(on, 40, 200);
             // The session names the recording of the sweep; a growing file has no hash.
-            QVERIFY(QTest::qWaitFor(
-                [&] {
-                    const auto now = saved(home / "sessions");
-                    return now && now->targets.notebook.targets.size() == 2 && now->scan.kind == inspect::SessionScan::Kind::Recording;
-                },
-                20000));
+            QVERIFY(eventually([&] {
+                const auto now = saved(home / "sessions");
+                return now && now->targets.notebook.targets.size() == 2 && now->scan.kind == inspect::SessionScan::Kind::Recording;
+            }));
             QVERIFY(lines(on) < kLines);
             QVERIFY(saved(home / "sessions")->scan.identity.sha256.empty());
             // The state after a kill: the files at this moment.
             fs::copy(home, left, fs::copy_options::recursive);
             // A closed recording has a hash.
             press(on, "live-record");
-            QVERIFY(QTest::qWaitFor(
-                [&] {
-                    const auto now = saved(home / "sessions");
-                    return now && now->scan.identity.sha256.size() == 64;
-                },
-                20000));
+            QVERIFY(eventually([&] {
+                const auto now = saved(home / "sessions");
+                return now && now->scan.identity.sha256.size() == 64;
+            }));
             on.viewer.live.scanner().disconnectScanner();
         }
         WindowFixture on(QString::fromStdString((folder_ / "later.ini").string()));
@@ -115,8 +111,7 @@ private slots:
         QVERIFY(session);
         on.window.sessions().openSession(QString::fromStdString(session->string()));
         QVERIFY(on.settled());
-        QVERIFY2(QTest::qWaitFor([&] { return on.viewer.targets.notebook().targets.size() == 2; }, 20000),
-                 qPrintable(on.viewer.notice.text()));
+        QVERIFY2(eventually([&] { return on.viewer.targets.notebook().targets.size() == 2; }), qPrintable(on.viewer.notice.text()));
         // The recording next to the copied session, not the one that continued; line and beam are those of the click.
         QVERIFY2(on.viewer.files.path().startsWith(QString::fromStdString(left.string())), qPrintable(on.viewer.files.path()));
         QVERIFY(lines(on) >= 41 && lines(on) < kLines);
@@ -142,25 +137,23 @@ private slots:
             WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
             QVERIFY(connectAndRecord(on, *scanner, home));
             clickCell(on, 20, 150);
-            QVERIFY(QTest::qWaitFor(
-                [&] {
-                    const auto now = saved(home / "sessions");
-                    return now && now->targets.notebook.targets.size() == 1;
-                },
-                20000));
+            QVERIFY(eventually([&] {
+                const auto now = saved(home / "sessions");
+                return now && now->targets.notebook.targets.size() == 1;
+            }));
             inspect::ViewerState other = *saved(home / "sessions");
             other.scan.head.sha256 = std::string(64, '0');
             session = home / "sessions" / (std::string("other") + inspect::kSessionEnding);
             QVERIFY(bool(writeWholeFile(session, inspect::sessionText(other, session.parent_path(), ""))));
             press(on, "live-record");
-            QVERIFY(QTest::qWaitFor([&] { return on.viewer.live.scanner().recordingClosed(); }, 20000));
+            QVERIFY(eventually([&] { return on.viewer.live.scanner().recordingClosed(); }));
             on.viewer.live.scanner().disconnectScanner();
         }
         WindowFixture on;
         QVERIFY(on.show());
         on.window.sessions().openSession(QString::fromStdString(session.string()));
         QVERIFY(on.settled());
-        QVERIFY2(QTest::qWaitFor([&] { return on.viewer.notice.text().contains("is not the scan of this session"); }, 20000),
+        QVERIFY2(eventually([&] { return on.viewer.notice.text().contains("is not the scan of this session"); }),
                  qPrintable(on.viewer.notice.text()));
         QVERIFY(on.viewer.targets.notebook().targets.empty());
     }

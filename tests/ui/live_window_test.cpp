@@ -59,11 +59,11 @@ class LiveWindowTest : public QObject {
         const auto& picture = window.viewer().engine.picture();
         return picture ? picture->detection->scan->lines() : 0;
     }
-    static bool waitForLines(MainWindow& window, int lines, int ms = 20000) {
-        return QTest::qWaitFor([&] { return linesShown(window) >= lines; }, ms);
+    static bool waitForLines(MainWindow& window, int lines) {
+        return eventually([&] { return linesShown(window) >= lines; });
     }
-    static bool waitForBadge(MainWindow& window, StateBadge::Sign sign, int ms) {
-        return QTest::qWaitFor([&] { return window.viewer().live.panel().strip().badge().sign() == sign; }, ms);
+    static bool waitForBadge(MainWindow& window, StateBadge::Sign sign) {
+        return eventually([&] { return window.viewer().live.panel().strip().badge().sign() == sign; });
     }
     static std::string shownMask(MainWindow& window) { return exports::maskSha256(*window.viewer().engine.picture()->detection->mask); }
     [[nodiscard]] static std::string maskOf(const std::string& file) {
@@ -99,11 +99,11 @@ private slots:
             on.viewer.live.connectTo("127.0.0.1", scanner->port(), sweep());
             QVERIFY(waitForLines(on.window, 20));
             const HealthStrip& strip = on.viewer.live.panel().strip();
-            const auto told = [&] {
+            const auto isShown = [&] {
                 return QString::fromStdString(strip.shown().lines).contains(each.lines) &&
                        QString::fromStdString(strip.shown().remark) == each.remark;
             };
-            QVERIFY2(QTest::qWaitFor(told, 5000), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
+            QVERIFY2(eventually(isShown), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
             QCOMPARE(on.viewer.statusLine.recordedShown(), QString()); // the picture is live
             on.viewer.live.scanner().disconnectScanner();
         }
@@ -146,7 +146,7 @@ private slots:
         });
         press(window, "live-connect");
         QVERIFY(waitForLines(window, 20));
-        QVERIFY(waitForBadge(window, StateBadge::Sign::Good, 2000));
+        QVERIFY(waitForBadge(window, StateBadge::Sign::Good));
         QVERIFY2(window.viewer().live.panel().scannerShown().contains("SN 18110550"),
                  qPrintable(window.viewer().live.panel().scannerShown()));
         QVERIFY(window.viewer().live.panel().findChild<QLabel*>("live-lines")->text().startsWith("INCOMPLETE "));
@@ -169,16 +169,15 @@ private slots:
         QSlider* slider = on.slider("lower");
         slider->setValue(slider->value() + 7);
         const double wanted = window.viewer().engine.settings().lower;
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().engine.picture()->detection->settings.lower == wanted; }, 5000));
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->detection->settings.lower == wanted; }));
         QVERIFY2(window.viewer().engine.picture()->source.growth.growing, "the slider works while the sweep grows");
         QVERIFY(waitForLines(window, before + 30));
         QVERIFY(window.viewer().views.cloud().camera() == pose);
         QCOMPARE(window.viewer().views.gray().viewPort()->zoom(), zoom);
         slider->setValue(slider->value() - 7);
 
-        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; },
-                                20000));
-        QVERIFY(QTest::qWaitFor([&] { return !window.viewer().engine.behind(); }, 5000));
+        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; }));
+        QVERIFY(eventually([&] { return !window.viewer().engine.behind(); }));
         QCOMPARE(shownMask(window), maskOf(bell_));
         QVERIFY2(lines.size() > 8, "line by line, not all at once");
         QVERIFY2(windows.size() <= 6, "the range window stays while the sweep grows");
@@ -190,7 +189,7 @@ private slots:
         QVERIFY(!window.viewer().live.scanner().following());
         QVERIFY(window.viewer().views.gray().note().startsWith("Held: sweep 1"));
         press(window, "live-follow");
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().engine.picture()->source.growth.growing; }, 5000));
+        QVERIFY(eventually([&] { return window.viewer().engine.picture()->source.growth.growing; }));
         QVERIFY(window.viewer().views.cloud().camera() == pose);
     }
 
@@ -207,7 +206,7 @@ private slots:
         QCOMPARE(sockets.front().remotePort, served.port());
         QVERIFY(sockets.front().loopback);
         press(window, "live-connect"); // Stop
-        QVERIFY(QTest::qWaitFor([&] { return test::ownTcpSockets().empty(); }, 5000));
+        QVERIFY(eventually([&] { return test::ownTcpSockets().empty(); }));
         QCOMPARE(window.viewer().live.panel().strip().badge().text(), QString("STOPPED"));
     }
 
@@ -222,14 +221,14 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QVERIFY(waitForBadge(window, StateBadge::Sign::Good, 5000));
+        QVERIFY(waitForBadge(window, StateBadge::Sign::Good));
         QVERIFY(waitForLines(window, 60));
         QVERIFY(window.viewer().views.gray().stale().isEmpty());
         const QImage fresh = seen(window.viewer().views.gray());
-        QVERIFY(QTest::qWaitFor([&] { return emulated->statistics().stalls == 1; }, 5000));
+        QVERIFY(eventually([&] { return emulated->statistics().stalls == 1; }));
         QElapsedTimer since;
         since.start();
-        QVERIFY(QTest::qWaitFor([&] { return !window.viewer().views.gray().stale().isEmpty(); }, 3000));
+        QVERIFY(eventually([&] { return !window.viewer().views.gray().stale().isEmpty(); }));
         QVERIFY2(since.elapsed() <= 2000, qPrintable(QString("grey after %1 ms").arg(since.elapsed())));
         QVERIFY2(window.viewer().views.gray().stale().startsWith("STALE") || window.viewer().views.gray().stale().startsWith("LOST"),
                  qPrintable(window.viewer().views.gray().stale()));
@@ -241,7 +240,7 @@ private slots:
         QVERIFY2(greyer > stale.width() / 2, "the whole picture is greyed, not a corner");
         QVERIFY(window.viewer().live.panel().strip().badge().sign() != StateBadge::Sign::Good);
         // When data arrives again, the picture continues.
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.gray().stale().isEmpty(); }, 8000));
+        QVERIFY(eventually([&] { return window.viewer().views.gray().stale().isEmpty(); }));
         QCOMPARE(window.viewer().live.panel().strip().badge().text(), QString("LIVE"));
     }
 
@@ -257,13 +256,12 @@ private slots:
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep(0));
         QVERIFY(waitForLines(window, 20));
         emulated->dropConnections();
-        QVERIFY(waitForBadge(window, StateBadge::Sign::Failed, 1500));
+        QVERIFY(waitForBadge(window, StateBadge::Sign::Failed));
         QVERIFY(window.viewer().live.panel().strip().badge().text().startsWith("LOST"));
         QVERIFY(window.viewer().views.gray().stale().startsWith("LOST"));
-        QVERIFY(waitForBadge(window, StateBadge::Sign::Good, 6000));
-        QVERIFY(QTest::qWaitFor([&] { return !window.viewer().live.panel().strip().shown().lost.empty(); }, 3000));
-        QVERIFY(QTest::qWaitFor([&] { return countCells(*on.picture().detection->scan)[static_cast<std::size_t>(CellState::Lost)] > 0; },
-                                3000));
+        QVERIFY(waitForBadge(window, StateBadge::Sign::Good));
+        QVERIFY(eventually([&] { return !window.viewer().live.panel().strip().shown().lost.empty(); }));
+        QVERIFY(eventually([&] { return countCells(*on.picture().detection->scan)[static_cast<std::size_t>(CellState::Lost)] > 0; }));
         QCOMPARE(emulated->statistics().writes, 0ULL);
     }
 
@@ -272,7 +270,7 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", 9, sweep());
-        QVERIFY(waitForBadge(window, StateBadge::Sign::Failed, 5000));
+        QVERIFY(waitForBadge(window, StateBadge::Sign::Failed));
         QVERIFY(QString::fromStdString(window.viewer().live.scanner().health().sentence).contains("127.0.0.1:9"));
         QVERIFY(!window.viewer().engine.picture());
         press(window, "live-connect");
@@ -289,15 +287,13 @@ private slots:
         window.viewer().live.connectTo("127.0.0.1", served.port(), sweep());
         press(window, "live-record"); // before the first line arrives
         QVERIFY(window.viewer().live.scanner().recording());
-        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; },
-                                20000));
-        QVERIFY(QTest::qWaitFor([&] { return !window.viewer().engine.behind(); }, 5000));
+        QVERIFY(eventually([&] { return linesShown(window) == kLines && !window.viewer().engine.picture()->source.growth.growing; }));
+        QVERIFY(eventually([&] { return !window.viewer().engine.behind(); }));
         const std::string live = shownMask(window);
         press(window, "live-keep");
-        QVERIFY(QTest::qWaitFor([&] { return QDir(folder).entryList({"last-minute_*.mcap"}).size() == 1; }, 5000));
+        QVERIFY(eventually([&] { return QDir(folder).entryList({"last-minute_*.mcap"}).size() == 1; }));
         press(window, "live-record");
-        QVERIFY(
-            QTest::qWaitFor([&] { return window.viewer().notice.isVisible() && window.viewer().notice.text().contains("sweep_"); }, 5000));
+        QVERIFY(eventually([&] { return window.viewer().notice.isVisible() && window.viewer().notice.text().contains("sweep_"); }));
         press(window, "live-connect");
         const QStringList recordings = QDir(folder).entryList({"sweep_*.mcap"});
         QCOMPARE(recordings.size(), 1);
@@ -308,16 +304,14 @@ private slots:
 
         window.viewer().files.open({path});
         Timeline& timeline = window.viewer().live.timeline();
-        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.viewer().engine.behind(); }, 10000));
+        QVERIFY(eventually([&] { return timeline.active() && !window.viewer().engine.behind(); }));
         QCOMPARE(shownMask(window), live);
         QCOMPARE(timeline.lines(), kLines);
         QCOMPARE(timeline.position(), kLines);
         QVERIFY(timeline.labelShown().startsWith("RECORDED 20"));
         QVERIFY2(window.viewer().statusLine.recordedShown().startsWith("measured 20"),
                  qPrintable(window.viewer().statusLine.recordedShown()));
-        const auto at = [&](int line) {
-            return QTest::qWaitFor([&] { return linesShown(window) == line && timeline.position() == line; }, 5000);
-        };
+        const auto at = [&](int line) { return eventually([&] { return linesShown(window) == line && timeline.position() == line; }); };
         QVERIFY(on.activate());
         QTest::keyClick(&window, Qt::Key_Left, Qt::ShiftModifier);
         QVERIFY(at(kLines - 10));
@@ -339,17 +333,16 @@ private slots:
         timeline.setSpeed(0.25);
         QTest::keyClick(&window, Qt::Key_Space);
         QVERIFY(timeline.playing());
-        QVERIFY(QTest::qWaitFor([&] { return linesShown(window) > 60; }, 5000));
+        QVERIFY(eventually([&] { return linesShown(window) > 60; }));
         QTest::keyClick(&window, Qt::Key_Space);
         QVERIFY(!timeline.playing());
         timeline.setSpeed(10.0);
         QTest::keyClick(&window, Qt::Key_Space);
-        QVERIFY(QTest::qWaitFor([&] { return !timeline.playing() && !window.viewer().engine.behind() && linesShown(window) == kLines; },
-                                20000));
+        QVERIFY(eventually([&] { return !timeline.playing() && !window.viewer().engine.behind() && linesShown(window) == kLines; }));
         QCOMPARE(shownMask(window), live);
         QCOMPARE(window.viewer().engine.picture()->detection->scan->path, path.toStdString());
         window.viewer().files.open({QString::fromStdString(bell_)});
-        QVERIFY(QTest::qWaitFor([&] { return !timeline.active() && !timeline.isVisible(); }, 5000));
+        QVERIFY(eventually([&] { return !timeline.active() && !timeline.isVisible(); }));
     }
 
     // Three sweeps in one recording: each is found, and going back shows the right one.
@@ -366,7 +359,7 @@ private slots:
         QVERIFY(on.show());
         window.viewer().files.open({QString::fromStdString(path)});
         Timeline& timeline = window.viewer().live.timeline();
-        QVERIFY(QTest::qWaitFor([&] { return timeline.active() && !window.viewer().engine.behind(); }, 10000));
+        QVERIFY(eventually([&] { return timeline.active() && !window.viewer().engine.behind(); }));
         QCOMPARE(static_cast<int>(timeline.contents().sweeps.size()), 3);
         QVERIFY2(timeline.labelShown().contains(" of 3"), qPrintable(timeline.labelShown()));
         const std::string opened = shownMask(window);
@@ -379,13 +372,13 @@ private slots:
             files::Replay fresh(*recording);
             fresh.seek(line);
             const auto expected = fresh.snapshot();
-            QVERIFY(QTest::qWaitFor([&] { return linesShown(window) == expected->lines() && !window.viewer().engine.behind(); }, 5000));
+            QVERIFY(eventually([&] { return linesShown(window) == expected->lines() && !window.viewer().engine.behind(); }));
             QVERIFY(window.viewer().engine.picture()->detection->scan->rangeMm == expected->rangeMm);
             QVERIFY(window.viewer().engine.picture()->detection->scan->state == expected->state);
         }
         timeline.goTo(timeline.home());
-        QVERIFY(QTest::qWaitFor(
-            [&] { return window.viewer().engine.picture()->detection->scan->path == path && !window.viewer().engine.behind(); }, 5000));
+        QVERIFY(eventually(
+            [&] { return window.viewer().engine.picture()->detection->scan->path == path && !window.viewer().engine.behind(); }));
         QCOMPARE(shownMask(window), opened);
     }
 };

@@ -79,6 +79,7 @@ private slots:
         window.viewer().tuning.usePreset(*edges::findPreset("log"));
         QVERIFY(on.showWith(real_));
         compareWithCommandLine(on);
+        QTRY_VERIFY(window.viewer().views.cloud().atRest()); // the plates over the cloud have found their places
         const QImage edgesBefore = *window.viewer().views.edges().image();
         const int greenBefore = greenPixels(window.viewer().views.cloud().grabFrame(CloudView::Points::All));
         const QString countsBefore = window.viewer().statusLine.countsShown();
@@ -111,6 +112,7 @@ private slots:
         QVERIFY(on.settled());
         QCOMPARE(*window.viewer().views.edges().image(), edgesBefore);
         QCOMPARE(window.viewer().statusLine.countsShown(), countsBefore);
+        QTRY_VERIFY(window.viewer().views.cloud().atRest());
         QCOMPARE(greenPixels(window.viewer().views.cloud().grabFrame(CloudView::Points::All)), greenBefore);
     }
 
@@ -233,7 +235,7 @@ private slots:
         viewer.setProcessEnvironment(environment);
         viewer.start(QString::fromUtf8(EDGESCAN_BIN_DIR) + "/edgescan",
                      {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
-        QVERIFY(viewer.waitForFinished(30000));
+        QVERIFY(viewer.waitForFinished(kPatienceMs));
         QCOMPARE(viewer.exitCode(), 0);
         QVERIFY(Memory(config + "/edgescan/viewer.ini").settings(own) == own);
     }
@@ -266,8 +268,8 @@ private slots:
         const std::string large = (folder_ / "complete.json").string();
         QVERIFY(files::saveScan(test::boxesScan(800, 900, 1), large));
         QVERIFY(on.open(large));
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.cloud().drawnFraction() < 1.0; }, 15000)); // coarse first
-        QVERIFY(QTest::qWaitFor([&] { return window.viewer().views.cloud().drawnFraction() >= 1.0; }, 15000));
+        QVERIFY(eventually([&] { return window.viewer().views.cloud().drawnFraction() < 1.0; })); // coarse first
+        QVERIFY(eventually([&] { return window.viewer().views.cloud().drawnFraction() >= 1.0; }));
         // The parts drawn one after the other give the same picture as one frame.
         const QImage grown = window.viewer().views.cloud().grabFrame();
         const QImage whole = window.viewer().views.cloud().grabFrame(CloudView::Points::All);

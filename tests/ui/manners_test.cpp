@@ -114,7 +114,7 @@ private slots:
         QMessageBox box;
         box.setText("<b>message</b>");
         box.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&box));
+        QVERIFY(QTest::qWaitForWindowExposed(&box, kPatienceMs));
         for (const QLabel* label : box.findChildren<QLabel*>()) {
             if (label->text().contains("message")) QCOMPARE(label->textFormat(), Qt::PlainText);
         }
@@ -125,7 +125,7 @@ private slots:
         QVERIFY(on.show());
         QSignalSpy failed(&on.viewer.engine, &Engine::failed);
         on.viewer.files.open({exactText((folder_ / ("none\x1b[31m" + std::string(150, 'x'))).string())});
-        QVERIFY(failed.wait(20000));
+        QVERIFY(failed.wait(kPatienceMs));
         QVERIFY(plain(on.viewer.notice.text()));
         on.viewer.notice.showNotice(NoticeBar::Kind::Error, QString(100000, 'x') + QString("\n").repeated(5000));
         QVERIFY(on.viewer.notice.text().size() < 25000);
@@ -154,7 +154,7 @@ private slots:
             const std::string path = (folder_ / name).string();
             on.viewer.engine.save(exports::ExportContent::EdgeCloud, exactText(path),
                                   exports::ExportOptions{.frame = CoordinateFrame::MineLocal, .ascii = true});
-            QVERIFY2(saved.wait(20000), name);
+            QVERIFY2(saved.wait(kPatienceMs), name);
             const auto verified = exports::verifyExport(path);
             QVERIFY2(bool(verified), name);
             QVERIFY2(verified->identical, exports::verificationText(*verified).c_str());

@@ -103,10 +103,10 @@ private slots:
         QVERIFY(card != nullptr && card->isVisible() && card->working());
         QVERIFY2(card->verdict().contains("method 1 of"), qPrintable(card->verdict()));
         QTest::keyClick(card, Qt::Key_Escape);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled(); }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.markedEdges.settled(); }));
         QVERIFY(!card->isVisible() && card->list()->count() == 0);
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled(); }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.markedEdges.settled(); }));
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY2(card->verdict().contains("agree with all marks"), qPrintable(card->verdict()));
         QVERIFY2(card->list()->item(0)->text().contains("all 5 marks"), qPrintable(card->list()->item(0)->text()));
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(on.viewer.engine.settings() == loose);
         // Adoption is one undo step.
         action(on, "Settings for These Marks…")->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.markedEdges.settled() && card->isVisible(); }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.markedEdges.settled() && card->isVisible(); }));
         QVERIFY(choose(0));
         const edges::Settings previewed = on.viewer.engine.settings();
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
@@ -145,11 +145,13 @@ private slots:
         const inspect::CellSet beyond = inspect::cellsBeyond(scan, 4.0, 6.0);
         QVERIFY(beyond.size() > 100);
         const auto edges = on.picture().detection->edges->size();
-        QTimer::singleShot(0, this, [] {
+        const Meanwhile hand([] {
             auto* dialog = QApplication::activeModalWidget();
+            if (dialog == nullptr || !dialog->isVisible()) return false;
             dialog->findChild<QDoubleSpinBox*>("gate-near")->setValue(4.0);
             dialog->findChild<QDoubleSpinBox*>("gate-far")->setValue(6.0);
             QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+            return true;
         });
         QTest::keyClick(&on.window, Qt::Key_G, Qt::ShiftModifier);
         QVERIFY(on.viewer.selection.hidden() == beyond);
@@ -185,18 +187,18 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);
         click(on.viewer.views.gray(), line, first - 3);
         click(on.viewer.views.gray(), line, last + 3);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 1; }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 1; }));
         const inspect::StoredMeasure& throat = on.viewer.targets.notebook().measures.front();
         QVERIFY(throat.kind == inspect::MeasureKind::Throat);
-        const auto told = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
+        const auto measured = inspect::measureCells(scan, {}, inspect::MeasureKind::Throat, throat.cells);
         const CartesianTables tables(scan);
         const double spacing = (tables.point(line, first - 1) - tables.point(line, first - 2)).norm();
-        QVERIFY2(std::abs(told->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
-                 qPrintable(QString::number(told->lengths.front().valueM)));
+        QVERIFY2(std::abs(measured->lengths.front().valueM - 1.5) < 2.5 * spacing + 0.04,
+                 qPrintable(QString::number(measured->lengths.front().valueM)));
         QTest::keyClick(&on.window, Qt::Key_U, Qt::ShiftModifier);
         click(on.viewer.views.gray(), line, first - 60);
         click(on.viewer.views.gray(), line, first - 10);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 2; }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().measures.size() == 2; }));
         QVERIFY(on.viewer.targets.notebook().measures.back().kind == inspect::MeasureKind::Path);
         // Two cells of the plain wall enclose no throat.
         QTest::keyClick(&on.window, Qt::Key_Y, Qt::ShiftModifier);

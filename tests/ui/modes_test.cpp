@@ -64,36 +64,30 @@ class ModesTest : public QObject {
             {"pin",
              [](WindowFixture& on) {
                  on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
-                 return QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000) &&
-                        QTest::qWaitFor(
-                            [&] {
-                                return on.viewer.targets.around(on.viewer.targets.active()->cell).confidence.state ==
-                                       ShownConfidence::State::Known;
-                            },
-                            60000);
+                 return eventually([&] { return on.viewer.targets.settled(); }) && eventually([&] {
+                            return on.viewer.targets.around(on.viewer.targets.active()->cell).confidence.state ==
+                                   ShownConfidence::State::Known;
+                        });
              },
              nothing},
-            {"why",
-             [](WindowFixture& on) { return pressed(on, Qt::Key_W) && QTest::qWaitFor([&] { return dialogOf(on) != nullptr; }, 10000); },
+            {"why", [](WindowFixture& on) { return pressed(on, Qt::Key_W) && eventually([&] { return dialogOf(on) != nullptr; }); },
              closeDialogs},
             {"confidence",
              [](WindowFixture& on) {
-                 return pressed(on, Qt::Key_W, Qt::ShiftModifier) &&
-                        QTest::qWaitFor([&] { return on.viewer.confidence.made() != nullptr; }, 60000);
+                 return pressed(on, Qt::Key_W, Qt::ShiftModifier) && eventually([&] { return on.viewer.confidence.made() != nullptr; });
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_W, Qt::ShiftModifier); }},
             {"rocks",
              [](WindowFixture& on) {
-                 return pressed(on, Qt::Key_K) &&
-                        QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000) &&
+                 return pressed(on, Qt::Key_K) && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }) &&
                         (on.viewer.views.pinByClick(on.viewer.rocks.picture()->study.rocks.front().cell), true) &&
-                        QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000);
+                        eventually([&] { return on.viewer.targets.settled(); });
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_K); }},
             {"compare",
              [after](WindowFixture& on) {
                  return pressed(on, Qt::Key_A, Qt::ShiftModifier) && on.open(after) &&
-                        QTest::qWaitFor([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); }, 60000);
+                        eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); });
              },
              nothing},
         };
@@ -108,9 +102,9 @@ class ModesTest : public QObject {
     }
     /// Faults, each with the mode in which it was found.
     static QStringList look(WindowFixture& on, const QString& where) {
-        (void)QTest::qWaitFor([&] { return on.viewer.views.cloud().atRest(); }, 10000); // titles show the share of drawn points
-        for (int n = 0; n < 5; ++n) QApplication::processEvents();                      // pending layouts
         QStringList found;
+        if (!eventually([&] { return on.viewer.views.cloud().atRest(); })) found << where + ": the cloud is never at rest"; // for its title
+        for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
         for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
         if (const QDialog* dialog = dialogOf(on)) {
             for (const QString& fault : faultsIn(*dialog)) found << where + ", dialog: " + fault;
@@ -121,7 +115,7 @@ class ModesTest : public QObject {
     }
     static bool resizedTo(WindowFixture& on, QSize size) {
         on.window.resize(size);
-        return QTest::qWaitFor([&] { return on.window.size() == size; }, 2000);
+        return eventually([&] { return on.window.size() == size; });
     }
 
 private slots:
@@ -199,7 +193,7 @@ private slots:
         QVERIFY(on.showWith(bell_) && on.activate());
         on.window.cab().set(true);
         on.viewer.views.pin(on.picture().detection->edges->front());
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000));
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         QStringList faults;
         for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1080)}) {
             QVERIFY(resizedTo(on, size));

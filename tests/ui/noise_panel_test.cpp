@@ -24,30 +24,30 @@ private slots:
         WindowFixture on;
         on.window.resize(1500, 950);
         QVERIFY(on.showWith(path));
-        const auto* told = on.viewer.panel.findChild<QLabel*>("noise-found");
-        QVERIFY(told != nullptr && !told->isHidden());
+        const auto* label = on.viewer.panel.findChild<QLabel*>("noise-found");
+        QVERIFY(label != nullptr && !label->isHidden());
         const auto mm = [](const RangeNoise& noise, double at) {
             return QString("%1 mm at %2 m").arg(noise.at(at), 0, 'f', 1).arg(at, 0, 'f', 1);
         };
         const auto laser = on.picture().detection->responses;
         QVERIFY(!laser->neighboursAlike);
         const double usual = laser->scales.rangeM;
-        QVERIFY2(told->text().startsWith("Noise in use: each cell errs for itself"), qPrintable(told->text()));
+        QVERIFY2(label->text().startsWith("Noise in use: each cell errs for itself"), qPrintable(label->text()));
         for (const double at : {0.5 * usual, usual, 2 * usual})
-            QVERIFY2(told->text().contains(mm(laser->noise, at)), qPrintable(told->text()));
-        QVERIFY(!told->text().contains("Folds"));
+            QVERIFY2(label->text().contains(mm(laser->noise, at)), qPrintable(label->text()));
+        QVERIFY(!label->text().contains("Folds"));
 
         edges::Settings camera = on.viewer.engine.settings();
         camera.noiseKind = edges::NoiseKind::Camera;
         QVERIFY(on.use(camera));
-        QTRY_VERIFY(told->text().contains("neighbours err alike"));
-        QVERIFY2(told->text().contains("Folds have to exceed " + mm(on.picture().detection->responses->foldNoise, usual)),
-                 qPrintable(told->text()));
+        QTRY_VERIFY(label->text().contains("neighbours err alike"));
+        QVERIFY2(label->text().contains("Folds have to exceed " + mm(on.picture().detection->responses->foldNoise, usual)),
+                 qPrintable(label->text()));
 
         edges::Settings gray = camera;
         gray.method = edges::Method::Canny;
         QVERIFY(on.use(gray));
-        QTRY_VERIFY(told->isHidden());
+        QTRY_VERIFY(label->isHidden());
     }
 };
 

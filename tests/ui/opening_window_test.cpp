@@ -67,7 +67,7 @@ class OpeningWindowTest : public QObject {
         return true;
     }
     static bool checked(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.viewer.opening.points().has_value(); }, 20000);
+        return on.settled() && eventually([&] { return on.viewer.opening.points().has_value(); });
     }
 
 private slots:
@@ -89,27 +89,27 @@ private slots:
         QVERIFY2(offer->isVisible(), qPrintable(on.viewer.notice.text()));
         QTest::mouseClick(offer, Qt::LeftButton);
         OpeningCard* card = on.viewer.opening.card();
-        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card));
+        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card, kPatienceMs));
         QVERIFY(!card->isModal());
         // Preview: the scan is ten times larger, without an undo step.
         QVERIFY(choose(*card, "centimetres"));
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
         QVERIFY(!on.viewer.undo.canUndo());
         // Closed: restored.
         card->reject();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
         QVERIFY(!on.viewer.files.options().unitMm);
         // Adopted: one undo step; undo restores the former reading.
         QVERIFY(checked(on));
         on.viewer.opening.show();
         QVERIFY(choose(*card, "centimetres"));
         QTest::mouseClick(card->adopt(), Qt::LeftButton);
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && on.viewer.undo.count() == 1; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && on.viewer.undo.count() == 1; }));
         card->reject();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && medianM(on) > 5 * asOpened; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && medianM(on) > 5 * asOpened; }));
         QCOMPARE(on.viewer.files.options().unitMm.value_or(0.0), 10.0);
         on.viewer.undo.undo();
-        QVERIFY(QTest::qWaitFor([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }, 20000));
+        QVERIFY(eventually([&] { return on.settled() && std::abs(medianM(on) - asOpened) < 0.01; }));
         QVERIFY(!on.viewer.files.options().unitMm);
     }
 
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(notice.text().startsWith("Nothing is selected"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
-        QVERIFY(on.viewer.opening.card() != nullptr && QTest::qWaitForWindowExposed(on.viewer.opening.card()));
+        QVERIFY(on.viewer.opening.card() != nullptr && QTest::qWaitForWindowExposed(on.viewer.opening.card(), kPatienceMs));
         on.viewer.opening.card()->reject();
         // A closed notice counts as read.
         QVERIFY(on.activate());
@@ -186,11 +186,11 @@ private slots:
             QVERIFY(checked(on));
             on.viewer.opening.show();
             OpeningCard* card = on.viewer.opening.card();
-            QVERIFY(QTest::qWaitForWindowExposed(card));
+            QVERIFY(QTest::qWaitForWindowExposed(card, kPatienceMs));
             QTreeWidget* list = card->list();
             const files::OpeningPoint& unit = on.viewer.opening.points()->front();
-            const QString said = list->topLevelItem(0)->text(1);
-            QVERIFY2(said.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(said));
+            const QString sentence = list->topLevelItem(0)->text(1);
+            QVERIFY2(sentence.contains(QString(words) + QString::fromStdString(unit.taken.values.front())), qPrintable(sentence));
             // Every sentence is translated; none stays English.
             const auto& points = *on.viewer.opening.points();
             int others = 0;

@@ -6,10 +6,14 @@
 #include "ui/panels/confidence/confidence_legend.h"
 #include "ui/window/theme.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QLocale>
 #include <QToolButton>
 #include <QtTest>
+
+#include <functional>
+#include <set>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -17,7 +21,7 @@ using namespace edgescan::ui;
 class PaneTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
-    std::string bare_, bell_;
+    std::string bare_, bell_, large_;
 
 private slots:
     void initTestCase() {
@@ -29,6 +33,10 @@ private slots:
         settings.beams = 160;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell_)));
+        settings.lines = 500;
+        settings.beams = 571;
+        large_ = (folder_ / "large.json").string();
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, large_)));
     }
 
     void aLineWithoutRoomEndsInDots() {
@@ -59,6 +67,52 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_Escape);
             QTRY_VERIFY(std::abs(view->viewPort()->zoom() - before) < 0.02 * before);
         }
+    }
+
+    // A notice or a dock takes room of the cloud and gives it back: the points always have the size that belongs to the room that is left.
+    void thePointsHaveTheSizeOfTheirPane() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(large_));
+        CloudView& cloud = on.viewer.views.cloud();
+        auto* dock = on.window.findChild<QDockWidget*>("dock-edges");
+        QVERIFY(dock != nullptr && dock->isVisible());
+        const auto atRest = [&] {
+            QCoreApplication::processEvents(); // layouts that wait
+            return eventually([&] { return cloud.atRest(); });
+        };
+        const auto fits = [&] { return spacingOnScreen(*cloud.geometryOfCloud(), cloud.camera(), cloud.height()); };
+        struct Room {
+            const char* name;
+            std::function<void()> take, give;
+        };
+        const Room rooms[] = {
+            {"notice", [&] { on.viewer.notice.showNotice(NoticeBar::Kind::Warning, QString("a line of a warning\n").repeated(12)); },
+             [&] { on.viewer.notice.hide(); }},
+            {"dock", [&] { dock->hide(); }, [&] { dock->show(); }},
+            {"window", [&] { on.window.resize(1280, 1040); }, [&] { on.window.resize(1280, 800); }},
+        };
+        QVERIFY(atRest());
+        const QSize usual = cloud.size();
+        const double usualSize = cloud.pointSize();
+        QCOMPARE(usualSize, fits());
+        const QImage before = cloud.grabFrame();
+        std::set<double> sizes;
+        for (const Room& room : rooms) {
+            room.take();
+            QTRY_VERIFY2(cloud.size() != usual, room.name);
+            QVERIFY(atRest());
+            QCOMPARE(cloud.pointSize(), fits());
+            sizes.insert(cloud.pointSize());
+            const QImage shown = cloud.grabFrame();
+            QVERIFY2(shown == cloud.grabFrame(CloudView::Points::All), room.name); // no point is missing or of another size
+            room.give();
+            QTRY_COMPARE(cloud.size(), usual);
+            QVERIFY(atRest());
+            QCOMPARE(cloud.pointSize(), usualSize);
+            QVERIFY2(cloud.grabFrame() == before, room.name);
+        }
+        QVERIFY2(sizes.size() > 1, "the test can fail: the sizes differ");
     }
 
     static Pane& paneOf(QWidget& view) { return *qobject_cast<Pane*>(view.parentWidget()); }
@@ -98,7 +152,7 @@ private slots:
         QCOMPARE(cloud.note(), counted(valid) + " points");
         // The number of edges changes with the settings; uncertain edges that the confidence picture hides are counted in the title.
         QTest::keyClick(&on.window, Qt::Key_W, Qt::ShiftModifier);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.confidence.made() != nullptr; }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.confidence.made() != nullptr; }));
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by confidence"));
         on.viewer.confidence.setLeast(95);
         QTRY_COMPARE(on.viewer.confidence.made()->leastPercent, 95);

@@ -83,7 +83,7 @@ private slots:
         QVERIFY(choice(dialog, "mine").isChecked());
         QVERIFY(dialog.findChild<QLabel*>("reason") == nullptr);
         auto* count = dialog.findChild<QLabel*>("count");
-        const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"all", "a.csv"}, {"edgeImage", "i.png"}};
+        const std::vector<std::pair<const char*, const char*>> contents{{"edges", "e.csv"}, {"cloud", "a.csv"}, {"mask", "i.png"}};
         for (const auto& [name, file] : contents) {
             choice(dialog, name).click();
             const auto written = exports::exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
@@ -91,7 +91,7 @@ private slots:
             QCOMPARE(dialog.count(), *written);
             QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
         }
-        choice(dialog, "all").click();
+        choice(dialog, "cloud").click();
         choice(dialog, "local").click();
         QCOMPARE(dialog.options().frame, CoordinateFrame::MineLocal);
     }
@@ -110,7 +110,7 @@ private slots:
         attached->setChecked(true);
         QCOMPARE(dialog.count(), alone + 2);
         QVERIFY(dialog.options().includeAttached);
-        choice(dialog, "grayImage").click();
+        choice(dialog, "gray").click();
         QVERIFY(!dialog.options().includeAttached);
     }
 
@@ -120,11 +120,12 @@ private slots:
         QVERIFY(on.show());
         QVERIFY(on.open(placed_));
         bool asked = false;
-        QTimer::singleShot(300, &window, [&] {
-            if (auto* dialog = window.findChild<ExportDialog*>()) {
-                asked = dialog->content() == exports::ExportContent::EdgeCloud;
-                dialog->reject();
-            }
+        const Meanwhile hand([&] {
+            auto* dialog = window.findChild<ExportDialog*>();
+            if (dialog == nullptr || !dialog->isVisible()) return false;
+            asked = dialog->content() == exports::ExportContent::EdgeCloud;
+            dialog->reject();
+            return true;
         });
         QSignalSpy saved(&window.viewer().engine, &Engine::saved);
         const auto actions = window.actions();
@@ -132,14 +133,14 @@ private slots:
             std::find_if(actions.begin(), actions.end(), [](QAction* a) { return a->shortcut() == QKeySequence("Ctrl+E"); });
         QVERIFY(command != actions.end());
         (*command)->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(asked, 5000);
+        QTRY_VERIFY(asked);
         QCOMPARE(saved.count(), 0);
         QVERIFY(!window.viewer().engine.working());
         const QString path = QString::fromStdString((folder_ / "mine.csv").string());
         exports::ExportOptions options;
         options.frame = CoordinateFrame::Mine;
         window.viewer().engine.save(exports::ExportContent::EdgeCloud, path, options);
-        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 10000);
+        QTRY_COMPARE(saved.count(), 1);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
     }
 };

@@ -88,11 +88,11 @@ private slots:
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, line, beam));
         QVERIFY(window_->viewer().views.pinned().has_value());
         const std::size_t pinned = *window_->viewer().views.pinned();
-        const QString told = window_->viewer().statusLine.probeShown();
-        QVERIFY(!told.isEmpty());
+        const QString text = window_->viewer().statusLine.probeShown();
+        QVERIFY(!text.isEmpty());
         // Hovering over a view removes neither the numbers nor the ring, and W still refers to the cell.
         const auto isThere = [&] {
-            QCOMPARE(window_->viewer().statusLine.probeShown(), told);
+            QCOMPARE(window_->viewer().statusLine.probeShown(), text);
             QCOMPARE(*window_->viewer().views.marked(), pinned);
             QCOMPARE(static_cast<std::size_t>(*window_->viewer().views.cloud().markedCell()), pinned);
             for (ImageView* view : {&gray, &edges}) {
@@ -128,7 +128,7 @@ private slots:
         escape();
         QVERIFY(!window_->viewer().views.pinned());
         move(gray, pixelOf(gray, 100, 20));
-        QVERIFY(window_->viewer().statusLine.probeShown() != told);
+        QVERIFY(window_->viewer().statusLine.probeShown() != text);
     }
 
     void theMenuOfACellIsTheSameInEveryView() {
@@ -168,16 +168,16 @@ private slots:
         QCOMPARE(*window_->viewer().views.edges().box(), *gray.box());
         QVERIFY(gray.viewPort()->zoom() > 1.5 * zoom);
         QVERIFY(!(window_->viewer().views.cloud().camera() == before));
-        const auto* told = window_->findChild<QLabel*>("box");
+        const auto* boxLabel = window_->findChild<QLabel*>("box");
         window_->resize(1900, 850);
-        QTRY_VERIFY(told->isVisible());
+        QTRY_VERIFY(boxLabel->isVisible());
         std::size_t edges = 0;
         const QRect box = *gray.box();
         for (const std::uint32_t k : *on_->picture().detection->edges)
             edges += box.contains(static_cast<int>(k) % 160, static_cast<int>(k) / 160) ? 1 : 0;
-        QVERIFY2(told->text().contains(QString(", %1 edge cells").arg(edges)), qPrintable(told->text()));
+        QVERIFY2(boxLabel->text().contains(QString(", %1 edge cells").arg(edges)), qPrintable(boxLabel->text()));
         escape();
-        QVERIFY(!gray.box() && !window_->viewer().views.edges().box() && !told->isVisible());
+        QVERIFY(!gray.box() && !window_->viewer().views.edges().box() && !boxLabel->isVisible());
     }
 
     void edgesOverTheRangeImageHaveTheColoursOfTheirClasses() {
@@ -263,14 +263,14 @@ private slots:
             return !skew.empty() && std::abs(skew[1] - skew[0]) > 0.2;
         };
         straighten->trigger();
-        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(QTest::qWaitFor([&] { return !straight(); }, 20000));
+        QVERIFY(eventually([&] { return !straight(); }));
         QVERIFY(!straighten->isChecked());
         QCOMPARE(window_->viewer().engine.settings().creaseDeg, 41.0);
         QTest::keyClick(window_, Qt::Key_Y, Qt::ControlModifier);
-        QVERIFY(QTest::qWaitFor([&] { return straight(); }, 20000));
+        QVERIFY(eventually([&] { return straight(); }));
         QVERIFY(straighten->isChecked());
         // The step of a closed file is obsolete: undo takes the step before it.
         QVERIFY(on_->open(boxes_));
@@ -292,19 +292,19 @@ private slots:
         QVERIFY(axis() == Axis::Spin);
         const auto answer = [&](const char* key, const QString& text, bool refused = false) {
             QTimer look;
-            bool told = false;
+            bool shown = false;
             connect(&look, &QTimer::timeout, this, [&] {
                 auto* dialog = window_->findChild<ReadingDialog*>();
                 if (dialog == nullptr || !dialog->isVisible()) return;
                 if (auto* list = dialog->findChild<QComboBox*>(key)) list->setCurrentText(text);
                 if (auto* edit = dialog->findChild<QLineEdit*>(key)) edit->setText(text);
                 QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
-                told = dialog->findChild<QLabel*>("refusal")->isVisible();
+                shown = dialog->findChild<QLabel*>("refusal")->isVisible();
                 if (dialog->isVisible()) dialog->reject();
             });
             look.start(30);
             window_->viewer().files.askReading();
-            QCOMPARE(told, refused);
+            QCOMPARE(shown, refused);
         };
         answer("axis", "sweep");
         QTRY_VERIFY(axis() == Axis::Sweep);

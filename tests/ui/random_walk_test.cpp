@@ -163,15 +163,15 @@ class RandomWalkTest : public QObject {
 
     // Used elements of each kind, with the names of used and unused ones.
     QString whatWasUsed() const {
-        QString told;
+        QString text;
         for (const auto& [kind, met] : met_) {
             const std::set<QString>& used = used_.at(kind);
-            told += QString("; %1s %2 of %3").arg(kind).arg(used.size()).arg(met.size());
+            text += QString("; %1s %2 of %3").arg(kind).arg(used.size()).arg(met.size());
             for (const QString& one : met) {
-                if (used.count(one) == 0) told += " [" + one + "]";
+                if (used.count(one) == 0) text += " [" + one + "]";
             }
         }
-        return told.mid(2);
+        return text.mid(2);
     }
 
     QString last_;
@@ -223,7 +223,7 @@ private slots:
         closeDialogs();
         // The window still works.
         for (QDialog* dialog : on.window.findChildren<QDialog*>()) dialog->close();
-        QVERIFY(QTest::qWaitFor([&] { return !on.viewer.engine.working(); }, 30000));
+        QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
         QVERIFY(on.open(scans_.front()));
         QVERIFY(!on.picture().detection->scan->rangeMm.cells.empty());
         std::ranges::sort(slowest);

@@ -35,7 +35,7 @@ class RocksWindowTest : public QObject {
     std::string bell_;
 
     static bool settled(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000);
+        return on.settled() && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
     }
     // Opens the scan and shows rocks by their key.
     bool showRocks(WindowFixture& on) {
@@ -182,7 +182,7 @@ private slots:
         const rocks::Rock rock = *picture(on).rock(3);
         const QPoint at = pixelOn(on, views.gray(), 3);
         QTest::mouseMove(&views.gray(), at);
-        QVERIFY(QTest::qWaitFor([&] { return !views.gray().tip().isEmpty(); }, 5000));
+        QVERIFY(eventually([&] { return !views.gray().tip().isEmpty(); }));
         QCOMPARE(views.gray().tip(), rockTip(rock));
         QVERIFY(views.gray().tip().contains(QString::number(rock.longestCaliperM, 'f', 2)));
         QVERIFY(views.edges().tip().isEmpty());
@@ -208,13 +208,16 @@ private slots:
         QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
 
         // In the cloud: a visible point of a rock.
+        bool clicked = false;
         for (const rocks::Rock& each : picture(on).study.rocks) {
             const auto pixel = views.cloud().pixelOf(each.cell);
             if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
             QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::NoModifier, pixel->toPoint());
             QCOMPARE(on.viewer.rockTable.selected(), std::vector<std::uint32_t>{each.label});
+            clicked = true;
             break;
         }
+        QVERIFY(clicked);
         QTest::mouseClick(on.viewer.rocksPanel.card().close(), Qt::LeftButton);
         QVERIFY(on.viewer.rocksPanel.card().isHidden());
         QVERIFY(on.viewer.rockTable.selected().empty());
@@ -271,9 +274,9 @@ private slots:
         };
         QVERIFY(std::abs(over(view->curve().p80M) - 0.2) < 0.03);
         // Half of the rocks, up to rounding and the one rock at the pointer's position.
-        const QString told = view->textAt(view->placeOf(view->curve().p50M, 0.3));
-        QVERIFY2(told.contains(" % of the rocks"), qPrintable(told));
-        QVERIFY2(std::abs(told.section(' ', 0, 0).toDouble() - 50) <= 0.5 + 100.0 / static_cast<double>(rocks.size()), qPrintable(told));
+        const QString text = view->textAt(view->placeOf(view->curve().p50M, 0.3));
+        QVERIFY2(text.contains(" % of the rocks"), qPrintable(text));
+        QVERIFY2(std::abs(text.section(' ', 0, 0).toDouble() - 50) <= 0.5 + 100.0 / static_cast<double>(rocks.size()), qPrintable(text));
         QVERIFY(view->accessibleDescription().contains("40 % and more"));
         on.viewer.rocksPanel.number("oversize")->setValue(0.5);
         QVERIFY(settled(on));
@@ -411,7 +414,7 @@ private slots:
         const std::uint32_t cells = picture(on).rockAt(cell)->cells;
         QTest::keyClick(&on.window, Qt::Key_S);
         QTest::mouseMove(&view, at);
-        QVERIFY(QTest::qWaitFor([&] { return view.tip().contains("wheel"); }, 5000));
+        QVERIFY(eventually([&] { return view.tip().contains("wheel"); }));
         const double scale = view.viewPort()->cellSize().width();
         QString tip = view.tip();
         for (int n = 0; n < 20 && !tip.contains("larger than the rock"); ++n) {
@@ -435,7 +438,7 @@ private slots:
     void regionAndEditsAreThereAgainWhenTheScanIsOpenedAgain() {
         const std::string file = (folder_ / "kept.json").string();
         QVERIFY(files::saveScan(scan_, file));
-        const std::filesystem::path beside = rocks::rockPresetPath(file);
+        const std::filesystem::path sidecar = rocks::rockPresetPath(file);
         Grid<std::uint32_t> labels;
         const auto showKept = [&](WindowFixture& on) {
             on.window.resize(1600, 950);
@@ -446,7 +449,7 @@ private slots:
         {
             WindowFixture on;
             QVERIFY(showKept(on));
-            QVERIFY(!std::filesystem::exists(beside));
+            QVERIFY(!std::filesystem::exists(sidecar));
             const std::size_t all = picture(on).study.rocks.size();
             ImageView& view = on.viewer.views.gray();
             QTest::keyClick(&on.window, Qt::Key_G);
@@ -465,14 +468,14 @@ private slots:
             QVERIFY(settled(on));
             labels = picture(on).labels;
         }
-        QVERIFY2(std::filesystem::exists(beside), "the window is closed, and nothing is lost");
+        QVERIFY2(std::filesystem::exists(sidecar), "the window is closed, and nothing is lost");
         {
             WindowFixture on;
             QVERIFY(showKept(on));
             QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
             QVERIFY(picture(on).labels == labels);
             // The command line reads the same file.
-            const auto run = test::runCli("rocks '" + file + "' --edits '" + beside.string() + "' --json -");
+            const auto run = test::runCli("rocks '" + file + "' --edits '" + sidecar.string() + "' --json -");
             QVERIFY2(run.code == 0, run.err.c_str());
             QCOMPARE(nlohmann::json::parse(run.out)["rock_count"].get<std::size_t>(), picture(on).study.rocks.size());
             // Another scan has no such edits.
@@ -487,11 +490,11 @@ private slots:
             on.viewer.rocks.setOperatorEdits({});
             QVERIFY(settled(on));
         }
-        QVERIFY(!std::filesystem::exists(beside));
+        QVERIFY(!std::filesystem::exists(sidecar));
         // The sidecar of another scan is reported, not changed and not overwritten.
         const std::string other =
             rocks::rockPresetText({std::nullopt, {{rocks::EditKind::Rock, {3}}}, "0123"}, scan_.lines(), scan_.beams());
-        QVERIFY(writeWholeFile(beside, other));
+        QVERIFY(writeWholeFile(sidecar, other));
         {
             WindowFixture on;
             QVERIFY(showKept(on));
@@ -502,7 +505,7 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_N);
             QVERIFY(settled(on));
         }
-        QCOMPARE(test::fileText(beside), other);
+        QCOMPARE(test::fileText(sidecar), other);
     }
 
     void aRockIsCalledNoneAndOneAgain() {
@@ -541,7 +544,7 @@ private slots:
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             const std::string path = place("window.") + ending;
             on.viewer.rocks.exportTo(QString::fromStdString(path));
-            QVERIFY2(saved.wait(20000), qPrintable(on.viewer.notice.text()));
+            QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.viewer.notice.text()));
             QVERIFY2(on.viewer.notice.text().contains(QString::fromStdString(path)), qPrintable(on.viewer.notice.text()));
             QCOMPARE(test::runCli("verify '" + path + "'").code, 0);
         }
@@ -568,7 +571,7 @@ private slots:
         QSignalSpy ended(&on.viewer.report, &ScanReport::ended);
         on.viewer.report.writeTo(QString::fromStdString(page));
         QVERIFY(on.viewer.report.working());
-        QVERIFY(ended.wait(30000));
+        QVERIFY(ended.wait(kPatienceMs));
         QVERIFY2(on.viewer.notice.kind() == NoticeBar::Kind::Done, qPrintable(on.viewer.notice.text()));
         const QString text = QString::fromStdString(test::fileText(page));
         QVERIFY(text.contains(QString("%1 rocks, each a ").arg(picture(on).study.rocks.size()) + rockCaveat()));
@@ -576,7 +579,7 @@ private slots:
         const QRegularExpressionMatch command = QRegularExpression("<pre id=\"command\">edgescan-cli ([^<]*)</pre>").match(text);
         QVERIFY(command.hasMatch());
         std::filesystem::rename(page, folder_ / "before.html");
-        QVERIFY(QTest::qWaitFor([&] { return std::filesystem::exists(rocks::rockPresetPath(bell_)); }, 5000));
+        QVERIFY(eventually([&] { return std::filesystem::exists(rocks::rockPresetPath(bell_)); }));
         const auto run = test::runCli(command.captured(1).replace("&#39;", "'").toStdString());
         QVERIFY2(run.code == 0, (run.err + command.captured(1).toStdString()).c_str());
         const QRegularExpression made("<dt>Made</dt><dd>[^<]*</dd>");
@@ -617,11 +620,10 @@ private slots:
         QObject::connect(&on.viewer.rocks, &Rocks::rocksShown, &on.window, [&] { lines.push_back(picture(on).labels.lines); });
         for (int count = 200; count <= scan_.lines(); count += 40) {
             on.viewer.engine.follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
-            QTest::qWait(100);
             QVERIFY(on.settled());
-            if (!on.viewer.rocks.picture()) continue;
-            const QString told = on.viewer.views.gray().title();
-            if (count < scan_.lines()) QVERIFY2(told.contains("partial"), qPrintable(told));
+            QTRY_VERIFY(on.viewer.rocks.picture()); // rocks of the first lines, perhaps not yet of these
+            const QString title = on.viewer.views.gray().title();
+            if (count < scan_.lines()) QVERIFY2(title.contains("partial"), qPrintable(title));
             if (picture(on).labels.lines < count) QVERIFY(on.viewer.views.gray().facesFaded());
         }
         QVERIFY(settled(on));

@@ -66,6 +66,12 @@ private:
     bool typed_ = false;
 };
 
+bool acceptExport() {
+    auto* dialog = shownDialog<ExportDialog>();
+    if (dialog != nullptr) dialog->accept();
+    return dialog != nullptr;
+}
+
 } // namespace
 
 class SavingTest : public QObject {
@@ -152,13 +158,13 @@ private slots:
                 on.viewer.views.pin(on.viewer.views.cellAt(10, 12));
                 Hand hand(path(typed), {});
                 QTest::keyClick(&on.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-                QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file) && on.window.sessions().settled(); }, 20000));
+                QVERIFY(eventually([&] { return QFile::exists(file) && on.window.sessions().settled(); }));
                 QVERIFY(hand.asked.isEmpty());
             }
             WindowFixture on;
             QVERIFY(on.show());
             on.window.sessions().open({file});
-            QVERIFY(QTest::qWaitFor([&] { return on.viewer.targets.notebook().targets.size() == 1; }, 20000));
+            QVERIFY(eventually([&] { return on.viewer.targets.notebook().targets.size() == 1; }));
             QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
@@ -173,9 +179,7 @@ private slots:
         record.write("precious");
         record.close();
         const auto ask = [&](const QStringList& answers) {
-            QTimer::singleShot(200, &on.window, [&on] {
-                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
-            });
+            const Meanwhile accepted([] { return acceptExport(); });
             Hand hand(path("e"), answers);
             on.viewer.exports.ask(exports::ExportContent::EdgeCloud);
             return hand.asked;
@@ -203,9 +207,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         const auto proposed = [&] {
             QString name;
-            QTimer::singleShot(200, &on.window, [&on] {
-                if (auto* dialog = on.window.findChild<ExportDialog*>()) dialog->accept();
-            });
+            const Meanwhile accepted([] { return acceptExport(); });
             QTimer look;
             connect(&look, &QTimer::timeout, this, [&name] {
                 if (auto* dialog = shownDialog<QFileDialog>()) {
@@ -245,19 +247,19 @@ private slots:
             ask();
             return folder;
         };
-        const QString beside = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
-        QVERIFY(beside != QDir::current().canonicalPath());
-        QCOMPARE(begins([&] { on.viewer.files.ask(); }), beside);
-        QCOMPARE(begins([&] { on.viewer.exports.askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), beside);
-        QCOMPARE(begins([&] { on.window.sessions().ask(); }), beside);
-        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), beside);
+        const QString folder = QFileInfo(QString::fromStdString(scan_)).canonicalPath();
+        QVERIFY(folder != QDir::current().canonicalPath());
+        QCOMPARE(begins([&] { on.viewer.files.ask(); }), folder);
+        QCOMPARE(begins([&] { on.viewer.exports.askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), folder);
+        QCOMPARE(begins([&] { on.window.sessions().ask(); }), folder);
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), folder);
         // After saving elsewhere the dialog begins there, until that folder is deleted.
         const QString elsewhere = path("elsewhere");
         QVERIFY(QDir().mkpath(elsewhere));
         on.memory.keepFolder("presets", elsewhere + "/mine.json");
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), QDir(elsewhere).canonicalPath());
         QVERIFY(QDir().rmdir(elsewhere));
-        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), beside);
+        QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), folder);
     }
 
     // The dialog has the same writing choices as the command line; the record names them.

@@ -27,7 +27,7 @@ class ScanLookTest : public QObject {
         return on.showWith(path) && on.activate() && rested(on);
     }
     static bool rested(WindowFixture& on) {
-        return QTest::qWaitFor([&] { return on.viewer.look.settled() && on.viewer.views.cloud().atRest(); }, 20000);
+        return eventually([&] { return on.viewer.look.settled() && on.viewer.views.cloud().atRest(); });
     }
     static ScalePlate& plate(WindowFixture& on) { return *on.window.findChild<ScalePlate*>("scale-plate"); }
     static QRgb colourOf(WindowFixture& on, std::size_t k) {
@@ -99,7 +99,7 @@ private slots:
         // Rocks have their own colours; without rocks the range colours return.
         const auto coloured = cloud.pointColours();
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
         QVERIFY(cloud.pointColours() != coloured && rested(on));
         QVERIFY(plate(on).scaleTitle().isEmpty());
         QTest::keyClick(&on.window, Qt::Key_K);

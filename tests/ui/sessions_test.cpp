@@ -38,14 +38,11 @@ class SessionsTest : public QObject {
 
     [[nodiscard]] QString inFolder(const char* name) const { return QString::fromStdString((folder_ / name).string()); }
     static bool atRest(WindowFixture& on) {
-        return QTest::qWaitFor(
-            [&] {
-                MainWindow& w = on.window;
-                return w.viewer().engine.picture() != nullptr && !w.viewer().engine.behind() && !w.viewer().engine.working() &&
-                       !w.viewer().rocks.behind() && w.viewer().comparing.settled() && w.viewer().targets.settled() &&
-                       w.sessions().settled();
-            },
-            30000);
+        return eventually([&] {
+            MainWindow& w = on.window;
+            return w.viewer().engine.picture() != nullptr && !w.viewer().engine.behind() && !w.viewer().engine.working() &&
+                   !w.viewer().rocks.behind() && w.viewer().comparing.settled() && w.viewer().targets.settled() && w.sessions().settled();
+        });
     }
     static void drop(MainWindow& window, const QString& path) {
         QMimeData data;
@@ -142,7 +139,7 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         drop(on.window, file);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
+        QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
         QVERIFY(atRest(on));
         QTRY_VERIFY(on.viewer.comparing.pictureA() != nullptr);
         QVERIFY(on.viewer.comparing.pictureA()->detection->scan == on.picture().detection->scan); // the scan was read only once
@@ -185,7 +182,7 @@ private slots:
         on.window.resize(1300, 850);
         QVERIFY(on.show());
         on.window.sessions().openSession(file);
-        QVERIFY(QTest::qWaitFor([&] { return on.window.sessions().path() == file; }, 20000));
+        QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
         QVERIFY(atRest(on));
         QVERIFY(!named(on, "&Wheel the other way")->isChecked());
         QVERIFY(!on.viewer.views.cloud().isVisible() && on.viewer.views.edges().isVisible());
@@ -272,8 +269,8 @@ private slots:
         environment.insert("XDG_CACHE_HOME", home + "/cache");
         const QString sessions = home + "/config/edgescan/sessions";
         const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
-        const auto saved = [&](const QProcess& process) {
-            const QString path = sessions + "/running-" + QString::number(process.processId()) + "-0" + inspect::kSessionEnding;
+        const auto saved = [&](qint64 process) {
+            const QString path = sessions + "/running-" + QString::number(process) + "-0" + inspect::kSessionEnding;
             const auto read = QFile::exists(path) ? inspect::readSession(path.toStdString()) : Result<inspect::ReadSession>(Error{});
             return read ? std::optional(*read) : std::nullopt;
         };
@@ -281,19 +278,21 @@ private slots:
             return read && read->state.targets.notebook.targets.size() == 2 && read->state.earlier &&
                    !read->state.targets.notebook.targets[1].asPinned.empty();
         };
-        std::string before;
-        const auto textOfAll = [](const inspect::ReadSession& read) { return inspect::sessionText(read.state, "/", ""); };
+        const auto textOfAll = [](const std::optional<inspect::ReadSession>& read) {
+            return read ? QString::fromStdString(inspect::sessionText(read->state, "/", "")) : QString();
+        };
+        QString before;
         {
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {QString::fromStdString(boxes_), "--method", "canny", "--lower", "7", "--pin", "20,30", "--pin", "60,80",
                                    "--compare", QString::fromStdString(other_), "--unit", "mm"});
-            QVERIFY(viewer.waitForStarted());
-            QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
-            QTest::qWait(1500); // the last frame is drawn
-            before = textOfAll(*saved(viewer));
-            QCOMPARE(::kill(static_cast<pid_t>(viewer.processId()), SIGKILL), 0);
-            QVERIFY(viewer.waitForFinished());
+            QVERIFY(viewer.waitForStarted(kPatienceMs));
+            const qint64 process = viewer.processId();
+            QVERIFY(eventually([&] { return isWhole(saved(process)); }));
+            QCOMPARE(::kill(static_cast<pid_t>(process), SIGKILL), 0);
+            QVERIFY(viewer.waitForFinished(kPatienceMs));
+            before = textOfAll(saved(process));
         }
         // The targets are in the session too, not only in the viewer's folder of targets.
         QDir(home + "/config/edgescan/targets").removeRecursively();
@@ -301,12 +300,11 @@ private slots:
             QProcess viewer;
             viewer.setProcessEnvironment(environment);
             viewer.start(program, {"--continue"});
-            QVERIFY(viewer.waitForStarted());
-            QVERIFY(QTest::qWaitFor([&] { return isWhole(saved(viewer)); }, 60000));
-            QTest::qWait(1500);
-            QCOMPARE(QString::fromStdString(textOfAll(*saved(viewer))), QString::fromStdString(before));
+            QVERIFY(viewer.waitForStarted(kPatienceMs));
+            QVERIFY(eventually([&] { return isWhole(saved(viewer.processId())); }));
+            QTRY_COMPARE(textOfAll(saved(viewer.processId())), before);
             ::kill(static_cast<pid_t>(viewer.processId()), SIGKILL);
-            QVERIFY(viewer.waitForFinished());
+            QVERIFY(viewer.waitForFinished(kPatienceMs));
         }
         // The window reports it, and its button continues the session.
         WindowFixture on(home + "/config/edgescan/viewer.ini");

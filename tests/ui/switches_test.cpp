@@ -176,7 +176,7 @@ private slots:
         menu.addAction("Reload the file")->setEnabled(true);
         menu.addAction("Reload the file")->setEnabled(false);
         menu.popup({50, 50});
-        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        QVERIFY(QTest::qWaitForWindowExposed(&menu, kPatienceMs));
         const auto ink = [&](int n) {
             const QImage seen = menu.grab(menu.actionGeometry(menu.actions().at(n))).toImage();
             const QRgb ground = seen.pixel(2, seen.height() / 2);

@@ -56,7 +56,7 @@ class TargetsTest : public QObject {
         QTest::mouseRelease(&view, Qt::LeftButton, modifiers, way.back());
     }
     static bool known(WindowFixture& on) {
-        return on.settled() && QTest::qWaitFor([&] { return on.viewer.targets.settled(); }, 20000);
+        return on.settled() && eventually([&] { return on.viewer.targets.settled(); });
     }
     static bool showWith(WindowFixture& on, const std::string& path) {
         on.window.resize(1400, 900);
@@ -342,15 +342,14 @@ private slots:
                 cells.push_back(cellUnder(on, at.y(), at.x()));
                 click(gray, at.y(), at.x());
             }
-            QVERIFY(QTest::qWaitFor([&] { return known(on) && static_cast<int>(on.viewer.targets.notebook().measures.size()) == made + 1; },
-                                    20000));
+            QVERIFY(eventually([&] { return known(on) && static_cast<int>(on.viewer.targets.notebook().measures.size()) == made + 1; }));
             const inspect::StoredMeasure& kept = on.viewer.targets.notebook().measures.back();
             QVERIFY(kept.kind == kind && kept.cells == cells);
-            const auto told = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
-            QVERIFY(bool(told));
+            const auto measured = inspect::measureCells(*on.picture().detection->scan, {}, kind, cells);
+            QVERIFY(bool(measured));
             const QString label = gray.marks().measures.back().label;
             // The noise measured by the window differs from this one: only the values are equal.
-            const double value = kind == inspect::MeasureKind::Angle ? told->angleDeg : told->lengths.front().valueM;
+            const double value = kind == inspect::MeasureKind::Angle ? measured->angleDeg : measured->lengths.front().valueM;
             const double shown = QString(label).replace(QChar(0xb0), ' ').section(' ', 0, 0).toDouble();
             QVERIFY2(std::abs(shown - value) < (kind == inspect::MeasureKind::Angle ? 0.06 : 0.006), qPrintable(label));
             QVERIFY2(label.contains("±"), qPrintable(label));
@@ -486,7 +485,7 @@ private slots:
         WindowFixture on;
         QVERIFY(showWith(on, bell));
         QTest::keyClick(&on.window, Qt::Key_K);
-        QVERIFY(QTest::qWaitFor([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }, 60000));
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
         const RockPicture& rocks = *on.viewer.rocks.picture();
         const rocks::Rock& largest = rocks.study.rocks.front();
         on.viewer.views.pin(largest.cell);

@@ -35,11 +35,9 @@ class ThresholdsTest : public QObject {
         QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_W);
-        QVERIFY(QTest::qWaitFor(
-            [&] {
-                return window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->text().startsWith("line ");
-            },
-            10000));
+        QVERIFY(eventually([&] {
+            return window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->text().startsWith("line ");
+        }));
     }
     // The first edge cell that has three ranges on either side, along its line and across.
     [[nodiscard]] static std::uint32_t edgeWithNeighbours(const edges::Detection& detection) {
@@ -108,7 +106,7 @@ private slots:
         struct Typed {
             const char* key;
             const char* text;
-            const char* told;
+            const char* refusal;
         };
         const auto type = [&](const Typed& typed) {
             QDoubleSpinBox* box = window_->viewer().panel.row(typed.key)->number();
@@ -118,8 +116,7 @@ private slots:
             QTest::keyClicks(box, typed.text);
             QTest::keyClick(box, Qt::Key_Return);
             QVERIFY2(
-                QTest::qWaitFor(
-                    [&] { return window_->viewer().notice.isVisible() && window_->viewer().notice.text().contains(typed.told); }, 3000),
+                eventually([&] { return window_->viewer().notice.isVisible() && window_->viewer().notice.text().contains(typed.refusal); }),
                 qPrintable(QString(typed.text) + ": " + window_->viewer().notice.text()));
             QCOMPARE(box->value(), before);
             window_->viewer().notice.hide();
@@ -180,7 +177,7 @@ private slots:
         CountCurve* curve = window_->viewer().panel.curve("lower");
         QVERIFY(curve->isVisible());
         QVERIFY(!window_->viewer().panel.curve("sensitivity")->isVisible());
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const edges::EdgeCountCurve counts = *curve->curve();
         for (const std::size_t n : {counts.thresholds.size() / 4, counts.thresholds.size() / 2}) {
             edges::Settings at = window_->viewer().engine.settings();
@@ -193,7 +190,7 @@ private slots:
         other.kernel = 5;
         use(other);
         QVERIFY(!curve->curve().has_value());
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
     }
 
     void theCountUnderTheSliderIsThatOfThePicture() {
@@ -202,7 +199,7 @@ private slots:
         between.lower = 58.5;
         use(between);
         CountCurve* curve = window_->viewer().panel.curve("lower");
-        QVERIFY(QTest::qWaitFor([&] { return curve->curve().has_value(); }, 10000));
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
         const auto edges = static_cast<qulonglong>(window_->viewer().engine.picture()->detection->edges->size());
         const QString words = QLocale(QLocale::English).toString(edges) + " edge cells";
         QVERIFY2(curve->accessibleDescription().startsWith(words), qPrintable(curve->accessibleDescription()));
@@ -253,10 +250,10 @@ private slots:
         use(edges::Settings{});
         const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
         const auto& mask = detection.mask->cells;
-        std::size_t beside = 1;
-        while (beside < mask.size() && (mask[beside] != 0 || mask[beside - 1] == 0 || beside % 160 == 0)) ++beside;
-        QVERIFY(beside < mask.size());
-        askWhy(static_cast<std::uint32_t>(beside));
+        std::size_t next = 1;
+        while (next < mask.size() && (mask[next] != 0 || mask[next - 1] == 0 || next % 160 == 0)) ++next;
+        QVERIFY(next < mask.size());
+        askWhy(static_cast<std::uint32_t>(next));
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->viewer().explanation.card();
         auto* button = card.findChild<QPushButton*>("why-beside");

@@ -34,7 +34,7 @@ namespace edgescan::ui {
 /// One sentence for each fault.
 [[nodiscard]] inline QStringList faultsIn(const QWidget& window) {
     QStringList faults;
-    const auto told = [&](const QWidget& widget, const QString& what) {
+    const auto addFault = [&](const QWidget& widget, const QString& what) {
         faults << QString("%1 \"%2\": %3 (%4 x %5)")
                       .arg(widget.objectName().isEmpty() ? widget.metaObject()->className() : widget.objectName(), wordsOf(widget).left(60),
                            what)
@@ -47,36 +47,37 @@ namespace edgescan::ui {
         const QAbstractScrollArea* scroller = scrollerOf(widget);
         if (scroller != nullptr) {
             const QRect seen(scroller->viewport()->mapTo(&window, QPoint()), scroller->viewport()->size());
-            if ((place.left() < seen.left() - 1 || place.right() > seen.right() + 1)) told(*widget, "stands over the side of its panel");
+            if ((place.left() < seen.left() - 1 || place.right() > seen.right() + 1))
+                addFault(*widget, "stands over the side of its panel");
         } else if (!window.rect().adjusted(-1, -1, 1, 1).contains(place)) {
-            told(*widget, "stands over the edge of its window");
+            addFault(*widget, "stands over the edge of its window");
         }
         if (const auto* label = qobject_cast<const QLabel*>(widget)) {
             const bool ownWay = typeid(*label) != typeid(QLabel);                                            // it fits its text itself
             const bool mayShrink = ownWay || label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored; // it shortens its text itself
             if (label->wordWrap() ? label->heightForWidth(label->width()) > label->height() + 1
                                   : label->sizeHint().height() > label->height() + 1)
-                told(*label, QString("%1 high are needed")
-                                 .arg(label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height()));
+                addFault(*label, QString("%1 high are needed")
+                                     .arg(label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height()));
             if (!label->wordWrap() && !mayShrink && label->sizeHint().width() > label->width() + 1)
-                told(*label, QString("%1 wide are needed").arg(label->sizeHint().width()));
+                addFault(*label, QString("%1 wide are needed").arg(label->sizeHint().width()));
         } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
             const auto* tool = qobject_cast<const QToolButton*>(button);
             if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) continue;
             const QByteArray kind = button->metaObject()->className();
             if (!kind.startsWith('Q') || kind == "QAbstractButton") continue; // it fits its text itself
             const int words = button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
-            if (button->width() < words) told(*button, QString("%1 wide are needed").arg(words));
+            if (button->width() < words) addFault(*button, QString("%1 wide are needed").arg(words));
         }
     }
     const auto plates = window.findChildren<ViewPlate*>();
     for (const ViewPlate* plate : plates) {
         if (!plate->isVisible()) continue;
-        if (!plate->parentWidget()->rect().contains(plate->geometry())) told(*plate, "stands over the edge of its view");
+        if (!plate->parentWidget()->rect().contains(plate->geometry())) addFault(*plate, "stands over the edge of its view");
         for (const ViewPlate* other : plates) {
             if (other < plate && other->isVisible() && other->parentWidget() == plate->parentWidget() &&
                 other->geometry().intersects(plate->geometry()))
-                told(*plate, "lies over " + other->objectName());
+                addFault(*plate, "lies over " + other->objectName());
         }
     }
     return faults;

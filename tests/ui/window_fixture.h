@@ -4,6 +4,8 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/run_program.h"
+#include "tests/support/shared_folder.h"
+#include "tests/ui/patience.h"
 #include "ui/engine/worker_bridge/memory.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/parameter_row.h"
@@ -27,17 +29,16 @@ struct WindowFixture {
 
     [[nodiscard]] bool show() {
         window.show();
-        return QTest::qWaitForWindowExposed(&window);
+        return QTest::qWaitForWindowExposed(&window, kPatienceMs);
     }
     /// Gives it the keyboard focus.
     [[nodiscard]] bool activate() {
         window.activateWindow();
-        return QTest::qWaitForWindowActive(&window);
+        return QTest::qWaitForWindowActive(&window, kPatienceMs);
     }
     /// Waits until the shown picture belongs to the newest settings and scan.
     [[nodiscard]] bool settled() {
-        return QTest::qWaitFor([this] { return viewer.engine.picture() != nullptr && !viewer.engine.behind() && !viewer.engine.working(); },
-                               20000);
+        return eventually([this] { return viewer.engine.picture() != nullptr && !viewer.engine.behind() && !viewer.engine.working(); });
     }
     [[nodiscard]] bool open(const std::string& path) {
         viewer.files.open({QString::fromStdString(path)});
@@ -60,7 +61,7 @@ struct WindowFixture {
 
 /// A real corridor scan, or a simulated one in `folder` where ../shared is absent.
 [[nodiscard]] inline std::string usualScan(const edgescan::test::TemporaryFolder& folder) {
-    const std::string real = std::string(EDGESCAN_SHARED_DIR) + "/data/lms200_corridor/scan000.json";
+    const std::string real = (edgescan::test::sharedFolder() / "data/lms200_corridor/scan000.json").string();
     if (std::filesystem::exists(real)) return real;
     qWarning("../shared is absent: a simulated scan stands in for the real one");
     sim::SimulationSettings settings;

@@ -25,7 +25,7 @@ AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const Linked
         note("opened", scanShown());
     });
     connect(&engine, &Engine::saved, this, [this](exports::ExportContent what, const QString& path, qint64 count) {
-        noteExport(exports::exportContentName(what), path, count);
+        noteExport(exports::exportKind(what).record, path, count);
     });
     connect(&views, &LinkedViews::probed, this, [this] { notePin(); });
     connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = 0](int index) mutable {

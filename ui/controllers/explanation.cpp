@@ -16,7 +16,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kBeside = 6; // cells
+constexpr int kSearchCells = 6; // cells
 
 /// The direction of the profile: that of the strongest step or fold; for other methods the direction in which the range changes more.
 edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why& why) {
@@ -37,15 +37,15 @@ edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why
 }
 
 /// The nearest edge if the cell is not an edge: a finger rarely hits an edge that is one cell wide.
-std::optional<std::size_t> edgeBeside(const edges::Detection& detection, std::size_t cell) {
+std::optional<std::size_t> nearestEdge(const edges::Detection& detection, std::size_t cell) {
     const Grid<std::uint8_t>& mask = *detection.mask;
     if (mask[cell] != 0) return std::nullopt;
     const Scan& scan = *detection.scan;
     const int line = static_cast<int>(cell) / scan.beams(), beam = static_cast<int>(cell) % scan.beams();
     std::optional<std::size_t> nearest;
-    int least = kBeside * kBeside + 1;
-    for (int y = std::max(0, line - kBeside); y <= std::min(scan.lines() - 1, line + kBeside); ++y) {
-        for (int x = std::max(0, beam - kBeside); x <= std::min(scan.beams() - 1, beam + kBeside); ++x) {
+    int least = kSearchCells * kSearchCells + 1;
+    for (int y = std::max(0, line - kSearchCells); y <= std::min(scan.lines() - 1, line + kSearchCells); ++y) {
+        for (int x = std::max(0, beam - kSearchCells); x <= std::min(scan.beams() - 1, beam + kSearchCells); ++x) {
             const int away = (y - line) * (y - line) + (x - beam) * (x - beam);
             const std::size_t k = static_cast<std::size_t>(y) * static_cast<std::size_t>(scan.beams()) + static_cast<std::size_t>(x);
             if (away >= least || mask[k] == 0) continue;
@@ -101,7 +101,7 @@ void Explanation::show(const Picture& picture, bool still, const edges::Why& why
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings));
     if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
-    nearestEdge_ = edgeBeside(*picture.detection, why.probe.cell);
+    nearestEdge_ = nearestEdge(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));

@@ -150,10 +150,10 @@ void CabMode::showScan() {
     badge_->showState(origin.sign, origin.badge);
     badge_->setToolTip(origin.more);
     const QStringList warnings = window_.viewer().warnings.warnings();
-    QToolButton* told = frame_->head().warnings();
-    told->setText("▲ " + QString::number(warnings.size()));
-    told->setAccessibleName(window_.viewer().warnings.text());
-    told->setVisible(!warnings.isEmpty());
+    QToolButton* button = frame_->head().warnings();
+    button->setText("▲ " + QString::number(warnings.size()));
+    button->setAccessibleName(window_.viewer().warnings.text());
+    button->setVisible(!warnings.isEmpty());
     if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
     const Scan& scan = *picture->detection->scan;
     const QLocale english(QLocale::English, QLocale::UnitedStates);

@@ -21,7 +21,7 @@
 namespace edgescan::ui {
 namespace {
 
-void openBeside(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
+void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
 // A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
 QMenu* menuWith(const MainWindow& window, const QString& action) {
@@ -50,7 +50,7 @@ void CabMode::addTools() {
     };
     connect(measure, &QToolButton::clicked, this, [kinds, measure, followTool] {
         followTool(); // the chosen tool determines which button is on
-        openBeside(*kinds, *measure);
+        openNextTo(*kinds, *measure);
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
     connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
@@ -61,7 +61,7 @@ void CabMode::addTools() {
     connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, &QToolButton::setChecked);
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
     connect(compare, &QToolButton::clicked, this, [this, compare] {
-        if (QMenu* menu = menuWith(window_, "compare-keep")) openBeside(*menu, *compare);
+        if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
     });
     QToolButton* why = column.add("cab-why", "why", tr("Why"));
     connect(why, &QToolButton::clicked, &window_.viewer().explanation, &Explanation::explainMarked);
@@ -145,43 +145,43 @@ void CabMode::showSettings() {
 }
 
 TargetNumbers CabMode::numbers() const {
-    TargetNumbers told;
+    TargetNumbers numbers;
     const Targets& targets = window_.viewer().targets;
     const inspect::PinnedTarget* target = targets.active();
-    if (target == nullptr) return told;
+    if (target == nullptr) return numbers;
     const auto& all = targets.notebook().targets;
-    told.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
-    told.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
+    numbers.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
+    numbers.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
-    if (known == targets.known().targets.end()) return told;
+    if (known == targets.known().targets.end()) return numbers;
     const inspect::CellTarget& cell = known->second;
     const TargetSurroundings around = targets.around(target->cell);
-    told.distance = distanceText(cell);
-    told.tolerance = toleranceText(cell);
-    told.rock = tr("Rock, visible");
-    told.size = QStringLiteral("–");
+    numbers.distance = distanceText(cell);
+    numbers.tolerance = toleranceText(cell);
+    numbers.rock = tr("Rock, visible");
+    numbers.size = QStringLiteral("–");
     const auto metres = [](double m, int decimals) { return QString::number(m, 'f', decimals); };
     if (around.rock != nullptr) {
-        told.rock = tr("Rock %1, visible").arg(around.rock->label);
-        told.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
-        told.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+        numbers.rock = tr("Rock %1, visible").arg(around.rock->label);
+        numbers.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
+        numbers.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
     } else {
-        told.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
+        numbers.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }
     const auto rows = [&](const Eigen::Vector3d& at, std::initializer_list<const char*> names) {
         int n = 0;
-        for (const char* name : names) told.coordinates.emplace_back(name, metres(at[n++], 3));
+        for (const char* name : names) numbers.coordinates.emplace_back(name, metres(at[n++], 3));
     };
-    if (cell.probe.state != CellState::Valid) return told;
+    if (cell.probe.state != CellState::Valid) return numbers;
     if (cell.probe.mineM)
         rows(*cell.probe.mineM, {"E", "N", "RL"});
     else
         rows(cell.probe.pointM, {"X", "Y", "Z"});
-    if (!cell.probe.mineM) told.pose = tr("▲ no pose: no E N RL");
+    if (!cell.probe.mineM) numbers.pose = tr("▲ no pose: no E N RL");
     for (const TargetRow& row : targetRows(cell, around)) {
-        if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) told.rows.emplace_back(row.name, row.value);
+        if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) numbers.rows.emplace_back(row.name, row.value);
     }
-    return told;
+    return numbers;
 }
 
 void CabMode::showNumbers() {

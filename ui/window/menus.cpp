@@ -45,9 +45,12 @@ std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
 }
 
 Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
-    const auto exported = [&v](const char* text, const char* keys, exports::ExportContent content) {
-        return command(text, keys, [&v, content] { v.exports.ask(content); });
-    };
+    std::vector<Command> exports;
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        if (kind.window.menu == nullptr) continue;
+        exports.push_back(command(kind.window.menu, kind.window.keys, [&v, content = kind.content] { v.exports.ask(content); }));
+    }
+    exports.push_back(command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }));
     Command recent = submenu("Open &Recent", {});
     recent.fill = [&v](QMenu& menu) { v.files.fillRecent(menu); };
     Command menu =
@@ -59,15 +62,7 @@ Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                              command("&Connect to Scanner…", "Ctrl+L", [&v] { v.live.panel().askAddress(); }),
                              command("Re&load", "F5", [&v] { v.files.reload(); }),
                              kLine,
-                             submenu("&Export",
-                                     {
-                                         exported("&Edge Cloud…", "Ctrl+E", exports::ExportContent::EdgeCloud),
-                                         exported("&Full Cloud…", "", exports::ExportContent::FullCloud),
-                                         exported("Edge &Image…", "", exports::ExportContent::EdgeImage),
-                                         exported("&Gray Image…", "", exports::ExportContent::GrayImage),
-                                         exported("&Range Image…", "", exports::ExportContent::RangeImage),
-                                         command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }),
-                                     }),
+                             submenu("&Export", exports),
                              command("Re&port…", "", [&v] { v.report.ask(); }),
                              command("&Screenshot…", "F12", [&v, shot = commands.screenshot] { v.exports.askScreenshot(shot()); }),
                              command("&Copy as Command", "", [&v] { v.exports.copyCommand(); }),

@@ -51,19 +51,20 @@ QString cloudRemark(const CloudView& cloud) {
 } // namespace
 
 void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
-    const auto tell = [&] {
+    const auto update = [&] {
         if (!window.viewer().engine.picture() || !window.viewer().views.shown()) return;
         range.setNote(rangeNote(window));
         edges.setNote(edgeNote(window));
         cloud.setNote(cloudNote(window));
         cloud.setRemark(cloudRemark(window.viewer().views.cloud()));
     };
-    QObject::connect(&window.viewer().views, &LinkedViews::picturesChanged, &window, tell);
-    QObject::connect(&window, &MainWindow::pictureShown, &window, tell);
+    QObject::connect(&window.viewer().views, &LinkedViews::picturesChanged, &window, update);
+    QObject::connect(&window, &MainWindow::pictureShown, &window, update);
     CloudView& view = window.viewer().views.cloud();
-    for (const auto told : {&CloudView::parallelChanged, &CloudView::turntableChanged}) QObject::connect(&view, told, &window, tell);
-    QObject::connect(&view, &CloudView::pointsChanged, &window, tell);
-    QObject::connect(&view, &CloudView::drawnFractionChanged, &window, tell);
+    for (const auto changed : {&CloudView::parallelChanged, &CloudView::turntableChanged})
+        QObject::connect(&view, changed, &window, update);
+    QObject::connect(&view, &CloudView::pointsChanged, &window, update);
+    QObject::connect(&view, &CloudView::drawnFractionChanged, &window, update);
 }
 
 } // namespace edgescan::ui

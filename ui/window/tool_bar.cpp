@@ -47,13 +47,13 @@ void ToolBar::add(QAction& action, const char* sign, const QString& word, Word s
     action.setIcon(toolIcon(sign));
     action.setIconVisibleInMenu(false);
     action.setIconText(word); // text of the button; the menu keeps its own text
-    const auto tell = [&action] {
+    const auto updateTip = [&action] {
         const QString key = action.shortcut().toString(QKeySequence::NativeText);
         const QString text = action.text().remove('&').remove(QStringLiteral("…"));
         action.setToolTip(key.isEmpty() ? text : text + " (" + key + ")");
     };
-    connect(&action, &QAction::changed, &action, tell); // the shortcut and the undo step may change
-    tell();
+    connect(&action, &QAction::changed, &action, updateTip); // the shortcut and the undo step may change
+    updateTip();
     insertAction(wordsPlace_, &action);
     if (auto* button = qobject_cast<QToolButton*>(widgetForAction(&action))) take(*button, shown);
 }

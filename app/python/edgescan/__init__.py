@@ -7,7 +7,7 @@
 ((120, 161), 'uint8')
 >>> result.scan.xyz()[result.mask > 0].shape[1]   # the edge points, metres
 3
->>> 0 < edgescan.evaluate(result, bell)["fixed"]["all"]["f"] < 1
+>>> bool((bell.truth["edge_class"] > 0).any())    # what it should find
 True
 
 Arrays are lines x beams: cell (line, beam) is one pixel, one measurement, one point. They look into the scan without a copy and cannot be
@@ -22,14 +22,14 @@ import os as _os
 from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulation, Sweep, __version__
 from . import _edgescan
 
-__all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "connect", "detect", "evaluate", "open",
-           "parameters", "presets", "replay", "rocks", "save", "simulate"]
+__all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "connect", "detect", "open", "parameters",
+          , "presets", "replay", "rocks", "save", "simulate"]
 
 
 def parameters():
     """The table of parameters: a list of dicts with key, label, unit, help, minimum, maximum, default, automatic, choices, several.
 
-    Each key is a keyword of detect() and evaluate(), with _ for -.
+    Each key is a keyword of detect(), with _ for -.
     """
     return _edgescan.parameters()
 
@@ -233,26 +233,7 @@ def simulate(*, seed=1, scene="hangup", axis="sweep", profile="high", hole=None,
     return _edgescan.simulate(seed, {keys[name]: float(value) for name, value in numbers.items() if value is not None}, words, surface)
 
 
-@_keywords(("Parameters of detect(), where a Scan is given:", _PARAMETERS))
-def evaluate(found, truth, *, ranges=None, tolerance=2.0, preset=None, **parameters):
-    """Scores edges against ground truth; returns the figures of `edgescan-cli evaluate --json` as a dict.
-
-    found: a Result, a Scan to run detect() on, an array of lines x beams (not 0 = edge), or a mask's .png. truth: folder that
-    `edgescan-cli simulate --truth` wrote, or a Simulation. ranges: Scan that a mask was made from, for the 3D error. tolerance: how far a
-    detection may lie from a true edge, cells.
-
-    >>> figures = edgescan.evaluate(result.mask, bell, ranges=bell.scan)
-    >>> sorted(figures)
-    ['fixed', 'rocks', 'tolerance']
-    """
-    if isinstance(found, Scan):
-        found = detect(found, preset=preset, **parameters)
-    elif preset is not None or parameters:
-        raise TypeError("what is found already takes no parameters; give a Scan")
-    if not isinstance(truth, Simulation):
-        truth = _os.fspath(truth)
-    if isinstance(found, Result):
-        return _edgescan.evaluate_result(found, truth, tolerance)
-    if isinstance(found, (str, _os.PathLike)):
-        found = _edgescan.read_mask(_os.fspath(found))
-    return _edgescan.evaluate_mask(found, truth, ranges, tolerance)
+def __getattr__(name):
+    if name == "evaluate":
+        raise AttributeError("edgescan.evaluate: scores are in another program now; use edgescan-lab evaluate MASK.png --truth FOLDER --json -")
+    raise AttributeError(f"module 'edgescan' has no attribute {name!r}")

@@ -14,7 +14,7 @@ namespace edgescan::containers {
 
 enum class Packing : std::uint8_t { Gzip, Deflate }; ///< with gzip's header and check, or as ZIP archives hold it
 
-/// One stream from the front of `packed`, appended to `to`; gives the packed bytes used. `most` bytes may be in `to`. `goOn` is told how
+/// One stream from the front of `packed`, appended to `to`; gives the packed bytes used. `most` bytes may be in `to`. `goOn` gets how
 /// much is used (0..1) and cancels with false. Error: damaged, cut off, too much, cancelled.
 Result<std::size_t> inflateOne(std::span<const std::byte> packed, Packing packing, std::uint64_t most, std::vector<std::byte>& to,
                                const std::string& where, const std::function<bool(double)>& goOn);

@@ -50,7 +50,7 @@ std::optional<Directory> directoryOf(std::span<const std::byte> file) {
     return std::nullopt;
 }
 
-/// Sizes and places that need 64 bits stand in a field of their own, in this order, where the short ones are all ones.
+/// Sizes and places that need 64 bits are in a field of their own, in this order, where the short ones are all ones.
 bool takeZip64(ZipEntry& entry, std::span<const std::byte> extra) {
     constexpr std::uint16_t kZip64 = 1;
     constexpr std::uint64_t kElsewhere = 0xFFFFFFFF;

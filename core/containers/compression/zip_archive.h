@@ -17,7 +17,7 @@ struct ZipEntry {
 
 [[nodiscard]] bool isZip(std::span<const std::byte> file);
 
-/// The archive's directory. Error: there is none, as in a file that was cut off, or it is damaged.
+/// The archive's directory. Error: it is missing, as in a file that was cut off, or it is damaged.
 Result<std::vector<ZipEntry>> zipEntries(std::span<const std::byte> file, const std::string& where);
 
 /// The bytes of one entry, checked against its CRC-32. Error: as inflateOne(), encrypted, packed in another way.

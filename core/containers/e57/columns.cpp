@@ -31,7 +31,7 @@ struct Stream {
     [[nodiscard]] bool whole() const { return bytes.size() >= needed; }
 };
 
-/// Where the packets of a section stand, without checksums.
+/// Where the packets of a section are, without checksums.
 struct Packets {
     std::uint64_t from = 0, to = 0;
 };

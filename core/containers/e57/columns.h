@@ -7,7 +7,7 @@
 
 namespace edgescan::containers {
 
-/// The numbers of these columns of a scan, `scan.points` each. `goOn` is told how much is done and cancels with false. Error: cancelled,
+/// The numbers of these columns of a scan, `scan.points` each. `goOn` gets the share that is done and cancels with false. Error: cancelled,
 /// damaged, fewer than promised, or more than a file of this size can hold.
 Result<std::vector<std::vector<double>>> readE57Columns(E57File& file, const E57Scan& scan, const std::vector<std::size_t>& columns,
                                                         const std::function<bool(double)>& goOn);

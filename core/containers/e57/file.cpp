@@ -70,7 +70,7 @@ double numberOf(const pugi::xml_attribute& attribute, double missing) {
     return problem == std::errc{} ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A whole number, also where somebody wrote it with a fraction of zero.
+/// A whole number, also when it was written with a fraction of zero.
 template <class Whole>
 std::optional<Whole> wholeOf(std::string_view text) {
     Whole value = 0;
@@ -113,7 +113,7 @@ std::optional<E57Field> fieldOf(const pugi::xml_node& node) {
     return field;
 }
 
-/// The columns in the order of their streams; those of structures inside follow where the structure stands.
+/// The columns in the order of their streams; those of structures inside follow at the place of the structure.
 Result<Done> takeFields(const pugi::xml_node& parent, std::vector<E57Field>& fields, int depth, const std::string& where) {
     constexpr int kDeepest = 16;
     if (depth > kDeepest) return Error{"the columns of points in this E57 file are nested too deep", where, kExportAgain};

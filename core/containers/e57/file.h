@@ -1,4 +1,4 @@
-// What an E57 file says of itself: its scans, the columns of their points and where they stand (ASTM E2807; the XML part).
+// What an E57 file says of itself: its scans, the columns of their points and their places (ASTM E2807; the XML part).
 #pragma once
 
 #include "core/containers/e57/paged_bytes.h"
@@ -43,7 +43,7 @@ struct E57Scan {
     std::uint64_t sectionAt = 0; ///< byte of the file where its points begin
     std::vector<E57Field> fields;
     std::optional<E57Pose> pose;
-    bool poseIsNone = false; ///< there is a pose and its numbers are none
+    bool poseIsNone = false; ///< there is a pose and its numbers do not make one
     std::optional<E57IndexBounds> bounds;
     std::string lineIndex; ///< "rowIndex" or "columnIndex": what counts the scan lines; empty where the file does not say
 

@@ -9,7 +9,7 @@ namespace {
 
 using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
 
-/// Table n tells what a byte does that n bytes follow: eight bytes are taken in one go.
+/// Table n holds the effect of a byte that n bytes follow: eight bytes are taken in one go.
 constexpr CrcTables crcTables() {
     constexpr std::uint32_t kPolynomial = 0x82F63B78; // Castagnoli, the lowest bit first
     CrcTables tables{};

@@ -19,12 +19,12 @@ namespace edgescan::containers {
 /// elsewhere in the file costs nothing.
 class PagedBytes {
 public:
-    /// `pageBytes`: with the checksum, at least 5. A last page that is not whole is no page.
+    /// `pageBytes`: with the checksum, at least 5. A last page that is not whole does not count.
     PagedBytes(std::span<const std::byte> file, std::uint64_t pageBytes, std::string where);
 
     /// Bytes without checksums.
     [[nodiscard]] std::uint64_t size() const { return pages_ * content(); }
-    /// Where a byte of the file stands without checksums; empty when it is not in the file, or part of a checksum.
+    /// The place of a byte of the file without checksums; empty when it is not in the file, or part of a checksum.
     [[nodiscard]] std::optional<std::uint64_t> logical(std::uint64_t physical) const;
     /// The other way round, for messages.
     [[nodiscard]] std::uint64_t physical(std::uint64_t logical) const;

@@ -140,7 +140,7 @@ private:
         return !cursor.bad() && cursor.rest().size() <= kNewFields;
     }
 
-    /// The byte after a record. Where the length of a chunk was damaged its inner lengths tell more.
+    /// The byte after a record. Where the length of a chunk was damaged its inner lengths say more.
     std::size_t behindRecord(const Record& record, std::size_t at) const {
         const std::size_t behind = at + record.length;
         if (record.opcode != static_cast<std::uint8_t>(McapOpcode::Chunk)) return behind;
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// What may stand inside of a chunk and outside. False: not understood.
+    /// Records that may be inside of a chunk and outside. False: not understood.
     void takeInner(const Record& record) {
         McapCursor cursor(record.content);
         if (record.opcode == static_cast<std::uint8_t>(McapOpcode::Message)) {

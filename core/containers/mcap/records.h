@@ -56,7 +56,7 @@ struct McapMetadata {
     bool operator==(const McapMetadata&) const = default;
 };
 
-/// A message whose bytes belong to somebody else.
+/// A message whose bytes have another owner.
 struct McapMessage {
     std::uint16_t channel = 0;
     std::uint32_t sequence = 0;
@@ -106,7 +106,7 @@ private:
 /// CRC-32 as MCAP, zip and PNG use it.
 [[nodiscard]] std::uint32_t crc32(ByteView bytes);
 
-/// The CRC-32 of any part of some bytes in a time that does not depend on its length: sums from the front are kept every 1,024 bytes.
+/// The CRC-32 of any part of some bytes in a time that does not depend on its length: sums from the front are stored every 1,024 bytes.
 class PartChecksums {
 public:
     /// The bytes must outlive it.
@@ -138,7 +138,7 @@ public:
         return front;
     }
     std::string string() { return std::string(text()); }
-    /// The same where it lies: what searches for records must not copy what they claim to hold.
+    /// The same in place: what searches for records must not copy what they claim to hold.
     std::string_view text() {
         const auto text = raw(number32());
         return {reinterpret_cast<const char*>(text.data()), text.size()};

@@ -173,7 +173,7 @@ Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {
         return Error{"this picture has 16 bits per pixel where 8 are needed", path.string(), "save the mask as 8-bit gray"};
     }
     const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
-    // Deflate shrinks at most 1032 times and a pixel takes at least one bit: a header that promises more lies.
+    // Deflate shrinks at most 1032 times and a pixel takes at least one bit: a header that promises more is false.
     if (pixels / 8 > std::uint64_t{bytes->size()} * 1032) {
         return Error{"the picture promises more pixels than the file can hold", path.string(), "copy the file again"};
     }

@@ -167,7 +167,7 @@ private:
 
 } // namespace
 
-DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam, const GapFilling* filling) {
+DepthProbe probeDepth(const Scan& scan, const Settings& settings, int line, int beam, const GapFilling* filling) {
     const DepthSurface sweep = withFilledGaps(depthSurface(scan, settings.straighten, 0, settings.noiseKind), filling);
     const DepthInputs inputs{sweep.inverse, sweep.slips, sweep.steps, depthLimits(sweep, settings)};
     Prober prober(inputs, {line, beam});

@@ -64,7 +64,6 @@ struct DepthProbe {
 
 /// Runs the stages again up to the line of the cell. The values equal those of depthResponses() to the last bit, but without responses that
 /// were moved around gaps.
-[[nodiscard]] DepthProbe probeDepth(const Scan& scan, const DepthEdgeSettings& settings, int line, int beam,
-                                    const GapFilling* filling = nullptr);
+[[nodiscard]] DepthProbe probeDepth(const Scan& scan, const Settings& settings, int line, int beam, const GapFilling* filling = nullptr);
 
 } // namespace edgescan::edges

@@ -2,6 +2,7 @@
 #include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/edges/settings/method_traits.h"
 
 #include <algorithm>
 #include <bit>
@@ -21,8 +22,9 @@ constexpr std::uint8_t kConvex = 8;
 // 1 for a requested class, otherwise 0.
 struct Wanted {
     float jumps, convex, concave;
-    explicit Wanted(const DepthEdgeSettings& settings)
-        : jumps(settings.jumps ? 1.0F : 0.0F), convex(settings.convex ? 1.0F : 0.0F), concave(settings.concave ? 1.0F : 0.0F) {}
+    explicit Wanted(const Settings& settings)
+        : jumps(wants(settings, kClassJump) ? 1.0F : 0.0F), convex(wants(settings, kClassConvex) ? 1.0F : 0.0F),
+          concave(wants(settings, kClassConcave) ? 1.0F : 0.0F) {}
 
     [[nodiscard]] float strengthOf(float jump, float crease) const {
         return std::max(std::max(jumps * jump, convex * crease), -concave * crease);
@@ -177,20 +179,20 @@ std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int 
     return kept;
 }
 
-Grid<float> requestedStrength(const DepthResponses& responses, const DepthEdgeSettings& settings) {
+Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings) {
     Grid<float> strength(responses.jump.lines, responses.jump.beams);
     strengthsOfCells(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings), strength.cells.data());
     return strength;
 }
 
-DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings, int threads) {
+DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& settings, int threads) {
     const int lines = responses.jump.lines;
     const int beams = responses.jump.beams;
     const int bands = bandsFor(responses.jump.size(), threads);
     DepthEdges result{Grid<std::uint8_t>(lines, beams), Grid<DepthEdge>(lines, beams, DepthEdge::None), responses.noise};
     const Wanted wanted(settings);
     const auto high = static_cast<float>(settings.sensitivity);
-    const float low = high * static_cast<float>(settings.hysteresisLow);
+    const float low = high * static_cast<float>(settings.hysteresisPercent / 100.0);
     runInBands(lines, bands, [&](int first, int last) {
         const std::size_t from = result.mask.index(first, 0);
         markClasses(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from, wanted,
@@ -208,7 +210,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
         });
     };
     runParts(bands, {link, [&] {
-                         if (settings.silhouettes) outlines = longSilhouettes(responses, settings.minimumLength);
+                         if (wants(settings, kClassSilhouette)) outlines = longSilhouettes(responses, settings.minimumLength);
                      }});
     for (const std::uint32_t k : kept) result.mask[k] = 255;
     const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
@@ -219,7 +221,7 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSett
         }
     };
     add(outlines, DepthEdge::Silhouette);
-    if (settings.border) add(responses.border, DepthEdge::Border);
+    if (wants(settings, kClassBorder)) add(responses.border, DepthEdge::Border);
     return result;
 }
 

@@ -165,22 +165,22 @@ DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling) {
     return surface;
 }
 
-DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings) {
+DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     DepthLimits limits;
-    const double typed = settings.noiseAt5mMm;
+    const double typed = settings.noiseMm; // NaN: measured
     limits.noise = typed >= 0 ? RangeNoise{typed * kOffsetShare, typed * kPerMetreShare} : surface.noise;
     limits.foldNoise = limits.noise;
     double q = noiseShare(limits.noise, surface.spacingMm);
     // A jump is computed from neighbouring cells, so its noise is that of neighbours. It is taken at the scan's own range: noise that grows
     // with the square of the range cannot be extrapolated to 5 m from ranges below one metre.
-    const bool remembered = typed < 0 && surface.memory.windowMm > 0;
+    const bool remembered = std::isnan(typed) && surface.memory.windowMm > 0;
     if (remembered) {
         limits.noise = surface.memory.range;
         limits.foldNoise = surface.memory.fold;
         q = noiseShare({surface.scales.sigmaMm.front(), 0, 0}, surface.spacingMm, surface.scales.rangeM);
     }
     limits.jumpMm = static_cast<float>(settings.jumpMm >= 0 ? settings.jumpMm : kJumpMm * q);
-    limits.growth = static_cast<float>(settings.jumpGrowth);
+    limits.growth = static_cast<float>(settings.growthPercent / 100.0);
     limits.grazing = static_cast<float>(settings.grazing);
     limits.misfitMm = static_cast<float>(kMisfitMm * q);
     limits.reliefMm = static_cast<float>(kReliefMm * q);
@@ -193,7 +193,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& se
     return limits;
 }
 
-DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks, int threads) {
+DepthResponses depthResponses(const DepthSurface& surface, const Settings& settings, DepthCracks* cracks, int threads) {
     const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
     const int bands = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));

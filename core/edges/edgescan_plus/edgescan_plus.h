@@ -10,30 +10,11 @@
 
 namespace edgescan::edges {
 
-/// The settings of EdgeScan+ (docs/method.md, "Sliders"). Automatic values follow the noise of the scan (step 6).
-struct DepthEdgeSettings {
-    double jumpMm = -1.0;       ///< J0, mm; below 0: 30 mm x noise / noise of an LMS511
-    double jumpGrowth = 0.01;   ///< p: added to J0, as a share of the range
-    double creaseDeg = 30.0;    ///< C0: dihedral angle, degrees
-    double sensitivity = 1.0;   ///< high threshold of the hysteresis; 1 = the limits themselves
-    double hysteresisLow = 0.7; ///< low threshold, as a share of the high one
-    int minimumLength = 5;      ///< cells of the shortest chain
-    double grazing = 0.1;       ///< g: displacement, in index steps, that is tolerated on a grazing surface
-    double noiseAt5mMm = -1.0;  ///< sigma at 5 m, mm; below 0: measured
-    NoiseKind noiseKind = NoiseKind::Measured;
-    bool straighten = true; ///< interlaced beams and slipped lines are measured and corrected
-    bool jumps = true;
-    bool convex = true;
-    bool concave = true;
-    bool silhouettes = true; ///< the near side of a void, where it is certain (core/edges/edgescan_plus/silhouettes.h)
-    bool border = false;     ///< where the data end: the space behind is unknown, so it is not an edge of a rock (docs/operator.md, "S3")
-};
-
 enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4, Silhouette = 5 };
 inline constexpr int kDepthEdges = 6; // including None
 
 /// The strength of jumps and creases per cell, before the decision. 1 = at the threshold; 0 where a neighbour is stronger or the cell was
-/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseAt5mMm and straighten; if another setting changes, only
+/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm and straighten; if another setting changes, only
 /// decideDepthEdges() runs again.
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
@@ -71,7 +52,7 @@ struct DepthSurface {
 [[nodiscard]] DepthSurface withFilledGaps(DepthSurface surface, const GapFilling* filling);
 
 /// The thresholds of all stages, from settings and noise.
-[[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const DepthEdgeSettings& settings);
+[[nodiscard]] DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings);
 
 /// The surface and its cracks before non-maximum suppression. Grids are lines x beams.
 struct DepthCracks {
@@ -84,11 +65,11 @@ struct DepthCracks {
 
 /// Steps 2 to 5. Fills `cracks` if it is not null; the responses are the same with and without it, and with any number of threads (0: as
 /// many as make it faster).
-[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const DepthEdgeSettings& settings, DepthCracks* cracks = nullptr,
+[[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const Settings& settings, DepthCracks* cracks = nullptr,
                                             int threads = 0);
 
 /// The values on which the decision is based: the response of the requested classes, 1 = at the threshold. Lines x beams.
-[[nodiscard]] Grid<float> requestedStrength(const DepthResponses& responses, const DepthEdgeSettings& settings);
+[[nodiscard]] Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings);
 
 /// Hysteresis: chains (8 neighbours) of cells above `low` that contain a cell above `high` and at least `minimum` cells: 255, otherwise 0.
 /// Lines x beams.
@@ -98,6 +79,6 @@ struct DepthCracks {
 [[nodiscard]] std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum);
 
 /// Step 7: classes, hysteresis and minimum length. The result is the same for any number of threads (0: as many as make it faster).
-[[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const DepthEdgeSettings& settings, int threads = 1);
+[[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& settings, int threads = 1);
 
 } // namespace edgescan::edges

@@ -1,6 +1,6 @@
 // The text that explains why a cell is an edge, or why it is not.
 #include "core/base/number_text.h"
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/explain/why.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"

@@ -1,7 +1,6 @@
 // Runs the method stage by stage.
 #include "core/edges/pipeline/pipeline.h"
 
-#include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/masked_cells.h"
 #include "core/edges/gray/smooth.h"
@@ -64,13 +63,12 @@ void Pipeline::runStages(Detection& d) {
     if (settings.fillCells > 0)
         d.filled = upToDate(filled_, Stage::Surface, "gaps", d, [&] { return fillGaps(*d.scan, settings.fillCells); });
     if (!reads(settings.method, kReadsSurface)) return;
-    const DepthEdgeSettings depth = depthEdgeSettings(settings);
     const GapFilling* wanted = settings.fillEdges ? d.filled.get() : nullptr;
     d.surface = upToDate(surface_, Stage::Surface, "surface", d,
-                         [&] { return withFilledGaps(depthSurface(*d.scan, depth.straighten, 0, depth.noiseKind), wanted); });
+                         [&] { return withFilledGaps(depthSurface(*d.scan, settings.straighten, 0, settings.noiseKind), wanted); });
     d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] {
         const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
-        DepthResponses responses = depthResponses(*d.surface, depth, cracks.get());
+        DepthResponses responses = depthResponses(*d.surface, settings, cracks.get());
         cracks_ = cracks;
         return responses;
     });

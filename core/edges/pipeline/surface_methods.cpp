@@ -1,7 +1,7 @@
 // EdgeScan+ and its parts: their decisions, and their values at one cell.
-#include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/pipeline/methods.h"
+#include "core/edges/settings/method_traits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,25 @@ namespace edgescan::edges {
 namespace {
 
 FoundEdges surfaceEdges(const Detection& detection) {
-    DepthEdges found = decideDepthEdges(*detection.responses, depthEdgeSettings(detection.settings), 0);
+    DepthEdges found = decideDepthEdges(*detection.responses, detection.settings, 0);
     return {std::move(found.mask), std::move(found.kind)};
 }
 
 ThresholdMap surfaceThresholds(const Detection& detection) {
-    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
+    const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
-    ThresholdMap map = linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisLow, settings.minimumLength);
+    ThresholdMap map =
+        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength);
     const auto always = [&map](const std::vector<std::uint32_t>& cells) {
         for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
     };
-    if (settings.border) always(responses.border);
-    if (settings.silhouettes) always(longSilhouettes(responses, settings.minimumLength));
+    if (wants(settings, kClassBorder)) always(responses.border);
+    if (wants(settings, kClassSilhouette)) always(longSilhouettes(responses, settings.minimumLength));
     return map;
 }
 
 Judgement judgeSurface(const Detection& detection, std::size_t k) {
-    const DepthEdgeSettings settings = depthEdgeSettings(detection.settings);
+    const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     Judgement found;
@@ -37,13 +38,15 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     found.takesPart = withoutOwnRange(*detection.scan)[k] == 0 || (filling != nullptr && filling->at(k) != nullptr);
     found.linked = requestedStrength(responses, settings);
     found.upper = settings.sensitivity;
-    found.lower = settings.sensitivity * settings.hysteresisLow;
+    found.lower = settings.sensitivity * (settings.hysteresisPercent / 100.0);
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
     const ThinnedStrength& jump = found.depth->jump;
     const ThinnedStrength& crease = found.depth->crease;
     // The response after suppression decides if it is strong enough; otherwise the larger of the responses before suppression.
-    const auto jumpCounts = [&](float response) { return settings.jumps ? response : 0.0F; };
-    const auto foldCounts = [&](float response) { return (response > 0 ? settings.convex : settings.concave) ? std::abs(response) : 0.0F; };
+    const auto jumpCounts = [&](float response) { return wants(settings, kClassJump) ? response : 0.0F; };
+    const auto foldCounts = [&](float response) {
+        return wants(settings, response > 0 ? kClassConvex : kClassConcave) ? std::abs(response) : 0.0F;
+    };
     const float strength = found.linked[k];
     const bool decides =
         static_cast<double>(strength) > found.lower || strength >= std::max(jumpCounts(jump.before), foldCounts(crease.before));

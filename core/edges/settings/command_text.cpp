@@ -1,4 +1,4 @@
-// The command line that computes the same edges.
+// Writes the command line that computes the same edges.
 #include "core/edges/settings/command_text.h"
 
 #include "core/base/shell_quoted.h"

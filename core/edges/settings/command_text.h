@@ -7,11 +7,11 @@
 
 namespace edgescan::edges {
 
-/// "--preset NAME --lower 12 ...": the nearest built-in preset and what differs from it.
+/// "--preset NAME --lower 12 ...": the nearest built-in preset and the differences from it.
 [[nodiscard]] std::string settingsFlags(const Settings& settings);
 
-/// PROGRAM detect 'PATH' READFLAGS and settingsFlags(). The path is
-/// quoted for a POSIX shell; `program` and `readFlags` ("--axis spin ...", may be empty) are taken as they are.
+/// PROGRAM detect 'PATH' READFLAGS and settingsFlags(). The path is quoted for a POSIX shell; `program` and `readFlags` ("--axis spin ...",
+/// may be empty) are inserted unchanged.
 [[nodiscard]] std::string detectCommand(const std::string& program, const std::string& path, const std::string& readFlags,
                                         const Settings& settings);
 

@@ -40,6 +40,11 @@ std::span<const MethodTraits> methodTraits() { return kMethods; }
 
 const MethodTraits& traitsOf(Method method) { return kMethods[static_cast<std::size_t>(method)]; }
 
+bool wants(const Settings& settings, int edgeClass) {
+    const int classes = reads(settings.method, kReadsClasses) ? settings.classes : traitsOf(settings.method).classes;
+    return (classes & edgeClass) != 0;
+}
+
 double automaticSigma(const Settings& settings) {
     constexpr double kMarrHildreth = 1.4;
     return reads(settings.method, kReadsSigma) ? kMarrHildreth : 0.3 * ((settings.kernel - 1) * 0.5 - 1) + 0.8;

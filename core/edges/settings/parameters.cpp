@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
-#include <type_traits>
 
 namespace edgescan::edges {
 namespace {
@@ -40,7 +39,7 @@ std::vector<Choice> methodChoices() {
     return choices;
 }
 
-// Who takes notice of a parameter.
+// The functions for "used by".
 bool always(const Settings&) { return true; }
 template <unsigned what>
 bool readers(const Settings& s) {
@@ -54,80 +53,68 @@ bool fillEdges(const Settings& s) { return surface(s) && s.fillCells > 0; }
 bool isolated(const Settings& s) { return gray(s) && s.maskMissing; }
 bool sigma(const Settings& s) { return reads(s.method, kReadsSigma) || (reads(s.method, kReadsKernel) && s.kernel > 1); }
 
-// What "auto" comes out as; without it a parameter cannot be automatic.
+// The value of "auto"; null: the parameter cannot be automatic.
 using Automatic = double (*)(const Settings&, const Measured&);
 constexpr Automatic kNoAuto = nullptr;
 
-template <class Member>
-void assign(Member& member, double value) {
-    if constexpr (std::is_same_v<Member, int>)
-        member = static_cast<int>(std::lround(value));
-    else
-        member = static_cast<Member>(value);
-}
-
-// Reads and writes one member of Settings.
-#define EDGESCAN_MEMBER(member)                                                                                                            \
-    [](const Settings& s) { return static_cast<double>(s.member); }, [](Settings& s, double v) { assign(s.member, v); }
-
 // clang-format off
 const std::vector<Parameter>& table() {
-    //   key, label, unit, help, minimum, maximum, slider maximum, step, decimals, what auto comes out as, advanced, choices, several, member, used by, feeds
+    //   key, label, unit, help, minimum, maximum, step, decimals, member, slider maximum, what auto comes out as, advanced, choices, several, used by, feeds
     static const std::vector<Parameter> rows{
         {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
-         0, static_cast<double>(methodTraits().size() - 1), static_cast<double>(methodTraits().size() - 1), 1, 0, kNoAuto, !kAdvanced, methodChoices(), !kSeveral, EDGESCAN_MEMBER(method), always, Stage::Edges},
+         0, static_cast<double>(methodTraits().size() - 1), 1, 0, EDGESCAN_NUMBER(Settings, method), static_cast<double>(methodTraits().size() - 1), kNoAuto, !kAdvanced, methodChoices(), !kSeveral, always, Stage::Edges},
         {"sensitivity", "Edge strength", "x", "How strong an edge must be: 1 is the jump and the crease angle below, 2 is twice that.",
-         0.3, 3, 3, 0.05, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sensitivity), surface, Stage::Threshold},
+         0.3, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, sensitivity), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Threshold},
         {"jump", "Jump", "mm", "Smallest step in depth that is an edge, near the scanner; auto takes 30 mm and more where the ranges are noisy.",
-         10, 300, 300, 1, 0, [](const Settings&, const Measured& m) { return m.jumpMm; }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(jumpMm), surface, Stage::Responses},
+         10, 300, 1, 0, EDGESCAN_NUMBER(Settings, jumpMm), 300, [](const Settings&, const Measured& m) { return m.jumpMm; }, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"growth", "Jump growth", "% of range", "What the smallest step grows by with the distance.",
-         0, 3, 3, 0.05, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(growthPercent), surface, Stage::Responses},
+         0, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, growthPercent), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
-         15, 90, 90, 1, 0, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(creaseDeg), readers<kReadsCreases>, Stage::Responses},
+         15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
-         1, 50, 50, 1, 0, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(minimumLength), surface, Stage::Edges},
+         1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.",
-         0, 31, 31, 1, 0, kNoAuto, !kAdvanced, kClasses, kSeveral, EDGESCAN_MEMBER(classes), readers<kReadsClasses>, Stage::Edges},
+         0, 31, 1, 0, EDGESCAN_NUMBER(Settings, classes), 31, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
-         30, 100, 100, 1, 0, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(hysteresisPercent), surface, Stage::Edges},
+         30, 100, 1, 0, EDGESCAN_NUMBER(Settings, hysteresisPercent), 100, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
-         0, 2, 2, 0.05, 2, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(grazing), surface, Stage::Responses},
+         0, 2, 0.05, 2, EDGESCAN_NUMBER(Settings, grazing), 2, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"slips", "Allow for slips", "", "Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.",
-         0, 1, 1, 1, 0, kNoAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(straighten), surface, Stage::Surface},
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, straighten), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, surface, Stage::Surface},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
-         1, 30, 30, 0.25, 2, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(noiseMm), surface, Stage::Responses},
+         1, 30, 0.25, 2, EDGESCAN_NUMBER(Settings, noiseMm), 30, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",
-         0, 2, 2, 1, 0, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, EDGESCAN_MEMBER(noiseKind), surface, Stage::Surface},
+         0, 2, 1, 0, EDGESCAN_NUMBER(Settings, noiseKind), 2, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, surface, Stage::Surface},
         {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
-         0, 20, 20, 1, 0, kNoAuto, kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(fillCells), always, Stage::Surface},
+         0, 20, 1, 0, EDGESCAN_NUMBER(Settings, fillCells), 20, kNoAuto, kAdvanced, {}, !kSeveral, always, Stage::Surface},
         {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that nobody measured.",
-         0, 1, 1, 1, 0, kNoAuto, kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(fillEdges), fillEdges, Stage::Surface},
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, fillEdges), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, fillEdges, Stage::Surface},
         {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",
-         0, 20000, 340, 1, 1, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(lower), gray, Stage::Threshold},
+         0, 20000, 1, 1, EDGESCAN_NUMBER(Settings, lower), 340, kNoAuto, !kAdvanced, {}, !kSeveral, gray, Stage::Threshold},
         {"step", "Step", "% of range", "A straight step of this share of the range is a weak edge, one of about ratio times that a strong one.",
-         0.1, 100, 20, 0.1, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(stepPercent), readers<kReadsRangeStep>, Stage::Threshold},
+         0.1, 100, 0.1, 2, EDGESCAN_NUMBER(Settings, stepPercent), 20, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsRangeStep>, Stage::Threshold},
         {"ratio", "Ratio upper : lower", "x", "Upper threshold as a multiple of the lower one; the thesis keeps 3.",
-         1, 10, 10, 0.1, 2, kNoAuto, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(ratio), twoThresholds, Stage::Edges},
+         1, 10, 0.1, 2, EDGESCAN_NUMBER(Settings, ratio), 10, kNoAuto, !kAdvanced, {}, !kSeveral, twoThresholds, Stage::Edges},
         {"kernel", "Gaussian kernel", "cells", "Size of the smoothing kernel; 1 switches smoothing off.",
-         1, 11, 11, 2, 0, kNoAuto, !kAdvanced, kKernels, !kSeveral, EDGESCAN_MEMBER(kernel), readers<kReadsKernel>, Stage::Smoothing},
+         1, 11, 2, 0, EDGESCAN_NUMBER(Settings, kernel), 11, kNoAuto, !kAdvanced, kKernels, !kSeveral, readers<kReadsKernel>, Stage::Smoothing},
         {"sigma", "Gaussian sigma", "cells", "Width of the smoothing; auto takes it from the kernel size.",
-         0.1, 10, 10, 0.05, 2, [](const Settings& s, const Measured&) { return automaticSigma(s); }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(sigma), sigma, Stage::Smoothing},
+         0.1, 10, 0.05, 2, EDGESCAN_NUMBER(Settings, sigma), 10, [](const Settings& s, const Measured&) { return automaticSigma(s); }, !kAdvanced, {}, !kSeveral, sigma, Stage::Smoothing},
         {"scaling", "Gray scaling", "", "How ranges become gray levels: as the thesis prints it, evenly from near to far, or by equal ratios from near to far.",
-         0, 2, 2, 1, 0, kNoAuto, !kAdvanced, kScalings, !kSeveral, EDGESCAN_MEMBER(scaling), gray, Stage::Gray},
+         0, 2, 1, 0, EDGESCAN_NUMBER(Settings, scaling), 2, kNoAuto, !kAdvanced, kScalings, !kSeveral, gray, Stage::Gray},
         {"near", "Near", "mm", "Range drawn as gray 0; auto takes it from the scan. Not used by thesis scaling.",
-         0, 200000, 40000, 10, 0, [](const Settings&, const Measured& m) { return m.nearMm; }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(nearMm), nearFar, Stage::Gray},
+         0, 200000, 10, 0, EDGESCAN_NUMBER(Settings, nearMm), 40000, [](const Settings&, const Measured& m) { return m.nearMm; }, !kAdvanced, {}, !kSeveral, nearFar, Stage::Gray},
         {"far", "Far", "mm", "Range drawn as gray 255; auto takes it from the scan. Not used by thesis scaling.",
-         0, 200000, 40000, 10, 0, [](const Settings&, const Measured& m) { return m.farMm; }, !kAdvanced, {}, !kSeveral, EDGESCAN_MEMBER(farMm), nearFar, Stage::Gray},
+         0, 200000, 10, 0, EDGESCAN_NUMBER(Settings, farMm), 40000, [](const Settings&, const Measured& m) { return m.farMm; }, !kAdvanced, {}, !kSeveral, nearFar, Stage::Gray},
         {"mask-missing", "Mask missing data", "", "Keeps cells without a range out of smoothing and gradient, so that the border of a hole is not an edge.",
-         0, 1, 1, 1, 0, kNoAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskMissing), gray, Stage::Mask},
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, maskMissing), 1, kNoAuto, !kAdvanced, kOffOn, !kSeveral, gray, Stage::Mask},
         {"mask-isolated", "Mask isolated cells", "", "With missing data masked: a cell that fewer than 2 of its 8 neighbours agree with (dust) counts as missing.",
-         0, 1, 1, 1, 0, kNoAuto, !kAdvanced, kOffOn, !kSeveral, EDGESCAN_MEMBER(maskIsolated), isolated, Stage::Mask},
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, maskIsolated), 1, kNoAuto, !kAdvanced, kOffOn, !kSeveral, isolated, Stage::Mask},
         {"aperture", "Sobel aperture", "cells", "Size of the gradient operator; larger ones need thresholds many times higher.",
-         3, 7, 7, 2, 0, kNoAuto, kAdvanced, kApertures, !kSeveral, EDGESCAN_MEMBER(aperture), twoThresholds, Stage::Edges},
+         3, 7, 2, 0, EDGESCAN_NUMBER(Settings, aperture), 7, kNoAuto, kAdvanced, kApertures, !kSeveral, twoThresholds, Stage::Edges},
         {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
-         0, 1, 1, 1, 0, kNoAuto, kAdvanced, kNorms, !kSeveral, EDGESCAN_MEMBER(norm), readers<kReadsNorm>, Stage::Edges},
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, norm), 1, kNoAuto, kAdvanced, kNorms, !kSeveral, readers<kReadsNorm>, Stage::Edges},
         {"log-mask", "Laplacian mask", "", "Which mask stands for the Laplacian of Gaussian.",
-         0, 2, 2, 1, 0, kNoAuto, !kAdvanced, kLogMasks, !kSeveral, EDGESCAN_MEMBER(logMask), readers<kReadsLaplacianMask>, Stage::Edges},
+         0, 2, 1, 0, EDGESCAN_NUMBER(Settings, logMask), 2, kNoAuto, !kAdvanced, kLogMasks, !kSeveral, readers<kReadsLaplacianMask>, Stage::Edges},
     };
     return rows;
 }
@@ -142,7 +129,7 @@ std::string choiceNames(const Parameter& parameter) {
 std::string flag(const Parameter& parameter) { return std::string("--") + parameter.key; }
 
 Result<double> withinLimits(const Parameter& parameter, double value) {
-    // What counts cells holds no fractions.
+    // Counts of cells have no fraction.
     Settings held;
     parameter.set(held, value);
     if (std::abs(value) < 1e9 && parameter.get(held) != value)
@@ -154,7 +141,7 @@ Result<double> withinLimits(const Parameter& parameter, double value) {
                  flag(parameter), "give a value within these limits"};
 }
 
-// "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the unit's own name is always allowed.
+// "2.5m", "2500 mm", "2500" -> 2500 for a parameter in mm; the parameter's own unit is always allowed.
 bool stripUnit(const Parameter& parameter, std::string_view& text, double& factor) {
     const auto ends = [&](std::string_view unit) {
         if (unit.empty() || text.size() <= unit.size() || !text.ends_with(unit)) return false;
@@ -168,7 +155,7 @@ bool stripUnit(const Parameter& parameter, std::string_view& text, double& facto
     return true;
 }
 
-// "jump,concave" -> the sum of their values; "all" and "none" are names too.
+// "jump,concave" -> the sum of their values; "all" and "none" are also accepted.
 Result<double> parseSet(const Parameter& parameter, std::string_view text) {
     if (text == "all") return parameter.maximum;
     if (text == "none") return parameter.minimum;
@@ -195,7 +182,7 @@ std::string formatSet(const Parameter& parameter, double value) {
     return names.empty() ? "none" : names;
 }
 
-// What is fed to one stage is part of what another makes.
+// Whether a stage uses, directly or through other stages, a parameter that is first used in stage `fed`.
 bool reaches(Stage fed, Stage stage) {
     switch (stage) {
     case Stage::Smoothing:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kFormat = "edgescan-preset/1";
 
-// As the thesis: lower 10, holes and dust take part like any other cell.
+// As in the thesis: lower 10, holes and dust are processed like other cells.
 Settings withoutMask(Scaling scaling) {
     Settings settings = cannySettings();
     settings.scaling = scaling;

@@ -1,4 +1,4 @@
-// What the operator can turn: one plain value per parameter. The table in parameters.h gives each its name, unit and limits.
+// The settings of a method: one plain value per parameter. The table in parameters.h gives each a name, a unit and limits.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace edgescan::edges {
 
-/// A number that is worked out from the scan unless somebody types one.
+/// A number that is computed from the scan unless the user gives one.
 inline constexpr double kAutomatic = std::numeric_limits<double>::quiet_NaN();
 
-/// How a range becomes a gray level (docs/method.md, "Gray levels and presets").
+/// The conversion of a range to a gray level (docs/method.md, "Gray levels and presets").
 enum class Scaling : std::uint8_t {
-    Thesis, ///< clamp(rint(S * 255 / (Smax - Smin))), saturating when Smin > 0; thesis as printed
-    Window, ///< clamp(rint((S - near) * 255 / (far - near))), near/far = Smin/Smax unless typed
-    Log,    ///< clamp(rint(ln(S / near) * 255 / ln(far / near))), near/far = 1 % and 99 % of the ranges, a factor 5 apart at least
+    Thesis, ///< clamp(rint(S * 255 / (Smax - Smin))), saturated if Smin > 0; as printed in the thesis
+    Window, ///< clamp(rint((S - near) * 255 / (far - near))), near/far = Smin/Smax unless given
+    Log,    ///< clamp(rint(ln(S / near) * 255 / ln(far / near))), near/far = 1 % and 99 % of the ranges, at least a factor 5 apart
 };
 
 enum class Norm : std::uint8_t {
@@ -21,11 +21,11 @@ enum class Norm : std::uint8_t {
     L2, ///< sqrt(gx^2 + gy^2)
 };
 
-/// How edges are found. The numbers are kept in no file; names are (parameters.cpp).
+/// The method that finds edges. The numbers are not stored in files; the names are (parameters.cpp).
 enum class Method : std::uint8_t {
     EdgeScanPlus, ///< jumps and creases of the surface in inverse range (docs/method.md, "EdgeScan+")
-    Outlines,     ///< of these, what runs round a rock: jumps and concave creases
-    Jumps,        ///< of these, the jumps
+    Outlines,     ///< only the edges around rocks: jumps and concave creases
+    Jumps,        ///< only the jumps
     Canny,        ///< Canny on gray levels, the method of the thesis
     LogRange,     ///< Canny on the logarithm of the range, without gray levels
     Roberts,      ///< from here on the other detectors of the thesis's chapter 3, on gray levels
@@ -37,14 +37,14 @@ enum class Method : std::uint8_t {
     Log,
 };
 
-/// Masks of the Laplacian of Gaussian that text books print.
+/// Masks of the Laplacian of Gaussian, as in text books.
 enum class LogMask : std::uint8_t {
     FourNeighbours,  ///< 0 -1 0 / -1 4 -1 / 0 -1 0
     EightNeighbours, ///< -1 -1 -1 / -1 8 -1 / -1 -1 -1
     FiveByFive,      ///< 0 0 -1 0 0 / 0 -1 -2 -1 0 / -1 -2 16 -2 -1 / 0 -1 -2 -1 0 / 0 0 -1 0 0
 };
 
-/// The classes of edges that EdgeScan+ tells apart, as bits of Settings::classes.
+/// The classes of edges that EdgeScan+ distinguishes, as bits of Settings::classes.
 enum EdgeClassBits : std::uint8_t {
     kClassJump = 1,
     kClassConvex = 2,
@@ -54,52 +54,52 @@ enum EdgeClassBits : std::uint8_t {
     kClassRock = kClassJump | kClassConvex | kClassConcave | kClassSilhouette,
 };
 
-/// What is taken for granted about the noise of the ranges.
+/// The assumed kind of range noise.
 enum class NoiseKind : int {
-    Measured, ///< told by the scan
-    Laser,    ///< each cell errs for itself
-    Camera,   ///< neighbours err alike: depth in steps that span cells
+    Measured, ///< determined from the scan
+    Laser,    ///< the errors of cells are independent
+    Camera,   ///< the errors of neighbours are correlated: depth in steps that span cells
 };
 
 struct Settings {
     Method method = Method::EdgeScanPlus;
 
     // EdgeScan+ and its parts (docs/method.md, "Sliders")
-    double sensitivity = 1.0;        ///< high threshold of the hysteresis, x
-    double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic follows the noise
-    double growthPercent = 1.0;      ///< p: what is added to it, % of the range
+    double sensitivity = 1.0;        ///< high threshold of the hysteresis, as a factor
+    double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic: from the noise
+    double growthPercent = 1.0;      ///< p: added to J0, % of the range
     double creaseDeg = 30.0;         ///< C0: smallest fold, degrees
     int minimumLength = 5;           ///< cells of the shortest chain
     int classes = kClassRock;        ///< EdgeClassBits
     double hysteresisPercent = 70.0; ///< low threshold, % of the high one
-    double grazing = 0.1;            ///< g: index steps that a grazing surface may be out of place
-    bool straighten = true;          ///< take interlaced beams and slipped lines into account
+    double grazing = 0.1;            ///< g: displacement, in index steps, that is tolerated on a grazing surface
+    bool straighten = true;          ///< correct interlaced beams and slipped lines
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
     NoiseKind noiseKind = NoiseKind::Measured;
 
     // Gaps (docs/method.md, "Gaps")
-    int fillCells = 0;      ///< shorter side of the gaps that are filled, cells; 0: none is
-    bool fillEdges = false; ///< filled cells take part in EdgeScan+'s edges and may be edges themselves
+    int fillCells = 0;      ///< shorter side of the gaps to fill, cells; 0: no filling
+    bool fillEdges = false; ///< EdgeScan+ uses filled cells like measured ones, and they may be edges
 
     // Gray levels, Canny and the other detectors
     Scaling scaling = Scaling::Log;
     double nearMm = kAutomatic; ///< range drawn as gray 0, mm
     double farMm = kAutomatic;  ///< range drawn as gray 255, mm
-    bool maskMissing = true;    ///< cells without a range take no part in smoothing and gradient
-    bool maskIsolated = true;   ///< with maskMissing: cells that few neighbours agree with (dust) count as missing
+    bool maskMissing = true;    ///< smoothing and gradient ignore cells without a range
+    bool maskIsolated = true;   ///< with maskMissing: isolated cells (dust) count as missing
     int kernel = 3;             ///< Gaussian kernel size, cells: 1 (off), 3, 5, 7, 9, 11
     double sigma = kAutomatic;  ///< Gaussian sigma, cells; automatic = OpenCV's 0.3 ((k - 1) / 2 - 1) + 0.8
-    double lower = 6.0; ///< lower hysteresis threshold of Canny, or the threshold of a detector that has one: gradient of gray levels
+    double lower = 6.0; ///< lower hysteresis threshold of Canny, or the threshold of a detector with one threshold: gradient of gray levels
     double ratio = 3.0; ///< upper = ratio x lower (thesis 1:3)
     int aperture = 3;   ///< Sobel aperture, cells: 3, 5, 7
     Norm norm = Norm::L1;
     LogMask logMask = LogMask::FourNeighbours;
-    double stepPercent = 3.0; ///< log range: a straight step of this share of the range is a weak edge
+    double stepPercent = 3.0; ///< log range: a straight step of this percentage of the range is a weak edge
 
     [[nodiscard]] double upper() const { return ratio * lower; }
 };
 
-/// Equal, counting automatic as equal to automatic.
+/// Compares all values; automatic equals automatic.
 [[nodiscard]] bool operator==(const Settings& a, const Settings& b);
 
 } // namespace edgescan::edges

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPlaces = 200; // values along the slider
 
-// A slider with more steps than pixels cannot reach every value: such ranges are stretched at their small end.
+// A slider with more steps than pixels cannot reach every value, so such scales are stretched at the small end.
 double bend(const Parameter& p) {
     const double steps = (p.sliderMaximum - p.minimum) / p.step;
     return steps > 1000.0 ? 3.0 : steps > 250.0 ? 2.0 : 1.0;

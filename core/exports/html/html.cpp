@@ -1,4 +1,4 @@
-// Escaping, and the frame of a page.
+// Escapes text, and writes the frame of a page.
 #include "core/exports/html/html.h"
 
 #include "core/base/base64.h"

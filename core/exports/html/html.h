@@ -1,4 +1,4 @@
-// The parts of which pages are made. Text from outside gets into a page through these alone.
+// The parts of HTML pages. Text from outside enters a page only through these functions.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,19 +8,20 @@
 
 namespace edgescan::exports {
 
-/// Text as it may stand between tags and in attributes: markup characters as &lt; and the like, controls as printable() writes them.
+/// Text for use between tags and in attributes: markup characters become &lt; and the like, control characters become what printable()
+/// writes.
 [[nodiscard]] std::string htmlText(std::string_view text);
 
-/// JSON as it may stand in a script: no "<" that could end it.
+/// JSON for use in a script: without "<", which could end the script.
 [[nodiscard]] std::string scriptJson(const nlohmann::ordered_json& json);
 
-/// A picture within the page, from PNG bytes; a sentence where there are none.
+/// A picture inside the page, from PNG bytes; a sentence if `png` is empty.
 [[nodiscard]] std::string htmlImage(const std::string& png, const std::string& alternative);
 
-/// A whole page. `body` and `script` are markup and code already. The page may load nothing from anywhere: its own policy says so.
+/// A whole page. `body` and `script` must already be markup and code. The page's own policy forbids loading anything.
 [[nodiscard]] std::string htmlPage(const std::string& title, const std::string& body, const std::string& script);
 
-/// Scripts of assets/: they read what stands in the elements "data".
+/// Scripts of assets/: they read the elements "data".
 [[nodiscard]] const char* surveyScript();
 [[nodiscard]] const char* reportScript();
 

@@ -1,4 +1,4 @@
-// Pins, measures and changes as markup.
+// Writes targets, measurements and changes as markup.
 #include "core/exports/html/notes_section.h"
 
 #include "core/containers/png/png.h"
@@ -38,7 +38,7 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
 
 int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
 
-/// Of the cells of a pixel the most colourful one: no edge is lost in a smaller picture.
+/// Each pixel gets the most colourful of its cells, so that a smaller picture loses no edges.
 Grid<Rgb> smaller(const Grid<Rgb>& picture, int mostPixels) {
     if (picture.lines <= mostPixels && picture.beams <= mostPixels) return picture;
     Grid<Rgb> small(std::min(picture.lines, mostPixels), std::min(picture.beams, mostPixels));

@@ -1,4 +1,4 @@
-// What somebody worked out on a scan, for its report: pins, measures, and what changed since an earlier scan.
+// The operator's results on a scan, for its report: targets, measurements, and changes since an earlier scan.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -9,11 +9,11 @@
 
 namespace edgescan::exports {
 
-/// Markup: a table of the targets with what their cards said when they were pinned, and one of the measures with their uncertainty. Empty
-/// where there is neither. Cells that the scan does not have are said to be none of it.
+/// Markup: a table of the targets with the content of their cards at the time of pinning, and one of the measurements with their
+/// uncertainty. Empty if there are neither. Cells that do not exist in the scan are reported as such.
 [[nodiscard]] std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook);
 
-/// Markup: the counts, how the two lie on each other, the largest regions, and a picture of at most `mostPixels` along a side.
+/// Markup: the counts, the quality of the registration, the largest regions, and a picture of at most `mostPixels` along a side.
 [[nodiscard]] std::string changeSection(const edges::Detection& now, const inspect::SceneChange& change, const std::string& earlier,
                                         int mostPixels);
 

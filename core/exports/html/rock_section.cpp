@@ -1,4 +1,4 @@
-// Rocks as markup.
+// Writes rocks as markup.
 #include "core/exports/html/rock_section.h"
 
 #include "core/base/number_text.h"
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFacePixels = 900;                             // along a side
 constexpr int kRockCloudWidth = 800, kRockCloudHeight = 512; // px
-constexpr int kCurveWidth = 640, kCurveHeight = 230;         // units of the drawing
+constexpr int kCurveWidth = 640, kCurveHeight = 230;         // in units of the drawing
 constexpr int kCurveLeft = 46, kCurveRight = 20, kCurveTop = 10, kCurveBottom = 34;
 
 std::string twoDecimals(double m) { return fixedText(m, 2); }

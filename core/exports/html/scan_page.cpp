@@ -1,4 +1,4 @@
-// The sections of a report, one after the other.
+// Writes the sections of a report in order.
 #include "core/exports/html/scan_page.h"
 
 #include "core/base/base64.h"

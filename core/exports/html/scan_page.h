@@ -1,4 +1,4 @@
-// The report of a scan: one page that says what was measured, what was found and how it is made again (docs/report.md).
+// The report of a scan: one page with the measurements, the results, and how to make it again (docs/report.md).
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -10,28 +10,28 @@
 
 namespace edgescan::exports {
 
-/// Most points and edge cells of the turning view; of more, as many are chosen evenly, and the page says so.
+/// Most points and edge cells of the rotating view. Of more, this number is chosen evenly, and the page says so.
 inline constexpr std::size_t kMostPagePoints = 60'000, kMostPageEdges = 40'000;
-/// Most pixels along a side of the gray and the edge picture; larger ones are made smaller.
+/// Most pixels along a side of the gray and the edge picture; larger pictures are reduced.
 inline constexpr int kMostPagePixels = 1200;
-/// No report is larger, whatever the scan; with rocks, and with a change, it may be as much larger.
+/// Largest size of a report of any scan; with rocks, and with a change, it may be larger by the other two numbers.
 inline constexpr std::size_t kMostPageBytes = 14'000'000, kMostRockBytes = 12'000'000, kMostChangeBytes = 7'000'000;
 
 struct PageWords {
-    std::string command; ///< that makes the report again
+    std::string command; ///< the command that makes the report again
     std::string operatorName, role;
     std::string madeUtc;
 };
 
-/// What was worked out on the scan besides its edges; all of the same detection. Null: left out.
+/// Further results on the scan, all for the same detection. Null: left out.
 struct PageNotes {
     const rocks::Study* rocks = nullptr;
     const inspect::Notebook* notebook = nullptr;
     const inspect::SceneChange* change = nullptr;
-    std::string earlier; ///< of a change: which scan it is compared with
+    std::string earlier; ///< for a change: the name of the scan that it is compared with
 };
 
-/// The whole page. All of its text that comes from files is escaped.
+/// The whole page. All text from files is escaped.
 [[nodiscard]] std::string scanPage(const edges::Detection& detection, const PageWords& words, const PageNotes& notes = {});
 
 } // namespace edgescan::exports

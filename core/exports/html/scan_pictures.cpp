@@ -1,4 +1,4 @@
-// Gray levels, edges and points as pictures, and points for a page's own view.
+// Draws gray levels, edges and points as pictures, and collects points for the page's rotating view.
 #include "core/exports/html/scan_pictures.h"
 
 #include "core/containers/png/png.h"
@@ -17,7 +17,7 @@
 namespace edgescan::exports {
 namespace {
 
-// Cells of a picture's pixel: first and behind the last.
+// The cells of one pixel: the first ones and those behind the last.
 struct Block {
     int lines[2], beams[2];
 };
@@ -29,7 +29,7 @@ Block blockOf(int y, int x, int height, int width, int lines, int beams) {
     return block;
 }
 
-// The colours on the page's dark ground; those of files are made for gray points.
+// Colours for the page's dark background; those of files are made for gray points.
 Rgb edgeColour(const edges::Detection& detection, std::size_t k) {
     return files::kEdgeColours[detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0];
 }
@@ -52,7 +52,7 @@ int meanLevel(const edges::Detection& detection, const Block& block) {
     return sum / std::max(1, count);
 }
 
-// Points in the frame that the page tells, from an origin of whole metres, so that a float holds them.
+// Points in the frame that the page names, relative to an origin of whole metres, so that floats are exact enough.
 class PagePoints {
 public:
     explicit PagePoints(const Scan& scan) : tables_(scan), beams_(scan.beams()) {
@@ -78,7 +78,7 @@ void append(std::string& bytes, Number value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// Every n-th of a row of things would follow the lines of the grid; multiples of the golden ratio fall everywhere alike.
+// Taking every n-th element would follow the lines of the grid; multiples of the golden ratio are distributed evenly.
 bool isChosen(std::size_t number, std::size_t most, std::size_t of) {
     constexpr double kGolden = 0.61803398874989485;
     if (of <= most) return true;
@@ -91,10 +91,10 @@ struct Camera {
     double focal = 1;
 };
 
-// So many pixels per unit of tangent that nearly all points are in the picture; a few far ones may be outside.
+// Pixels per unit of tangent, chosen so that almost all points are in the picture; a few far ones may be outside.
 double focalFor(const Camera& camera, const std::vector<Eigen::Vector3d>& points, int width, int height) {
     constexpr double kInside = 0.98, kFilled = 0.47;
-    std::vector<double> needed; // of half a width, the height made as wide
+    std::vector<double> needed; // in units of half the width; the height is scaled to it
     for (const Eigen::Vector3d& point : points) {
         const Eigen::Vector3d d = point - camera.eye;
         const double z = d.dot(camera.forward);
@@ -116,8 +116,8 @@ Camera cameraFor(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
     const Eigen::Vector3d above = std::abs(camera.forward.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
     camera.right = camera.forward.cross(above).normalized();
     camera.up = camera.right.cross(camera.forward);
-    camera.eye =
-        sensor - camera.forward * far * 1.2 + (camera.right * 0.35 + camera.up * 0.25) * far; // beside the beams' own line of sight
+    // to the side of the beams' own line of sight
+    camera.eye = sensor - camera.forward * far * 1.2 + (camera.right * 0.35 + camera.up * 0.25) * far;
     camera.forward = (middle - camera.eye).normalized();
     camera.right = camera.forward.cross(camera.up).normalized();
     camera.up = camera.right.cross(camera.forward);
@@ -187,7 +187,7 @@ CloudPicture cloudPicture(const edges::Detection& detection, int width, int heig
         const auto face =
             faces == nullptr ? std::nullopt : faces->at(static_cast<int>(cells[n] / beams), static_cast<int>(cells[n] % beams));
         const Rgb colour = edge ? edgeColour(detection, cells[n]) : face.value_or(Rgb{level, level, level});
-        const auto nearer = static_cast<float>(edge ? z * 0.995 : z); // an edge is not hidden by the surface that it lies on
+        const auto nearer = static_cast<float>(edge ? z * 0.995 : z); // an edge is not hidden by its own surface
         for (int dy = 0; dy < kSplat; ++dy) {
             for (int dx = 0; dx < kSplat; ++dx) {
                 if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height || depth.at(y + dy, x + dx) <= nearer) continue;
@@ -211,7 +211,7 @@ ViewPoints viewPoints(const edges::Detection& detection, std::size_t mostPoints,
     const Eigen::Vector3d origin = place.origin(), sensor = place.sensor();
     std::copy(origin.data(), origin.data() + 3, view.originM);
     std::copy(sensor.data(), sensor.data() + 3, view.sensorM);
-    std::size_t edges = 0, points = 0; // passed so far
+    std::size_t edges = 0, points = 0; // counted so far
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] != CellState::Valid) continue;
         const bool edge = (*detection.mask)[k] != 0;

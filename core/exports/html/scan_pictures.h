@@ -17,27 +17,28 @@ namespace edgescan::exports {
 /// The same with the rocks as coloured faces.
 [[nodiscard]] std::string rockPicture(const edges::Detection& detection, const rocks::Faces& faces, int mostPixels);
 
-/// The points as seen from behind the scanner, in perspective, with the edges, or the rocks where there are some, in their colours: PNG of
+/// The points as seen from behind the scanner, in perspective, with the edges in their colours, or with the rocks if there are any: PNG of
 /// width x height pixels.
 struct CloudPicture {
     std::string png;
-    double metrePixels = 0; ///< length of a metre at the distance of the cloud's middle
+    double metrePixels = 0; ///< length of a metre, in pixels, at the distance of the cloud's middle
 };
 [[nodiscard]] CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces = nullptr);
 
-/// The cloud's points in metres for the turning view, and what the page tells of each: little endian, one array after the other.
+/// The cloud's points in metres for the rotating view, and the values that the page shows for each: little endian, one array after the
+/// other.
 struct ViewPoints {
     std::size_t count = 0;
     std::string positions;                 ///< count x 3 floats, from the origin
     std::string ranges;                    ///< count floats, mm
     std::string cells;                     ///< count 32 bit indices
-    std::string classes;                   ///< count bytes: 0 no edge, 1 + DepthEdge otherwise
+    std::string classes;                   ///< count bytes: 0 not an edge, otherwise 1 + DepthEdge
     std::string levels;                    ///< count bytes, gray
-    std::string rocks;                     ///< count 16 bit labels, 0 none; empty without rocks
-    double originM[3]{};                   ///< in the frame of the page: mine grid where the scan has a place, else the scanner's
+    std::string rocks;                     ///< count 16-bit labels, 0 = not a rock; empty without rocks
+    double originM[3]{};                   ///< in the frame of the page: mine grid if the scan has a placement, otherwise the scanner's
     double sensorM[3]{};                   ///< from the origin
-    std::size_t pointsOf = 0, edgesOf = 0; ///< how many there are in the scan
-    std::size_t points = 0, edges = 0;     ///< how many are shown
+    std::size_t pointsOf = 0, edgesOf = 0; ///< numbers in the scan
+    std::size_t points = 0, edges = 0;     ///< numbers shown
 };
 [[nodiscard]] ViewPoints viewPoints(const edges::Detection& detection, std::size_t mostPoints, std::size_t mostEdges,
                                     const rocks::Faces* faces = nullptr);

@@ -1,4 +1,4 @@
-// Rows as data for the script of the survey.
+// Writes rows as data for the script of the survey.
 #include "core/exports/html/survey_page.h"
 
 #include "core/base/base64.h"
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A path as a link from the page: every byte that could mean something else is written as %XX.
+// A path as a link from the page: every byte with another meaning in links is written as %XX.
 std::string linkOf(const std::string& path) {
     constexpr const char* kHex = "0123456789ABCDEF";
     std::string link;
@@ -40,7 +40,7 @@ Json numberAt(const Json& row, const char* pointer) {
     return row.contains(at) && row.at(at).is_number() ? row.at(at) : Json();
 }
 
-// What the script shows of a row, in the order of its columns (assets/survey.js).
+// The values of a row for the script, in the order of its columns (assets/survey.js).
 Json shownOf(const Json& row, const std::string& picture) {
     const std::string folder = row.value("results", "");
     const bool any = row.contains("outputs") && !row["outputs"].empty();

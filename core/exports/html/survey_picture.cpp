@@ -1,4 +1,4 @@
-// Gray levels and edges, made small.
+// Draws gray levels and edges at a reduced size.
 #include "core/exports/html/survey_picture.h"
 
 #include "core/containers/png/png.h"
@@ -30,7 +30,7 @@ std::string surveyPicture(const edges::Detection& detection) {
                 }
             }
             const int ground = sum / cells * kBrightestGround / 255;
-            const double share = std::sqrt(static_cast<double>(edges) / cells); // a line of one cell stays visible
+            const double share = std::sqrt(static_cast<double>(edges) / cells); // so that a line one cell wide remains visible
             small.at(y, x) = static_cast<std::uint8_t>(ground + (255 - ground) * share);
         }
     }

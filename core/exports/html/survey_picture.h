@@ -1,4 +1,4 @@
-// A scan as a stamp: for the contact sheet of an archive.
+// A small picture of a scan for the contact sheet of an archive.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -7,7 +7,7 @@
 
 namespace edgescan::exports {
 
-/// The gray levels, darkened, with the edges white: PNG of at most 96 x 96 pixels, the scan's shape kept. Empty without cells.
+/// The darkened gray levels with white edges: PNG of at most 96 x 96 pixels, in the proportions of the scan. Empty without cells.
 [[nodiscard]] std::string surveyPicture(const edges::Detection& detection);
 
 } // namespace edgescan::exports

@@ -1,4 +1,4 @@
-// Pictures side by side.
+// Draws several pictures on one sheet.
 #include "core/exports/provenance/contact_sheet.h"
 
 #include "core/scan/grid/opencv_view.h"
@@ -16,12 +16,12 @@ constexpr int kTextHeight = 22;
 constexpr double kTextSize = 0.5;
 constexpr int kSampleCell = 12; // pixels of a cell in the legend
 constexpr int kShapePixels = 3;
-constexpr int kTallest = 4;    // times the width of a tile: a sweep of one beam would make a sheet of a kilometre
-constexpr int kNarrowest = 20; // pixels of a picture that is kept to that height
+constexpr int kTallest = 4;    // times the width of a tile: otherwise a sweep of one beam would give an extremely high sheet
+constexpr int kNarrowest = 20; // least width, in pixels, of a picture limited to that height
 const cv::Scalar kPaper(40, 40, 40);
 const cv::Scalar kInk(235, 235, 235);
 const cv::Scalar kFaintInk(190, 190, 190);
-// Behind marks: pale enough for three colours, with the surfaces still to be seen.
+// Background of marks: bright enough for three colours, with visible surfaces.
 constexpr double kPaleFrom = 165.0;
 constexpr double kPaleSpan = 0.33;
 
@@ -32,7 +32,7 @@ int widthOf(const std::string& text) {
     return cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kTextSize, 1, &baseline).width;
 }
 
-// Text that is cut off rather than run into its neighbour.
+// Text that is cut off before it reaches its neighbour.
 void write(cv::Mat& sheet, std::string text, cv::Point at, int width, const cv::Scalar& ink) {
     while (!text.empty() && widthOf(text) > width) text.pop_back();
     cv::putText(sheet, text, {at.x, at.y + kTextHeight - 7}, cv::FONT_HERSHEY_SIMPLEX, kTextSize, ink, 1, cv::LINE_AA);
@@ -54,7 +54,7 @@ void drawMark(cv::Mat& sheet, const cv::Rect& cell, const SheetMark& mark) {
     }
 }
 
-// The kinds of the legend, one after the other, ending on a new line where the sheet is narrow. Returns the height used.
+// Draws the kinds of the legend in a row, with line breaks if the sheet is narrow. Returns the height used.
 int drawLegend(cv::Mat* sheet, const std::vector<SheetMark>& legend, cv::Point at, int width) {
     const int left = at.x;
     const int top = at.y;
@@ -99,7 +99,7 @@ void drawTile(cv::Mat& sheet, const SheetTile& tile, const cv::Rect& place, cons
     if (tile.marks.lines == tile.picture.lines && tile.marks.beams == tile.picture.beams) drawMarks(sheet, tile.marks, place, legend);
 }
 
-// As wide as a tile, unless that makes it too tall.
+// As wide as a tile, unless it would then be too high.
 cv::Size sizeOf(const Grid<std::uint8_t>& picture, int tilePixels) {
     const double ratio = static_cast<double>(picture.lines) / picture.beams;
     if (ratio <= kTallest) return {tilePixels, std::max(1, static_cast<int>(std::lround(tilePixels * ratio)))};

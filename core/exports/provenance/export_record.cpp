@@ -93,12 +93,10 @@ Json acquisitionJson(const Scan& scan, const Acquisition& a) {
 }
 
 Json coordinatesJson(ExportContent content, const Scan& scan, CoordinateFrame frame) {
-    const bool isPicture = content == ExportContent::EdgeImage || content == ExportContent::GrayImage ||
-                           content == ExportContent::RangeImage || content == ExportContent::RockLabels;
-    if (isPicture)
-        return {{"frame", "image"},
-                {"axis_order", {"line (row)", "beam (column)"}},
-                {"unit", content == ExportContent::RangeImage ? Json("mm") : Json()}};
+    const ExportKind& kind = exportKind(content);
+    if (kind.holds == ExportKind::Holds::Picture)
+        return {
+            {"frame", "image"}, {"axis_order", {"line (row)", "beam (column)"}}, {"unit", kind.unit != nullptr ? Json(kind.unit) : Json()}};
     Json object{{"frame", frameName(frame)}, {"unit", "m"}};
     if (frame == CoordinateFrame::Scanner) object["axis_order"] = {"x", "y", "z"};
     if (frame == CoordinateFrame::MineLocal) object["axis_order"] = {"east", "north", "up"};
@@ -122,26 +120,6 @@ Json choicesJson(const files::WritingChoices& choices) {
 std::string ascii(const Json& object) { return asciiJsonText(object); }
 
 } // namespace
-
-const char* exportContentName(ExportContent content) {
-    static constexpr const char* kNames[]{"edge cloud",  "full cloud", "edge image",  "gray image", "range image",   "whole scan",
-                                          "rock labels", "rock table", "rock report", "rock cloud", "rock outlines", "rock hulls"};
-    static_assert(std::size(kNames) == kExportContents);
-    return kNames[static_cast<std::size_t>(content)];
-}
-
-bool isCloud(ExportContent content) {
-    return content == ExportContent::EdgeCloud || content == ExportContent::FullCloud || content == ExportContent::RockCloud;
-}
-
-bool isOfRocks(ExportContent content) { return content >= ExportContent::RockLabels; }
-
-std::optional<ExportContent> exportContentNamed(std::string_view name) {
-    for (int i = 0; i < kExportContents; ++i) {
-        if (name == exportContentName(static_cast<ExportContent>(i))) return static_cast<ExportContent>(i);
-    }
-    return std::nullopt;
-}
 
 std::string gridSha256(const Scan& scan) {
     Sha256 hash;
@@ -190,7 +168,7 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
     }
     const Acquisition acquisition = scan.acquisition ? *scan.acquisition : Acquisition{};
     Json record{{"format", kRecordFormat},
-                {"content", exportContentName(content)},
+                {"content", exportKind(content).record},
                 {"text", options.ascii},
                 {"choices", choicesJson(options.choices)},
                 {"scan", scanJson(scan)},
@@ -202,7 +180,7 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
     if (!scan.placement) record["pose_reason"] = "no pose was given and the scan file holds none";
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (options.selection && isCloud(content)) record["selection"] = selectionRecord(options);
-    if (content != ExportContent::WholeScan) {
+    if (exportKind(content).needs != ExportKind::Needs::Scan) {
         record["settings"] = edges::settingsToJson(detection.settings);
         record["default_settings"] = {{"name", edges::kDefaultSet.name},
                                       {"version", edges::kDefaultSet.version},

@@ -1,4 +1,4 @@
-// Looking for a file by its hash.
+// Finds a file by its hash.
 #include "core/exports/provenance/find_scan.h"
 
 #include "core/base/sha256.h"
@@ -21,7 +21,7 @@ void addFiles(std::vector<fs::path>& files, Iterator entries) {
     }
 }
 
-/// Files of one folder, likely ones first: the old name, then by name.
+/// Files of one folder, likely ones first: the file with the old name, then the others by name.
 void likelyFirst(std::vector<fs::path>& files, const std::string& oldName) {
     const fs::path stem = fs::path(oldName).stem();
     const auto rank = [&](const fs::path& file) { return file.filename() == oldName ? 0 : file.stem() == stem ? 1 : 2; };

@@ -1,4 +1,4 @@
-// Finds the file that an export was made from by what it holds, wherever it was moved and however it is called now.
+// Finds the file that an export was made from by its content, even if it was moved or renamed.
 #pragma once
 
 #include "core/base/result.h"
@@ -9,7 +9,8 @@
 
 namespace edgescan::exports {
 
-/// The file with this SHA-256: first under its old name beside the export, then any file beside it, then any file under `scansFolder`.
+/// The file with this SHA-256: first the one with its old name in the folder of the export, then any file in this folder, then any file
+/// under `scansFolder`.
 Result<std::filesystem::path> findScan(const std::string& sha256, const std::string& oldName, const std::filesystem::path& exported,
                                        const std::optional<std::filesystem::path>& scansFolder);
 

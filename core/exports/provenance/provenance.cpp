@@ -8,14 +8,13 @@
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
-#include "core/edges/tuning/confidence.h"
+#include "core/exports/provenance/cell_columns.h"
 #include "core/exports/provenance/record_parts.h"
-#include "core/exports/provenance/rock_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/source.h"
-#include "core/scan/grid/range_picture.h"
+#include "core/rocks/attributes/study.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,14 +40,14 @@ Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 struct Expected {
     std::size_t count = 0; ///< points or cells
     std::optional<PointBounds> bounds;
-    const char* of = "cells"; ///< where there are no points
+    const char* of = "points";
 };
 
 Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
-    if (isOfRocks(content) && !isCloud(content) && content != ExportContent::RockLabels)
-        return Expected{options.rocks->rocks.size(), std::nullopt, "rocks"};
-    const bool points = isCloud(content) || (content == ExportContent::WholeScan && files::writtenFormat(path)->write != nullptr);
-    if (!points) return Expected{detection.scan->cells(), std::nullopt};
+    const ExportKind& kind = exportKind(content);
+    if (kind.counts == ExportKind::Counts::Rocks) return Expected{options.rocks->rocks.size(), std::nullopt, countedThings(kind)};
+    const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && files::writtenFormat(path)->write != nullptr);
+    if (!points) return Expected{detection.scan->cells(), std::nullopt, countedThings(kind)};
     const PointBounds bounds = pointsToWrite(content, detection, options);
     return Expected{bounds.count, bounds};
 }
@@ -62,9 +61,10 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 /// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
 std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
     const files::Format* format = files::writtenFormat(path);
-    const bool inside = content == ExportContent::WholeScan && format != nullptr &&
-                        (format->keepsPlace || (format->keeps == files::Keeps::Beside && options.choices.comments));
-    return inside || !(isCloud(content) || content == ExportContent::WholeScan) ? std::string() : files::descriptionText(scan, "", -1);
+    const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
+    const bool inside =
+        whole && format != nullptr && (format->keepsPlace || (format->keeps == files::Keeps::Sidecar && options.choices.comments));
+    return inside || !(isCloud(content) || whole) ? std::string() : files::descriptionText(scan, "", -1);
 }
 
 std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
@@ -73,7 +73,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
                {"sha256", sha256Hex(bytesOf(file.bytes))},
                {"bytes", file.bytes.size()},
                {"written_utc", utcText(utcNow())},
-               {expected.bounds ? "points" : expected.of, expected.count}};
+               {expected.of, expected.count}};
     if (expected.bounds && expected.count > 0)
         about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
     for (const FileBytes& other : files) {
@@ -84,29 +84,6 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     Json sidecar{{"format", files::kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
     if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
-}
-
-/// Any field that a cloud has stands in the file under its name.
-bool hasNamedFields(const fs::path& path) {
-    const std::string extension = files::Source::lowerCase(path.extension());
-    return path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv";
-}
-
-/// What nobody measured is written only where the file tells it apart.
-Result<Done> checkFilled(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
-    if (!isCloud(content) || !options.choices.filled) return Done{};
-    if (!detection.filled)
-        return Error{"no gap was filled that could be written", path.string(),
-                     "give --fill and how many cells, or leave --with-filled out"};
-    if (hasNamedFields(path)) return Done{};
-    return Error{"this format has no room for the mark of filled cells", path.string(),
-                 "choose .pcd, .ply or .csv, or leave --with-filled out"};
-}
-
-Result<Done> checkConfidence(ExportContent content, const fs::path& path, const ExportOptions& options) {
-    if (!isCloud(content) || !options.choices.confidence || hasNamedFields(path)) return Done{};
-    return Error{"this format has no room for a field of confidence", path.string(),
-                 "choose .pcd, .ply or .csv, or leave --with-confidence out"};
 }
 
 /// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
@@ -160,54 +137,11 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::D
                                            const std::string& record, const ExportOptions& options) {
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
     const Scan& scan = *chosen;
-    files::SaveOptions save{options.ascii, options.frame, record, options.includeAttached, detection.classes.get(), options.choices};
-    if (auto can = checkFilled(content, detection, path, options); !can) return can.error();
-    const bool filled = isCloud(content) && options.choices.filled;
-    const Grid<float> filledSdMm = filled ? withFilled(*detection.scan, *detection.filled).sdMm : Grid<float>();
-    if (filled) save.filledSdMm = &filledSdMm;
-    if (auto can = checkConfidence(content, path, options); !can) return can.error();
-    const auto confidence = isCloud(content) && options.choices.confidence ? edges::edgeConfidence(detection) : std::nullopt;
-    if (confidence) save.confidence = &confidence->percent;
-    const auto one = [&](Result<std::string> bytes) -> Result<std::vector<FileBytes>> {
-        if (!bytes) return bytes.error();
-        std::vector<FileBytes> files; // a list in braces would copy all bytes
-        files.push_back({path, std::move(*bytes)});
-        return files;
-    };
-    switch (content) {
-    case ExportContent::EdgeCloud:
-        return one(files::edgeBytes(scan, *detection.mask, path, save));
-    case ExportContent::FullCloud:
-        return one(files::cloudBytes(scan, path, detection.mask.get(), save));
-    case ExportContent::EdgeImage:
-        return one(containers::png8Bytes(*detection.mask, path.string(), record));
-    case ExportContent::GrayImage:
-        return one(containers::png8Bytes(detection.gray->levels, path.string(), record));
-    case ExportContent::WholeScan:
-        return files::scanFiles(scan, path, save);
-    case ExportContent::RockLabels: {
-        const auto picture = labelPicture(*options.rocks, path.string());
-        if (!picture) return picture.error();
-        return one(containers::png16Bytes(*picture, path.string(), record));
-    }
-    case ExportContent::RockTable:
-        return one(tableBytes(*options.rocks, options.frame, path));
-    case ExportContent::RockReport:
-        return one(reportBytes(*options.rocks, options.frame, path, record));
-    case ExportContent::RockCloud: {
-        const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
-        files::SaveOptions withRocks = save;
-        withRocks.rocks = &labels;
-        return one(files::cloudBytes(scan, path, detection.mask.get(), withRocks));
-    }
-    case ExportContent::RockOutlines:
-        return one(outlineBytes(*options.rocks, options.frame, path, record));
-    case ExportContent::RockHulls:
-        return one(hullBytes(*options.rocks, options.frame, path, record));
-    case ExportContent::RangeImage:
-        break;
-    }
-    return one(containers::png16Bytes(rangePicture(scan), path.string(), record));
+    auto columns = cellColumns(exportKind(content), detection, path, options);
+    if (!columns) return columns.error();
+    const files::SaveOptions save{options.ascii,   options.frame,      record, options.includeAttached, detection.classes.get(),
+                                  options.choices, std::move(*columns)};
+    return exportKind(content).make({detection, scan, path, record, options, save});
 }
 
 std::string embeddedRecord(std::string_view bytes) {

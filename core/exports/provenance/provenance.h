@@ -5,58 +5,16 @@
 #include "core/base/file_bytes.h"
 #include "core/base/result.h"
 #include "core/edges/pipeline/detection.h"
-#include "core/files/point_tables/writing_choices.h"
-#include "core/scan/grid/placement.h"
+#include "core/exports/provenance/export_kinds.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace edgescan::rocks {
-struct Study; // core/rocks/attributes/study.h
-} // namespace edgescan::rocks
-
 namespace edgescan::exports {
-
-enum class ExportContent : std::uint8_t {
-    EdgeCloud,
-    FullCloud,    ///< all valid points, with a field for edges
-    EdgeImage,    ///< 8-bit PNG, 255 = edge
-    GrayImage,    ///< 8-bit PNG
-    RangeImage,   ///< 16-bit PNG, millimetres
-    WholeScan,    ///< every cell with its state, as saveScan writes it; of the detection only the scan counts
-    RockLabels,   ///< 16-bit PNG: 0 none, then the rocks, largest first
-    RockTable,    ///< a row per rock, commas between
-    RockReport,   ///< the same and more as JSON
-    RockCloud,    ///< all valid points, with a field for rocks
-    RockOutlines, ///< DXF in space, or GeoJSON in the picture
-    RockHulls,    ///< PLY or OBJ
-};
-inline constexpr int kExportContents = 12;
-
-/// "edge cloud", "full cloud", "edge image", "gray image", "range image", "whole scan", "rock labels",
-/// "rock table", "rock report", "rock cloud", "rock outlines", "rock hulls".
-[[nodiscard]] const char* exportContentName(ExportContent content);
-[[nodiscard]] bool isCloud(ExportContent content);
-[[nodiscard]] bool isOfRocks(ExportContent content);
-
-struct ExportOptions {
-    CoordinateFrame frame = CoordinateFrame::Scanner; ///< of a cloud
-    bool ascii = false;                               ///< PCD and PLY as text
-    std::string operatorName{};                       ///< who exports; empty = not said
-    std::string role{};
-    bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
-    files::WritingChoices choices{};
-    std::shared_ptr<const rocks::Study> rocks{};                   ///< of the detection's scan, for exports of rocks
-    std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
-    bool sidecar = true;                                           ///< the record also beside the export
-};
 
 /// The record: one line of ASCII JSON, the same for the same scan, settings and options on the same program, whatever the time and
 /// the folder. It ends with a SHA-256 of itself.

@@ -1,11 +1,11 @@
-// Scans and results as JSON.
+// Writes scans and results as JSON.
 #include "core/exports/provenance/report.h"
 
 #include "core/base/json_text.h"
 #include "core/base/order_statistic.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/settings/parameters.h"
 #include "core/files/point_tables/acquisition_json.h"
 #include "core/scan/georef/placement_json.h"
@@ -19,12 +19,12 @@
 namespace edgescan::exports {
 namespace {
 
-using json = nlohmann::ordered_json; // keys stay in the order in which they are set
+using json = nlohmann::ordered_json; // keys stay in the order in which they were set
 
-// Rounded for reading; the angles themselves stay as they are in the scan.
+// Rounds for the reader; the angles in the scan are unchanged.
 double tidy(double value, double steps) { return std::round(value * steps) / steps; }
 
-// First, last and step of a list of angles; "uneven" with the smallest and largest step where they differ.
+// First, last and step of a list of angles; if the steps differ, "uneven" with the smallest and the largest step.
 json anglesReport(const std::vector<double>& degrees) {
     if (degrees.empty()) return json::object();
     json report{{"first", degrees.front()}, {"last", degrees.back()}, {"count", degrees.size()}};
@@ -52,7 +52,7 @@ json rangeReport(const Scan& scan) {
     return {{"min", limits.minMm}, {"max", limits.maxMm}};
 }
 
-/// Of the cells that have one.
+/// Of the cells with an intensity.
 json intensityReport(const Scan& scan) {
     std::size_t cells = 0;
     float least = 0, greatest = 0;
@@ -65,7 +65,7 @@ json intensityReport(const Scan& scan) {
     return {{"cells", cells}, {"min", least}, {"max", greatest}};
 }
 
-/// Where the scan stands, without the matrices.
+/// The placement of the scan, without the matrices.
 json poseReport(const Scan& scan) {
     if (!scan.placement) return nullptr;
     json report = placementToJson(*scan.placement);
@@ -74,10 +74,10 @@ json poseReport(const Scan& scan) {
     return report;
 }
 
-/// What became of the points of a file that held a list of them.
+/// What happened to the points of a file with a list of points.
 json pointsReport(const Scan& scan) { return {{"in_file", scan.pointsRead}, {"without_cell", scan.pointsLeftOut}}; }
 
-// The noise by scale, and what is held against folds.
+// The noise by scale, and the noise that folds are compared with.
 json noiseReport(const edges::DepthResponses& responses) {
     const edges::NoiseScales& scales = responses.scales;
     json byLag = json::object();

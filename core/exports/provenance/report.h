@@ -1,4 +1,4 @@
-// What a scan holds and what the method made of it, as JSON (docs/command-line.md, "JSON of info", "JSON of detect").
+// The content of a scan and the results of the method, as JSON (docs/command-line.md, "JSON of info", "JSON of detect").
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -10,22 +10,22 @@ namespace edgescan::exports {
 /// {"valid": n, "no_return": n, ...}; the values add up to lines x beams.
 [[nodiscard]] nlohmann::ordered_json cellsReport(const Scan& scan);
 
-/// Axis and angles of the beams and lines, or where the sensor is.
+/// Axis and angles of the beams and lines, or the position of the sensor.
 [[nodiscard]] nlohmann::ordered_json geometryReport(const Scan& scan);
 
 /// The object that `edgescan-cli info` prints for one file.
 [[nodiscard]] nlohmann::ordered_json infoReport(const Scan& scan);
 
-/// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took.
+/// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took, ms.
 [[nodiscard]] nlohmann::ordered_json detectReport(const edges::Detection& detection, double loadMs);
 
-/// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n}, or null where the method tells no classes apart.
+/// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n}, or null if the method does not distinguish classes.
 [[nodiscard]] nlohmann::ordered_json classesReport(const edges::Detection& detection);
 
-/// {"gaps": n, "cells": n, "by_plane": n, "by_line": n, "sd_mm_p50": x}: what was filled; `filling` of the scan.
+/// {"gaps": n, "cells": n, "by_plane": n, "by_line": n, "sd_mm_p50": x}: the filled gaps; `filling` of the scan.
 [[nodiscard]] nlohmann::ordered_json filledReport(const GapFilling& filling);
 
-/// The report as text, indented or on one line. A path that is not UTF-8 is told with replacement characters.
+/// The report as text, indented or on one line. Bytes of a path that are not UTF-8 become replacement characters.
 [[nodiscard]] std::string reportText(const nlohmann::ordered_json& report, bool indented);
 
 /// SHA-256 of the lines x beams mask bytes, 0 or 255.

@@ -1,4 +1,4 @@
-// Outlines and hulls of rocks as files.
+// Writes outlines and hulls of rocks.
 #include "core/exports/provenance/rock_files.h"
 
 #include "core/base/bounded_json.h"
@@ -29,7 +29,7 @@ constexpr const char* kDoubtfulLayer = "ROCKS_DOUBTFUL";
 constexpr std::array<files::DxfLayer, 2> kRockLayers{{{kSureLayer, "3"}, {kDoubtfulLayer, "2"}}};
 constexpr std::size_t kFewestCorners = 3;
 
-// Points of cells in the frame asked for.
+// Points of cells in the requested frame.
 class FramePoints {
 public:
     FramePoints(const Scan& scan, CoordinateFrame frame) : scan_(scan), tables_(scan), frame_(frame) {
@@ -44,7 +44,7 @@ public:
         const auto beams = static_cast<std::uint32_t>(scan_.beams());
         return placed_->inFrame(frame_, static_cast<int>(k / beams), static_cast<int>(k % beams), point);
     }
-    /// One line that says which numbers these are.
+    /// One line that describes the frame of the numbers.
     [[nodiscard]] std::string text() const { return files::frameText(cloud_); }
     [[nodiscard]] int decimals() const { return frame_ == CoordinateFrame::Mine ? 4 : 6; }
 
@@ -181,11 +181,6 @@ std::string objHulls(const std::vector<rocks::Hull>& hulls, const FramePoints& p
 
 } // namespace
 
-bool namesFrame(ExportContent content, const std::filesystem::path& path) {
-    const bool inSpace = content == ExportContent::RockOutlines && files::Source::lowerCase(path.extension()) != ".geojson";
-    return isCloud(content) || inSpace || content == ExportContent::RockTable || content == ExportContent::RockHulls;
-}
-
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where) {
     if (study.map.rocks > UINT16_MAX)
         return Error{"there are " + std::to_string(study.map.rocks) + " rocks and a picture of 16 bits numbers 65535", where,
@@ -206,7 +201,7 @@ Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame
     if (auto known = files::checkFrame(*study.segmentation->inputs.scan, frame, path.string()); !known) return known.error();
     Json whole{{"schema", kRocksSchema}};
     whole.update(rocksReport(study, frame));
-    // Verifying makes the same file from a scan that was moved, by a later version.
+    // A later version that verifies the export makes the same file, even if the scan was moved.
     const auto parsed = parseOrderedJson(record, "");
     if (parsed) {
         whole["input"] = parsed->at(Json::json_pointer("/scan/input"));

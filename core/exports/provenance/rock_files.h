@@ -1,4 +1,4 @@
-// Rocks as files: outlines, hulls, and what a record says of them.
+// Rocks as files: outlines, hulls, and their part of a record.
 #pragma once
 
 #include "core/base/result.h"
@@ -13,19 +13,16 @@
 
 namespace edgescan::exports {
 
-/// Whether names of files of this content say in which frame their coordinates are: clouds, tables, hulls, outlines in space.
-[[nodiscard]] bool namesFrame(ExportContent content, const std::filesystem::path& path);
-
 /// 0 none, then the rocks. Error: more rocks than a picture of 16 bits can number.
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where);
 
-/// A row per rock, and the whole report, whose input and version are those of the record. Error: no place for the frame.
+/// A row per rock, and the whole report with the input and version of the record. Error: the scan has no placement for the frame.
 Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path);
 Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                 const std::string& record);
 
-/// Outlines by extension: .dxf (closed polylines in space on the layers ROCKS and ROCKS_DOUBTFUL, and the numbers' places) or .geojson
-/// (polygons in the picture, x = beam, y = line, corners of cells). Error: another extension, no place for the frame.
+/// Outlines by extension: .dxf (closed polylines in space on the layers ROCKS and ROCKS_DOUBTFUL, and the positions of the numbers) or
+/// .geojson (polygons in the picture, x = beam, y = line, corners of cells). Error: another extension, no placement for the frame.
 Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                  const std::string& record);
 

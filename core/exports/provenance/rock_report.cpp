@@ -1,4 +1,4 @@
-// Rocks as JSON and as a table: one row per rock, units in the names.
+// Writes rocks as JSON and as a table: one row per rock, units in the names.
 #include "core/exports/provenance/rock_report.h"
 
 #include "core/base/number_text.h"
@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 double millimetres(double metres) { return rounded(metres, 1000); }
 double thousandths(double share) { return rounded(share, 1000); }
 
-// A row's columns in order, as JSON: the table writes the same.
+// A row's columns in order, as JSON; the table uses the same columns.
 class RowWriter {
 public:
     RowWriter(const rocks::Study& study, CoordinateFrame frame)
@@ -129,7 +129,7 @@ Json rocksReport(const rocks::Study& study, CoordinateFrame frame) {
 std::string rocksTable(const rocks::Study& study, CoordinateFrame frame) {
     const RowWriter writer(study, frame);
     std::string text;
-    const Json names = writer.row(rocks::Rock{}); // the header of a table without rocks too
+    const Json names = writer.row(rocks::Rock{}); // also for the header of a table without rocks
     for (const auto& [key, value] : names.items()) text += (text.empty() ? "" : ",") + key;
     text += '\n';
     for (const rocks::Rock& rock : study.rocks) {

@@ -13,16 +13,16 @@ namespace edgescan::exports {
 
 inline constexpr const char* kRocksSchema = "edgescan-rocks/1";
 
-/// The same for the same scan, settings and edits, whatever the time and the folder. The scan must have a place for frames but Scanner.
+/// The same for the same scan, settings and edits, independent of time and folder. Frames other than Scanner need a scan with a placement.
 [[nodiscard]] nlohmann::ordered_json rocksReport(const rocks::Study& study, CoordinateFrame frame);
 
-/// A header and a row per rock, commas between; lists are separated by blanks.
+/// A header and a row per rock, separated by commas; elements of lists are separated by blanks.
 [[nodiscard]] std::string rocksTable(const rocks::Study& study, CoordinateFrame frame);
 
 /// SHA-256 of the labels, lines x beams unsigned 32-bit little endian.
 [[nodiscard]] std::string labelsSha256(const Grid<std::uint32_t>& labels);
 
-/// Why two regions are two, or one (docs/command-line.md, "JSON of why two rocks").
+/// Why two regions are two rocks, or one (docs/command-line.md, "JSON of why two rocks").
 [[nodiscard]] nlohmann::ordered_json whyReport(const rocks::Study& study, const rocks::BorderWhy& why);
 
 } // namespace edgescan::exports

@@ -1,4 +1,4 @@
-// An export of what somebody selected: the points, and what the record says of them.
+// Exports of selected cells: the points, and the selection in the record.
 #include "core/exports/provenance/record_parts.h"
 #include "core/inspect/measure/cell_sets.h"
 #include "core/scan/gap_filling/gap_filling.h"

@@ -1,4 +1,4 @@
-// Verifying: record, scan, method, bytes.
+// Verifies record, scan, method and bytes.
 #include "core/exports/provenance/verify.h"
 
 #include "core/base/bounded_json.h"
@@ -14,7 +14,7 @@
 #include "core/exports/provenance/find_scan.h"
 #include "core/exports/provenance/record_parts.h"
 #include "core/exports/provenance/report.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/placement_json.h"
@@ -32,13 +32,13 @@ using Json = nlohmann::ordered_json;
 
 std::string sha256Of(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
 
-/// Null where it is damaged: what was altered is told all the same.
+/// Null if the text is damaged; the altered parts are still reported.
 Json parsed(std::string_view text) {
     auto json = parseOrderedJson(text, "");
     return json ? std::move(*json) : Json();
 }
 
-/// A value of the record by its way, or null.
+/// The value of the record at a JSON pointer, or null.
 Json at(const Json& record, const std::string& pointer) {
     const Json::json_pointer way(pointer);
     return record.contains(way) ? record.at(way) : Json();
@@ -48,7 +48,7 @@ std::string wordAt(const Json& record, const std::string& pointer) {
     return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/// Error when the format of something is one that a later version may know: "edgescan-record/7".
+/// Error if a later version of the program may know the format: "edgescan-record/7".
 Result<Done> knownFormat(const Json& object, const char* known, const Verification& v) {
     const std::string format = wordAt(object, "/format");
     const std::string name(known, std::string_view(known).find('/') + 1);
@@ -57,7 +57,7 @@ Result<Done> knownFormat(const Json& object, const char* known, const Verificati
                  "verify with the version that made the export"};
 }
 
-/// What the record beside the export says of the file itself.
+/// Compares what the sidecar says about the file with the file.
 void compareSidecar(const Json& sidecar, const std::string& bytes, Verification& v) {
     if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar))
         v.findings.emplace_back("The file beside the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
@@ -69,7 +69,7 @@ void compareSidecar(const Json& sidecar, const std::string& bytes, Verification&
     if (name != v.exported.filename().string()) v.remarks.push_back("It was called " + name + " when it was written.");
 }
 
-/// The record and where it was found; what is wrong with either place goes into the findings.
+/// The record and its place; faults of either place are added to the findings.
 Result<Json> recordOf(const std::string& bytes, Verification& v) {
     Json fromSidecar;
     if (const auto sidecar = readWholeFile(files::sidecarPath(v.exported))) {
@@ -131,9 +131,9 @@ void compareResults(const Json& record, const edges::Detection& detection, Verif
 }
 
 /// The scan and, unless it alone was exported, its edges.
-Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, ExportContent content,
+Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, const ExportKind& kind,
                                                             const std::optional<fs::path>& scansFolder, Verification& v) {
-    const bool method = content != ExportContent::WholeScan;
+    const bool method = kind.needs != ExportKind::Needs::Scan;
     const auto settings =
         method ? edges::settingsFromJson(nlohmann::json(at(record, "/settings")), edges::cannySettings(), v.exported.string())
                : Result<edges::Settings>(edges::Settings{});
@@ -145,7 +145,8 @@ Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, 
         bare->scan = *scan;
         return std::shared_ptr<const edges::Detection>(bare);
     }
-    auto detection = edges::detectEdges(*scan, *settings, isOfRocks(content) ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
+    auto detection =
+        edges::detectEdges(*scan, *settings, kind.needs == ExportKind::Needs::Rocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
     compareResults(record, *detection, v);
     return detection;
 }
@@ -161,7 +162,7 @@ Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const ed
     return std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
 }
 
-/// What a record of an earlier version does not name yet: settings at their defaults, classes that no cell has.
+/// Adds values that an older record does not contain: settings with their defaults, classes without cells.
 void takeLater(Json& then, const Json& now) {
     if (!then.is_object()) return;
     const Json usual = edges::settingsToJson(edges::Settings{});
@@ -170,20 +171,21 @@ void takeLater(Json& then, const Json& now) {
     }
 }
 
-/// Everything that the record says is worked out again, but who exported and with which program.
+/// Computes everything in the record again, except operator and program, and compares.
 void compareRecord(const Json& record, const Json& again, Verification& v) {
     for (const auto& [key, value] : again.items()) {
         if (key == "program" || key == "operator" || key == "role" || key == "record_sha256" || !record.contains(key)) continue;
         Json then = record[key], now = value;
-        if (key == "scan") then.erase("input"), now.erase("input"); // it may have been renamed
+        if (key == "scan") then.erase("input"), now.erase("input"); // the file may have been renamed
         if (key == "settings") takeLater(then, now);
-        if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue; // another set; the settings were compared
+        // another set of defaults; the settings themselves were compared
+        if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue;
         if (key == "classes" && then.is_object()) takeLater(then, now);
         if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
     }
 }
 
-/// What may explain a difference.
+/// Possible reasons for a difference.
 void compareProgram(const Json& record, Verification& v) {
     const Json now = programOfRecords();
     const std::string then = wordAt(record, "/program/version") + " (" + wordAt(record, "/program/commit") + ")";
@@ -191,7 +193,7 @@ void compareProgram(const Json& record, Verification& v) {
     if (then != present) v.findings.push_back("The export was made by version " + then + ", this is " + present + ".");
     for (const auto& [library, number] : now["libraries"].items()) {
         const std::string used = wordAt(record, "/program/libraries/" + library);
-        const auto here = number.get<std::string>(); // g++ 14 will not compare a string with a JSON value
+        const auto here = number.get<std::string>(); // g++ 14 does not compile a comparison of a string with a JSON value
         if (used != here) v.findings.push_back("It was made with " + library + " " + used + ", this is " + here + ".");
     }
 }
@@ -207,7 +209,7 @@ void compareBytes(const std::string& found, const std::string& expected, Verific
     v.findings.insert(v.findings.begin(), text + ".");
 }
 
-/// A picture says the same when its pixels do: how tightly zlib packs them is no part of it.
+/// Two pictures are the same if their pixels are equal; zlib's compression may differ.
 bool samePixels(const std::string& found, const std::string& expected, const Json& record, Verification& v) {
     const auto here = containers::pngValues(expected, "");
     const auto there = containers::pngValues(found, v.exported.string());
@@ -227,7 +229,7 @@ bool samePixels(const std::string& found, const std::string& expected, const Jso
     return true;
 }
 
-/// The files that the scan gives now, against those on the disk.
+/// Compares the files made from the scan now with those on the disk.
 void compareFiles(const std::string& found, const std::vector<FileBytes>& again, const Json& record, Verification& v) {
     for (const FileBytes& file : again) {
         if (file.path.extension() == v.exported.extension() || again.size() == 1) {
@@ -254,8 +256,8 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     v.foundSha256 = sha256Of(found);
     const auto record = recordOf(found, v);
     if (!record) return record.error();
-    const auto content = exportContentNamed(wordAt(*record, "/content"));
-    if (wordAt(*record, "/format") != kRecordFormat || !content) return notUnderstood(v, "format");
+    const ExportKind* kind = exportKindNamed(wordAt(*record, "/content"));
+    if (wordAt(*record, "/format") != kRecordFormat || kind == nullptr) return notUnderstood(v, "format");
     ExportOptions options;
     for (const Json& key : at(*record, "/choices")) {
         const auto choice =
@@ -270,17 +272,17 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!frame) return notUnderstood(v, "frame");
         options.frame = *frame;
     }
-    const auto detection = detectionOf(*record, *content, scansFolder, v);
+    const auto detection = detectionOf(*record, *kind, scansFolder, v);
     if (!detection) return detection.error();
     if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
-    if (isOfRocks(*content)) {
+    if (kind->needs == ExportKind::Needs::Rocks) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();
         options.rocks = *rocks;
     }
-    const auto again = exportFiles(*content, **detection, exported, sealed(*record), options);
+    const auto again = exportFiles(kind->content, **detection, exported, sealed(*record), options);
     if (!again) return again.error();
-    compareRecord(*record, parsed(exportRecord(*content, **detection, options)), v);
+    compareRecord(*record, parsed(exportRecord(kind->content, **detection, options)), v);
     compareFiles(found, *again, *record, v);
     v.identical = v.findings.empty();
     if (!v.identical) compareProgram(*record, v);

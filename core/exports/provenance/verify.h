@@ -1,4 +1,4 @@
-// Makes an export again from its record and says whether it is the same, byte for byte.
+// Makes an export again from its record, and reports whether it is the same, byte for byte.
 #pragma once
 
 #include "core/base/result.h"
@@ -14,20 +14,20 @@
 namespace edgescan::exports {
 
 struct Verification {
-    bool identical = false;                       ///< the export, its record and what the scan gives are one
-    std::filesystem::path exported;               ///< what was verified
-    std::filesystem::path scan;                   ///< what it was made from again
-    std::optional<std::uint64_t> firstDifference; ///< byte of the export, from 0
-    std::vector<std::string> findings;            ///< sentences: what differs, and what may explain it
-    std::vector<std::string> remarks;             ///< what is otherwise and no difference: a picture packed by another zlib
-    std::string expectedSha256, foundSha256;      ///< of the export made again and of the one on the disk
+    bool identical = false;                       ///< the export, its record and the files made again agree
+    std::filesystem::path exported;               ///< the verified file
+    std::filesystem::path scan;                   ///< the scan from which it was made again
+    std::optional<std::uint64_t> firstDifference; ///< first differing byte of the export, from 0
+    std::vector<std::string> findings;            ///< sentences: the differences, and possible reasons
+    std::vector<std::string> remarks;             ///< differences that do not count: a picture compressed by another zlib
+    std::string expectedSha256, foundSha256;      ///< of the export made again, and of the one on the disk
 };
 
-/// The scan is looked for by its SHA-256 beside the export and, where given, anywhere under `scansFolder`. Error: no record, the record
-/// was altered everywhere, no such scan, the scan cannot be opened.
+/// The scan is searched by its SHA-256 in the folder of the export and, if given, in all folders under `scansFolder`. Error: the record is
+/// missing, all copies of the record were altered, the scan was not found, the scan cannot be opened.
 Result<Verification> verifyExport(const std::filesystem::path& exported, const std::optional<std::filesystem::path>& scansFolder = {});
 
-/// One line for a person: "edges.pcd: identical to ..." or what differs.
+/// One line for a person: "edges.pcd: identical to ..." or the differences.
 [[nodiscard]] std::string verificationText(const Verification& verification);
 [[nodiscard]] nlohmann::ordered_json verificationReport(const Verification& verification);
 

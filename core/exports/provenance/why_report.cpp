@@ -1,7 +1,7 @@
 // Why a cell is an edge or not, as JSON.
 #include "core/exports/provenance/why_report.h"
 
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
 
@@ -73,7 +73,7 @@ json depthReport(const edges::DepthProbe& depth) {
     return report;
 }
 
-// The text for a person, one sentence or two per line.
+// The text for a person, with one or two sentences per line.
 json linesOf(const std::string& text) {
     json lines = json::array();
     for (std::size_t at = 0; at < text.size();) {

@@ -1,4 +1,4 @@
-// Counts and bounds, once from the scan and once from the file.
+// Counts and bounds of points, from the scan and from the file.
 #include "core/exports/provenance/record_parts.h"
 #include "core/files/formats/formats.h"
 #include "core/scan/grid/cartesian.h"
@@ -22,7 +22,7 @@ void addTo(PointBounds& bounds, std::span<const Eigen::Vector3d> points) {
     }
 }
 
-/// Of one coordinate, some cells side by side. What is no number is smaller and larger than nothing.
+/// Bounds of one coordinate, computed for several cells in parallel. NaN changes neither the smallest nor the largest value.
 struct SideBySide {
     static constexpr std::size_t kLanes = 16;
     std::array<float, kLanes> least, most;
@@ -42,7 +42,7 @@ struct SideBySide {
     }
 };
 
-/// Of all valid cells of a polar scan in its own frame, line by line and without a cloud; empty where that is not all there is.
+/// Bounds of all valid cells of a polar scan in its own frame, line by line and without a cloud; empty if there are also other points.
 std::optional<PointBounds> boundsOfCells(const Scan& scan) {
     if (!std::holds_alternative<PolarGeometry>(scan.geometry)) return std::nullopt;
     const CartesianTables tables(scan);
@@ -59,7 +59,7 @@ std::optional<PointBounds> boundsOfCells(const Scan& scan) {
     bounds.count = static_cast<std::size_t>(std::ranges::count(scan.state.cells, CellState::Valid));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float least = *std::ranges::min_element(all[axis].least), most = *std::ranges::max_element(all[axis].most);
-        // Floats suffice for these (core/files/point_tables/cloud_columns.cpp); of 0 and -0 the first one met is told.
+        // Floats are exact enough for these (core/files/point_tables/cloud_columns.cpp); of 0 and -0 the first one counts.
         constexpr float kMostM = 9000;
         if (!(std::abs(least) < kMostM && std::abs(most) < kMostM) || least == 0 || most == 0) return std::nullopt;
         bounds.leastM[static_cast<Eigen::Index>(axis)] = static_cast<double>(least);
@@ -93,7 +93,7 @@ PointBounds boundsOf(const files::CloudColumns& cloud) {
         if constexpr (std::is_floating_point_v<T>)
             return boundsOf(x, std::get<std::vector<T>>(cloud.columns[1].values), std::get<std::vector<T>>(cloud.columns[2].values));
         else
-            return {}; // coordinates are numbers with a point
+            return {}; // the coordinates have a decimal point
     };
     return std::visit(of, cloud.columns[0].values);
 }
@@ -101,7 +101,7 @@ PointBounds boundsOf(const files::CloudColumns& cloud) {
 } // namespace
 
 PointBounds pointsToWrite(ExportContent content, const edges::Detection& detection, const ExportOptions& options) {
-    const bool edges = content == ExportContent::EdgeCloud;
+    const bool edges = exportKind(content).counts == ExportKind::Counts::EdgePoints;
     const std::shared_ptr<const Scan> scan = chosenScan(detection, options);
     const bool attached = options.includeAttached && !scan->attached.empty();
     if (!edges && !attached && options.frame == CoordinateFrame::Scanner) {
@@ -117,10 +117,10 @@ Result<std::optional<PointBounds>> pointsWritten(std::string_view bytes, const s
     PointBounds bounds;
     source.takePlaces = [&bounds](std::span<const Eigen::Vector3d> points) { addTo(bounds, points); };
     const files::Format* format = files::writtenFormat(path);
-    if (format == nullptr || format->points == nullptr) return std::optional<PointBounds>();
-    const auto table = format->points(source);
-    if (!table) return table.error();
-    addTo(bounds, table->points); // what was not taken
+    if (format == nullptr || format->write == nullptr) return std::optional<PointBounds>();
+    auto reading = format->read(source);
+    if (!reading) return reading.error();
+    addTo(bounds, files::pointsAsWritten(std::move(*reading))); // those that the reader did not give away
     return std::optional(bounds);
 }
 

@@ -8,12 +8,16 @@ Format packetCaptureFormat() {
     return {.title = "Network capture",
             .reads = {".pcap", ".pcapng", ".cap"},
             .recognises = looksLikePackets,
-            .read = readPacketCapture,
+            .read = readingOf<readPacketCapture>,
             .placesItself = true};
 }
 
 Format colaCaptureFormat() {
-    return {.title = "CoLa stream", .reads = {".bin"}, .recognises = looksLikeColaStream, .read = readColaCapture, .placesItself = true};
+    return {.title = "CoLa stream",
+            .reads = {".bin"},
+            .recognises = looksLikeColaStream,
+            .read = readingOf<readColaCapture>,
+            .placesItself = true};
 }
 
 } // namespace edgescan::files

@@ -123,7 +123,8 @@ Result<PointTable> dxfPoints(const Source& source) {
 } // namespace
 
 Format dxfFormat() {
-    return {.title = "Drawing with edge lines", .writes = {".dxf"}, .points = dxfPoints, .write = dxfBytes, .keeps = Keeps::Points};
+    return {
+        .title = "Drawing with edge lines", .writes = {".dxf"}, .read = readingOf<dxfPoints>, .write = dxfBytes, .keeps = Keeps::Points};
 }
 
 } // namespace edgescan::files

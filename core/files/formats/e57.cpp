@@ -2,7 +2,6 @@
 #include "core/base/memory.h"
 #include "core/containers/e57/columns.h"
 #include "core/files/formats/format.h"
-#include "core/files/formats/written_place.h"
 #include "core/scan/grid/acquisition.h"
 
 #include <algorithm>
@@ -105,7 +104,7 @@ Result<E57Numbers> numbersOf(containers::E57File& file, const containers::E57Sca
     return numbers;
 }
 
-/// x y z of each point, not finite where it is marked as none. Counts these.
+/// x y z of each point, not finite where it is marked as invalid. Counts these.
 std::vector<Eigen::Vector3d> pointsOf(const E57Numbers& numbers, bool spherical, std::size_t& invalid) {
     const auto& [a, b, c] = std::tie(numbers.lists[0], numbers.lists[1], numbers.lists[2]);
     std::vector<Eigen::Vector3d> points(a.size());
@@ -137,7 +136,7 @@ IndexExtent extentOf(const std::vector<double>& numbers) {
     return {least, most};
 }
 
-/// Which cells the points lie in: empty when the indexes make no grid, or one that is nearly all holes.
+/// The cells of the points: empty when the indexes do not make a grid, or one that is nearly all holes.
 std::optional<E57Grid> gridOf(const containers::E57Scan& scan, const E57Numbers& numbers, bool linesAreRows, std::uint64_t fileBytes) {
     constexpr double kMostAlongOneSide = 1U << 30U;
     constexpr std::uint64_t kCellsPerByte = 4, kCellsAnyway = 500'000;
@@ -274,42 +273,31 @@ Result<E57Choice> readChoice(const Source& source) {
 
 bool looksLikeE57(const Source& source) { return source.text().starts_with(containers::kE57Magic); }
 
-/// The points of the scan that the options ask for, moved by its pose.
-Result<PointTable> readE57Points(const Source& source) {
-    auto choice = readChoice(source);
-    if (!choice) return choice.error();
-    PointTable table = std::move(choice->table);
-    if (const auto& pose = choice->scan.pose) {
-        for (Eigen::Vector3d& p : table.points) p = pose->rotation * p + pose->translationM;
-    }
-    return table;
-}
-
-void nameSensor(Scan& scan, const containers::E57Scan& e57) {
-    if (e57.vendor.empty() && e57.model.empty() && e57.serial.empty()) return;
+/// Null where the file names nothing.
+std::shared_ptr<const Acquisition> sensorOf(const containers::E57Scan& e57) {
+    if (e57.vendor.empty() && e57.model.empty() && e57.serial.empty()) return nullptr;
     auto acquisition = std::make_shared<Acquisition>();
     acquisition->vendor = e57.vendor;
     acquisition->model = e57.model;
     acquisition->serial = e57.serial;
     acquisition->firmware = e57.firmware;
-    scan.acquisition = std::move(acquisition);
+    return acquisition;
 }
 
-/// The scan that the options ask for, placed by its pose.
-Result<Scan> readE57(const Source& source) {
+/// The points of the scan that the options ask for, its pose and its names.
+Result<Reading> readE57(const Source& source) {
     auto choice = readChoice(source);
     if (!choice) return choice.error();
     const containers::E57Scan& e57 = choice->scan;
-    Result<Scan> scan = scanFromPoints(std::move(choice->table), source);
-    if (!scan) return scan;
-    if (e57.pose) placeAsWritten(*scan, e57.pose->rotation, e57.pose->translationM, "E57", source);
-    nameSensor(*scan, e57);
-    scan->note = e57.name + (e57.name.empty() || e57.description.empty() ? "" : ": ") + e57.description;
-    return scan;
+    Reading reading(std::move(choice->table));
+    if (e57.pose) reading.place = WrittenPlace{"E57", e57.pose->rotation, e57.pose->translationM, false};
+    reading.acquisition = sensorOf(e57);
+    reading.note = e57.name + (e57.name.empty() || e57.description.empty() ? "" : ": ") + e57.description;
+    return reading;
 }
 
 } // namespace
 
-Format e57Format() { return {.title = "E57", .reads = {".e57"}, .recognises = looksLikeE57, .points = readE57Points, .read = readE57}; }
+Format e57Format() { return {.title = "E57", .reads = {".e57"}, .recognises = looksLikeE57, .read = readE57}; }
 
 } // namespace edgescan::files

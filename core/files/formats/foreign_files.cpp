@@ -164,7 +164,7 @@ template <const ForeignKind* (*kindOf)(const Source&)>
 Format refusing() {
     return {.title = "",
             .recognises = [](const Source& source) { return kindOf(source) != nullptr; },
-            .read = [](const Source& source) -> Result<Scan> {
+            .read = [](const Source& source) -> Result<Reading> {
                 const ForeignKind& kind = *kindOf(source);
                 return source.refused(std::string("this is ") + kind.what, kind.hint);
             }};

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/base/file_bytes.h"
+#include "core/files/formats/reading.h"
 #include "core/files/point_tables/cloud_columns.h"
-#include "core/files/point_tables/point_table.h"
-#include "core/files/point_tables/source.h"
 
 #include <filesystem>
 #include <string>
@@ -16,19 +15,18 @@ namespace edgescan::files {
 /// What of a scan's cells comes back from a file.
 enum class Keeps : std::uint8_t {
     States,    ///< every cell with its state
-    NoReturns, ///< every cell; all states but valid become no return
-    Beside,    ///< as NoReturns, by the grid in the record beside the file; every state where comment lines are asked for
+    NoReturns, ///< every cell; all states but valid become missing returns
+    Sidecar,   ///< as NoReturns, by the grid in the sidecar; every state where comment lines are asked for
     Points,    ///< a list of the valid points
 };
 
 /// What a format cannot do is left out: null, or no extension.
 struct Format {
-    const char* title;                             ///< for dialogs: "Point Cloud Library"
-    std::vector<const char*> reads{};              ///< extensions in the dialog that opens files, lower case, with the dot
-    std::vector<const char*> writes{};             ///< extensions that choose this format on saving; the first is the usual one
-    bool (*recognises)(const Source&){};           ///< by content; the extension is only a hint
-    Result<PointTable> (*points)(const Source&){}; ///< the points as the file has them, before any grid is looked for
-    Result<Scan> (*read)(const Source&){};         ///< where a scan is more than its points
+    const char* title;                   ///< for dialogs: "Point Cloud Library"
+    std::vector<const char*> reads{};    ///< extensions in the dialog that opens files, lower case, with the dot
+    std::vector<const char*> writes{};   ///< extensions that choose this format on saving; the first is the usual one
+    bool (*recognises)(const Source&){}; ///< by content; the extension is only a hint
+    Result<Reading> (*read)(const Source&){};
     Result<std::string> (*write)(CloudColumns, const std::string& where, bool asText){}; ///< `asText`: where there is a choice
     /// Instead of columns: the files of a whole scan as ranges and angles, in the order they must appear.
     Result<std::vector<FileBytes>> (*writeScan)(const Scan&, const std::filesystem::path&){};

@@ -31,7 +31,7 @@ Format fileOfAnotherProgram();
 
 namespace {
 
-/// In this order they are asked whether they recognise a content, and stand in dialogs.
+/// In this order they are asked whether they recognise a content, and are listed in dialogs.
 const std::vector<Format>& rows() {
     static const std::vector<Format> all{
         rawGridFormat(),   numpyFormat(),         numpyArchiveFormat(), fileThatIsNoScan(),    pcdFormat(),    plyFormat(),
@@ -56,7 +56,7 @@ const Format& formatOfContent(const Source& source) {
 const Format* writtenFormat(const std::filesystem::path& path) {
     // Standard output has no name; nothing is written packed.
     const std::string name = path == "-" ? ".pcd" : Source::lowerCase(path.filename());
-    // The longest extension wins: .foxglove.mcap is no recording.
+    // The longest extension wins: .foxglove.mcap is not a recording.
     const Format* longest = nullptr;
     std::size_t length = 0;
     for (const Format& format : rows()) {

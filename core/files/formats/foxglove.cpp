@@ -135,7 +135,7 @@ Format foxgloveFormat() {
             .reads = {".foxglove.mcap"},
             .writes = {".foxglove.mcap"},
             .recognises = looksLikeFoxglove,
-            .points = readFoxglovePoints,
+            .read = readingOf<readFoxglovePoints>,
             .write = foxgloveBytes,
             .record = recordOfFoxglove,
             .keepsIntensity = true};

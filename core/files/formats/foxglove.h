@@ -9,7 +9,7 @@ namespace edgescan::files {
 
 /// The library in the header of such a file, by which it is known again.
 inline constexpr const char* kFoxgloveLibrary = "edgescan-foxglove/1";
-/// The metadata record of what the messages do not tell: which topic is the whole cloud, its grid, origin and provenance.
+/// The metadata record of what the messages do not say: which topic is the whole cloud, its grid, origin and provenance.
 inline constexpr const char* kFoxgloveMetadata = "edgescan";
 
 inline constexpr const char* kFoxgloveCloudTopic = "/edgescan/cloud"; ///< every point

@@ -151,7 +151,7 @@ std::string writeFrames(FoxgloveFile& file, CloudColumns& cloud, std::uint64_t n
     return "mine_origin";
 }
 
-/// The records of the rows that are edges; empty where the cloud does not tell.
+/// The records of the rows that are edges; empty where the cloud does not say it.
 std::string edgeRecords(const CloudColumns& cloud, const PackedCloud& all) {
     std::string records;
     const CloudColumn* edge = columnNamed(cloud, "edge");
@@ -186,7 +186,7 @@ Result<std::string> foxgloveBytes(CloudColumns cloud, const std::string& where, 
     const CoordinateFrame frame = cloud.frame;
     FoxgloveFile file;
     const std::string frameId = writeFrames(file, cloud, start);
-    // Foxglove takes red, green, blue and alpha as colours when they lie side by side.
+    // Foxglove takes red, green, blue and alpha as colours when they follow each other.
     if (columnNamed(cloud, "red") != nullptr) cloud.columns.push_back({"alpha", std::vector<std::uint8_t>(rowsOf(cloud), 255)});
     const PackedCloud all = packed(cloud, frameId);
     const bool edgesOnly = columnNamed(cloud, "red") != nullptr && columnNamed(cloud, "edge") == nullptr;

@@ -114,7 +114,7 @@ void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::sp
     if (id == las::kProvenanceId) own.provenance.assign(reinterpret_cast<const char*>(content.data()), content.size());
 }
 
-/// Records behind the points (LAS 1.4). A damaged one ends the search: the points are there all the same, and how many are missing is told.
+/// Records after the points (LAS 1.4). A damaged one ends the search: the points are there all the same, and a warning counts the missing.
 OwnRecords ownRecords(const LasHeader& header, const Source& source) {
     OwnRecords own;
     own.missing = header.extended;
@@ -275,7 +275,7 @@ Format lasFormat() {
             .reads = {".las", ".laz"},
             .writes = {".las"},
             .recognises = looksLikeLas,
-            .points = readLasPoints,
+            .read = readingOf<readLasPoints>,
             .write = lasBytes,
             .record = lasRecord,
             .keepsIntensity = true,

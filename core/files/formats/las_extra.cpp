@@ -27,13 +27,13 @@ std::string nameIn(std::span<const std::byte> descriptor) {
     return name.substr(0, name.find('\0'));
 }
 
-/// The fields of one record of descriptors; those of types that are no single number only move the next ones on.
+/// The fields of one record of descriptors; those of types that are not a single number only move the next ones on.
 std::vector<RecordField> fieldsIn(std::span<const std::byte> record, std::size_t from, std::size_t pointBytes) {
     std::vector<RecordField> fields;
     for (std::size_t at = 0; at + kDescriptor <= record.size() && from < pointBytes; at += kDescriptor) {
         const auto descriptor = record.subspan(at, kDescriptor);
         const auto type = std::to_integer<std::size_t>(descriptor[kTypeAt]);
-        if (type == 0) { // so many bytes that nobody describes
+        if (type == 0) { // so many undescribed bytes
             from += std::to_integer<std::size_t>(descriptor[kOptionsAt]);
             continue;
         }

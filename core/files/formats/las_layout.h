@@ -1,4 +1,4 @@
-// Where things lie in a LAS file (ASPRS LAS 1.4 R15), for reader and writer.
+// Where things are in a LAS file (ASPRS LAS 1.4 R15), for reader and writer.
 #pragma once
 
 #include "core/files/point_tables/cloud_columns.h"
@@ -19,7 +19,7 @@ inline constexpr std::size_t kGlobalEncoding = 6, kVersionMajor = 24, kVersionMi
                              kExtendedCount = 243, kPoints = 247, kPointsByReturn = 255;
 /// Of a point of any format.
 inline constexpr std::size_t kIntensity = 12;
-/// Who marks a point so has deleted it: a bit of the byte of flags, which is that of the class before format 6 (and of none in LAS 1.0).
+/// A point marked so was deleted: a bit of the byte of flags, which is that of the class before format 6 (and does not exist in LAS 1.0).
 inline constexpr std::size_t kFlags = 15;
 inline constexpr unsigned kWithheldFlag = 0x04, kWithheldClass = 0x80;
 inline constexpr std::size_t kHeader12 = 227, kHeader13 = 235, kHeader14 = 375;
@@ -36,7 +36,7 @@ inline constexpr std::uint16_t kDescriptionId = 1, kCellsId = 2, kProvenanceId =
 inline constexpr std::size_t kCellBytes = 5;
 
 /// Further columns of a file's points, with their places in a point of `pointBytes` bytes, `from` byte on; empty where no record of the
-/// header describes them. Records lie from `recordsAt` to `recordsEnd`.
+/// header describes them. Records are from `recordsAt` to `recordsEnd`.
 [[nodiscard]] std::vector<RecordField> extraFields(std::span<const std::byte> file, std::uint64_t recordsAt, std::uint64_t records,
                                                    std::uint64_t recordsEnd, std::size_t from, std::size_t pointBytes);
 

@@ -91,7 +91,7 @@ struct Extent {
 };
 
 /// Intensities as the 16 bits that LAS has for them: whole numbers that fit as they are, any others from their least to their greatest
-/// stretched over 0 .. 65535; 0 where a point has none.
+/// stretched over 0 .. 65535; 0 where a point has no intensity.
 class Intensity16 {
 public:
     explicit Intensity16(const CloudColumn* column) {

@@ -24,7 +24,7 @@ namespace {
 class MemoryBuffer : public std::streambuf {
 public:
     explicit MemoryBuffer(std::span<const std::byte> bytes) {
-        auto* first = reinterpret_cast<char*>(const_cast<std::byte*>(bytes.data())); // read only: there is no put area
+        auto* first = reinterpret_cast<char*>(const_cast<std::byte*>(bytes.data())); // read only: without a put area
         setg(first, first, first + bytes.size());
     }
 
@@ -151,7 +151,7 @@ Result<LasPoints> readLazPoints(const Source& source) {
     try {
         return unpack(unpacker, stream, source);
     } catch (const std::bad_alloc&) {
-        throw; // told as such by whoever opens
+        throw; // openScan() makes the error of it
     } catch (const std::exception& problem) {
         return source.refused(std::string("this LAZ file cannot be unpacked: ") + problem.what(), "copy it again");
     } catch (...) { // LASzip throws numbers at the end of a stream

@@ -13,7 +13,7 @@ struct LasPoints {
     std::vector<Eigen::Vector3d> points;
     std::vector<float> intensity; ///< one per point
     std::size_t withheld = 0;     ///< points that the file marks as deleted; their places are not finite
-    std::vector<std::byte> extra; ///< of a LAZ file: what stands behind the fixed part of each point, one after the other
+    std::vector<std::byte> extra; ///< of a LAZ file: the bytes after the fixed part of each point, one after the other
 };
 
 /// The points of a LAZ file. Error: built without LASzip, damaged, larger than the memory.

@@ -123,7 +123,7 @@ Result<PointTable> recordPoints(const NumpyArray& array, const Source& source) {
 
 enum class Holds : std::uint8_t { Ranges, Points, Records, Neither };
 
-/// Three rows of numbers: the x, y and z of points, the wrong way round, unless somebody gives the angles of three lines.
+/// Three rows of numbers: the x, y and z of points, the wrong way round, unless the angles of three lines are given.
 bool mayBePointsAcross(const NumpyArray& array, const ReadingOptions& options) {
     return array.fields.empty() && array.shape.size() == 2 && array.shape[0] == 3 && array.shape[1] >= kFewestBeams && !options.beamStepDeg;
 }
@@ -146,7 +146,7 @@ Result<Done> checkSides(const NumpyArray& array, const Source& source) {
     return Done{};
 }
 
-Result<Scan> readArray(const Source& source) {
+Result<Reading> readArray(const Source& source) {
     const auto array = readNumpy(source);
     if (!array) return array.error();
     if (auto fits = checkSides(*array, source); !fits) return fits.error();
@@ -157,7 +157,11 @@ Result<Scan> readArray(const Source& source) {
                               "--line-step --axis");
     }
     const Holds what = whatIsIn(*array, *source.options);
-    if (what == Holds::Ranges) return rangeScan(*array, source);
+    if (what == Holds::Ranges) {
+        auto scan = rangeScan(*array, source);
+        if (!scan) return scan.error();
+        return Reading(std::move(*scan));
+    }
     if (what == Holds::Neither) {
         return source.refused("a numpy array of shape " + array->shapeText() +
                                   " is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)",
@@ -165,7 +169,7 @@ Result<Scan> readArray(const Source& source) {
     }
     auto table = what == Holds::Records ? recordPoints(*array, source) : plainPoints(*array, source);
     if (!table) return table.error();
-    return scanFromPoints(std::move(*table), source);
+    return Reading(std::move(*table));
 }
 
 bool looksLikeNumpy(const Source& source) { return isNumpy(source.bytes); }
@@ -194,7 +198,7 @@ bool looksLikeNpz(const Source& source) {
     return containers::isZip(source.bytes) && (source.extension() == ".npz" || !arraysIn(source).empty());
 }
 
-Result<Scan> readNpz(const Source& source) {
+Result<Reading> readNpz(const Source& source) {
     if (auto whole = containers::zipEntries(source.bytes, source.path.string()); !whole) return whole.error();
     const std::vector<containers::ZipEntry> arrays = arraysIn(source);
     std::string names;
@@ -214,11 +218,11 @@ Result<Scan> readNpz(const Source& source) {
     Source inside = source;
     inside.bytes = *bytes;
     if (!isNumpy(inside.bytes)) return source.refused("the part " + chosen->name + " of this archive is no numpy array", "save it again");
-    auto scan = readArray(inside);
-    if (scan && arrays.size() > 1)
-        scan->warnings.push_back("The archive holds the arrays " + names + "; " + chosen->name.substr(0, chosen->name.size() - 4) +
-                                 " was read.");
-    return scan;
+    auto reading = readArray(inside);
+    if (reading && arrays.size() > 1)
+        reading->warnings.push_back("The archive holds the arrays " + names + "; " + chosen->name.substr(0, chosen->name.size() - 4) +
+                                    " was read.");
+    return reading;
 }
 
 } // namespace

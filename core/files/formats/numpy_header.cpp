@@ -75,7 +75,7 @@ private:
     std::string_view text_;
 };
 
-/// "<f8", "|u1", ">i2"; any other kind is kept as its letter.
+/// "<f8", "|u1", ">i2"; any other kind stays as its letter.
 std::optional<NumpyScalar> numpyScalarNamed(std::string_view text) {
     NumpyScalar scalar;
     if (text.size() < 2) return std::nullopt;

@@ -12,7 +12,7 @@ namespace edgescan::files {
 
 /// How one number is stored.
 struct NumpyScalar {
-    char kind = 'f';       ///< i, u, f; others ("O", "c", "b", "U" ...) are no ranges
+    char kind = 'f';       ///< i, u, f; others ("O", "c", "b", "U" ...) are not ranges
     std::size_t bytes = 0; ///< of one
     bool bigEndian = false;
 
@@ -45,7 +45,7 @@ struct NumpyArray {
 
 [[nodiscard]] bool isNumpy(std::span<const std::byte> bytes);
 
-/// Error: damaged, cut off, or of things that are no numbers (Python objects, text ...).
+/// Error: damaged, cut off, or of things that are not numbers (Python objects, text ...).
 Result<NumpyArray> readNumpy(const Source& source);
 
 } // namespace edgescan::files

@@ -124,7 +124,7 @@ Format objFormat() {
             .reads = {".obj"},
             .writes = {".obj"},
             .recognises = looksLikeObj,
-            .points = readObjPoints,
+            .read = readingOf<readObjPoints>,
             .write = objBytes,
             .keeps = Keeps::Points};
 }

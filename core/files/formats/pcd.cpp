@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kMostFields = 4096;
 constexpr auto kMostAlong = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
 constexpr std::uint64_t kLargestRecord = 1U << 20U;
-constexpr std::uint64_t kMostPerPackedByte = 132; // three bytes of LZF stand for 264 at most
+constexpr std::uint64_t kMostPerPackedByte = 132; // three bytes of LZF unpack to 264 at most
 
 struct PcdHeader {
     std::vector<std::string> names;
@@ -138,7 +138,7 @@ struct PcdLayout {
     std::size_t recordNumbers = 0;
 };
 
-/// Fields with their places. Columns of a compressed file lie one after the other, those of a binary file in records.
+/// Fields with their places. Columns of a compressed file follow each other, those of a binary file in records.
 Result<PcdLayout> layoutOf(PcdHeader& header, const Source& source) {
     const std::size_t count = header.names.size();
     if (header.counts.empty()) header.counts.assign(count, 1);
@@ -277,7 +277,7 @@ Format pcdFormat() {
             .reads = {".pcd"},
             .writes = {".pcd"},
             .recognises = looksLikePcd,
-            .points = readPcdPoints,
+            .read = readingOf<readPcdPoints>,
             .write = pcdBytes,
             .keepsIntensity = true,
             .keepsPlace = true,

@@ -7,8 +7,8 @@
 
 namespace edgescan::files {
 
-/// Behind these stand three numbers in a comment of our own PCD files with metres from the origin of a mine grid: what is to be added to
-/// x y z, and where the sensor stood, because VIEWPOINT holds the origin there.
+/// Three numbers follow these in a comment of our own PCD files with metres from the origin of a mine grid: what is to be added to
+/// x y z, and the place of the sensor, because VIEWPOINT holds the origin there.
 inline constexpr const char* kPcdOrigin = "edgescan-origin ";
 inline constexpr const char* kPcdSensor = "edgescan-sensor ";
 

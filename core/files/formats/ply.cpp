@@ -185,7 +185,7 @@ Format plyFormat() {
             .reads = {".ply"},
             .writes = {".ply"},
             .recognises = looksLikePly,
-            .points = readPlyPoints,
+            .read = readingOf<readPlyPoints>,
             .write = plyBytes,
             .keepsIntensity = true,
             .keepsPlace = true,

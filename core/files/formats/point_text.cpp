@@ -6,7 +6,7 @@
 #include "core/base/memory.h"
 #include "core/files/point_tables/column_names.h"
 #include "core/files/point_tables/column_rows.h"
-#include "core/files/point_tables/own_scan.h"
+#include "core/files/point_tables/description.h"
 #include "core/files/point_tables/point_columns.h"
 #include "core/files/point_tables/text_words.h"
 #include "core/files/point_tables/unnamed_cells.h"
@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 constexpr std::size_t kMostWholeFirst = 4;
 
-/// Without names: how many columns of whole numbers, four at most, stand before three with decimals. They are an intensity, a class, a
+/// Without names: how many columns of whole numbers, four at most, precede three with decimals. They are an intensity, a class, a
 /// time, colours, or row and column of a grid (FARO), and not x.
 std::size_t wholeNumbersFirst(const Source& source, const TextLayout& layout) {
     if (layout.columns < 4 || !layout.names.empty()) return 0;
@@ -148,74 +148,85 @@ void reserveRows(PointTable& table, const Source& source, const TextLayout& layo
     if (named.hasScannerPoint()) table.scannerPoints.reserve(rows);
 }
 
-Result<PointTable> readTextPoints(const Source& source) {
+Result<Done> checkIsText(const Source& source) {
     if (source.text().starts_with("\xFF\xFE") || source.text().starts_with("\xFE\xFF"))
         return source.refused("this is text of two bytes per character (UTF-16)", "save it as UTF-8, or as CSV");
     if (const auto byte = firstByteThatIsNoText(source.text())) {
         return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known",
                                     "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
     }
-    const auto found = textLayoutOf(source);
-    if (!found) return found.error();
-    const TextLayout& layout = *found;
-    const auto columns = columnsOf(layout, source);
-    if (!columns) return columns.error();
-    // A point takes six bytes of text at least and 24 in memory, a little more while it grows and is recognised.
-    if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 10, source.path.string()); !enough) return enough.error();
-    PointTable table;
-    table.format = "point list";
-    NamedColumns named = columns->named;
+    return Done{};
+}
+
+/// What of a row goes into the table.
+struct RowUse {
+    NamedColumns named;
+    std::array<std::size_t, 3> xyz{};
+    std::size_t needed = 0;  ///< columns a row must have
+    bool rangesOnly = false; ///< the description says where the points are
+    bool givenAway = false;  ///< to Source::takePlaces
+};
+
+RowUse rowUseOf(const Columns& columns, const TextLayout& layout, const Source& source) {
+    RowUse use{columns.named, columns.xyz, columns.needed};
     if (source.placesOnly) {
-        for (std::size_t role = static_cast<std::size_t>(ColumnRole::Z) + 1; role < kColumnRoles; ++role) named.of[role].reset();
+        for (std::size_t role = static_cast<std::size_t>(ColumnRole::Z) + 1; role < kColumnRoles; ++role) use.named.of[role].reset();
+        use.needed = std::max({use.xyz[0], use.xyz[1], use.xyz[2]}) + 1;
     }
-    const bool rangesOnly =
-        named[ColumnRole::RangeMm] && named[ColumnRole::State] && !named[ColumnRole::FilledSdMm] && takesRangesOnly(layout.description);
+    use.rangesOnly = use.named[ColumnRole::RangeMm] && use.named[ColumnRole::State] && !use.named[ColumnRole::FilledSdMm] &&
+                     takesRangesOnly(layout.description);
+    use.givenAway = source.placesOnly && source.takePlaces && !columns.unnamedCells;
+    return use;
+}
+
+void addRow(PointTable& table, std::span<const double> row, const RowUse& use) {
+    const NamedColumns& named = use.named;
+    const auto value = [&](ColumnRole role) { return row[*named[role]]; };
+    if (!use.rangesOnly) table.points.emplace_back(row[use.xyz[0]], row[use.xyz[1]], row[use.xyz[2]]);
+    if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm)));
+    if (named[ColumnRole::State]) {
+        const double state = value(ColumnRole::State);
+        table.state.push_back(state >= 0 && state < 256 ? static_cast<std::uint8_t>(state) : std::uint8_t{255});
+    }
+    if (const auto intensity = named[ColumnRole::Intensity]) {
+        table.intensity.push_back(*intensity < row.size() ? static_cast<float>(row[*intensity]) : std::numeric_limits<float>::quiet_NaN());
+    }
+    if (const auto filled = named[ColumnRole::FilledSdMm])
+        table.filledSdMm.push_back(*filled < row.size() ? static_cast<float>(row[*filled]) : 0.0F);
+    if (named.hasCell() && !use.rangesOnly) {
+        table.line.push_back(indexOf(value(ColumnRole::Line)));
+        table.beam.push_back(indexOf(value(ColumnRole::Beam)));
+    }
+    if (named.hasScannerPoint())
+        table.scannerPoints.emplace_back(value(ColumnRole::ScannerX), value(ColumnRole::ScannerY), value(ColumnRole::ScannerZ));
+}
+
+Error tooFewNumbers(const RowReader& rows, std::size_t numbers, std::size_t needed, std::size_t rowsRead, const TextLayout& layout,
+                    const Source& source) {
+    if (layout.promisedRows && numbers == 1 && rowsRead == *layout.promisedRows) {
+        return source.refusedAtLine(rows.lineNumber(),
+                                    "begins a further list, behind the " + std::to_string(rowsRead) + " points of the first",
+                                    "save each scan in a file of its own");
+    }
+    return source.refusedAtLine(rows.lineNumber(),
+                                "holds " + std::to_string(numbers) + " numbers where a point needs " + std::to_string(needed),
+                                "the file may be cut off here, copy it again");
+}
+
+/// All rows of the text. Sets the table's width to their number.
+Result<Done> addRows(PointTable& table, RowReader& rows, const RowUse& use, const TextLayout& layout, const Source& source) {
     constexpr std::size_t kGivenAtOnce = 4096;
-    const bool givenAway = source.placesOnly && source.takePlaces && !columns->unnamedCells;
-    if (!givenAway) reserveRows(table, source, layout, named, rangesOnly);
     const auto giveAway = [&] {
         source.takePlaces(table.points);
         table.points.clear();
     };
-    RowReader rows(source, layout);
-    rows.measure(columns->xyz);
-    const std::size_t ofPlace = std::max({columns->xyz[0], columns->xyz[1], columns->xyz[2]}) + 1;
-    const std::size_t needed = source.placesOnly ? ofPlace : columns->needed;
-    if (source.placesOnly) rows.takeOnly(needed);
     std::span<const double> row;
     std::size_t rowsRead = 0;
     while (rows.next(row)) {
-        if (row.size() < needed) {
-            if (layout.promisedRows && row.size() == 1 && rowsRead == *layout.promisedRows) {
-                return source.refusedAtLine(rows.lineNumber(),
-                                            "begins a further list, behind the " + std::to_string(rowsRead) + " points of the first",
-                                            "save each scan in a file of its own");
-            }
-            return source.refusedAtLine(rows.lineNumber(),
-                                        "holds " + std::to_string(row.size()) + " numbers where a point needs " + std::to_string(needed),
-                                        "the file may be cut off here, copy it again");
-        }
+        if (row.size() < use.needed) return tooFewNumbers(rows, row.size(), use.needed, rowsRead, layout, source);
         ++rowsRead;
-        if (!rangesOnly) table.points.emplace_back(row[columns->xyz[0]], row[columns->xyz[1]], row[columns->xyz[2]]);
-        if (givenAway && table.points.size() == kGivenAtOnce) giveAway();
-        const auto value = [&](ColumnRole role) { return row[*named[role]]; };
-        if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm)));
-        if (named[ColumnRole::State]) {
-            const double state = value(ColumnRole::State);
-            table.state.push_back(state >= 0 && state < 256 ? static_cast<std::uint8_t>(state) : std::uint8_t{255});
-        }
-        if (const auto intensity = named[ColumnRole::Intensity]) {
-            table.intensity.push_back(*intensity < row.size() ? static_cast<float>(row[*intensity])
-                                                              : std::numeric_limits<float>::quiet_NaN());
-        }
-        if (const auto filled = named[ColumnRole::FilledSdMm])
-            table.filledSdMm.push_back(*filled < row.size() ? static_cast<float>(row[*filled]) : 0.0F);
-        if (named.hasCell() && !rangesOnly) {
-            table.line.push_back(indexOf(value(ColumnRole::Line)));
-            table.beam.push_back(indexOf(value(ColumnRole::Beam)));
-        }
-        if (named.hasScannerPoint())
-            table.scannerPoints.emplace_back(value(ColumnRole::ScannerX), value(ColumnRole::ScannerY), value(ColumnRole::ScannerZ));
+        addRow(table, row, use);
+        if (use.givenAway && table.points.size() == kGivenAtOnce) giveAway();
         if (rowsRead % 16384 == 0 && !source.goOn("reading points", rows.fraction() * 0.5)) return source.cancelled();
     }
     if (rows.problem()) return *rows.problem();
@@ -223,53 +234,76 @@ Result<PointTable> readTextPoints(const Source& source) {
         return source.refused("promises " + std::to_string(*layout.promisedRows) + " points and holds " + std::to_string(rowsRead),
                               "copy the file again");
     }
-    if (givenAway) giveAway();
+    if (use.givenAway) giveAway();
     table.width = rowsRead;
-    table.precision = precisionOf(rows.digits());
-    table.unitMm = named.unitMm;
+    return Done{};
+}
+
+/// What the heading, the columns and the name of the file say of the points.
+void describePoints(PointTable& table, const Columns& columns, const RowUse& use, const TextLayout& layout, const Source& source) {
+    table.unitMm = use.named.unitMm;
     table.description = layout.description;
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
-    const bool cells = columns->unnamedCells && areCells(table);
-    if (columns->unnamedCells && !cells) {
+    const bool cells = columns.unnamedCells && areCells(table);
+    if (columns.unnamedCells && !cells) {
         table.line.clear();
         table.beam.clear();
     }
-    table.mayBeTurned = !table.line.empty() && (cells || named.rowsAndColumns);
-    if (auto guess = guessedColumns(*columns, layout, cells)) table.remarks.push_back(std::move(*guess));
-    if (source.extension() == ".3d") {
-        table.format = "3DTK scan";
-        table.unitMm = 10.0; // 3DTK: centimetres, left-handed
-        table.leftHanded = true;
-    }
+    table.mayBeTurned = !table.line.empty() && (cells || use.named.rowsAndColumns);
+    if (auto guess = guessedColumns(columns, layout, cells)) table.remarks.push_back(std::move(*guess));
+    if (source.extension() != ".3d") return;
+    table.format = "3DTK scan";
+    table.unitMm = 10.0; // 3DTK: centimetres, left-handed
+    table.leftHanded = true;
+}
+
+Result<PointTable> readTextPoints(const Source& source) {
+    if (auto text = checkIsText(source); !text) return text.error();
+    const auto layout = textLayoutOf(source);
+    if (!layout) return layout.error();
+    const auto columns = columnsOf(*layout, source);
+    if (!columns) return columns.error();
+    // A point takes six bytes of text at least and 24 in memory, a little more while it grows and its grid is found.
+    if (auto enough = checkMemory(std::uint64_t{source.bytes.size()} * 10, source.path.string()); !enough) return enough.error();
+    PointTable table;
+    table.format = "point list";
+    const RowUse use = rowUseOf(*columns, *layout, source);
+    if (!use.givenAway) reserveRows(table, source, *layout, use.named, use.rangesOnly);
+    RowReader rows(source, *layout);
+    rows.measure(use.xyz);
+    if (source.placesOnly) rows.takeOnly(use.needed);
+    if (auto added = addRows(table, rows, use, *layout, source); !added) return added.error();
+    table.precision = precisionOf(rows.digits());
+    describePoints(table, *columns, use, *layout, source);
     return table;
 }
 
-/// What tables have their coordinates in: without a comment line the names alone tell the frame.
+/// The names of coordinates in tables: without a comment line they alone name the frame.
 std::array<const char*, 3> coordinateNames(CoordinateFrame frame) {
     if (frame == CoordinateFrame::Mine) return {"easting_m", "northing_m", "elevation_m"};
     if (frame == CoordinateFrame::MineLocal) return {"east_m", "north_m", "up_m"};
     return {"x_m", "y_m", "z_m"};
 }
 
-/// Rows without a point would be no numbers.
+/// Rows without a point would not be numbers.
 void dropEmptyRows(CloudColumns& cloud) {
     const CloudColumn* state = columnNamed(cloud, "state");
     if (state == nullptr) return;
-    std::vector<bool> kept(rowsOf(cloud));
-    for (std::size_t row = 0; row < kept.size(); ++row) kept[row] = numberIn(*state, row) == 0 && pointIn(cloud, row).allFinite();
+    std::vector<bool> isPoint(rowsOf(cloud));
+    for (std::size_t row = 0; row < isPoint.size(); ++row) isPoint[row] = numberIn(*state, row) == 0 && pointIn(cloud, row).allFinite();
     for (CloudColumn& column : cloud.columns) {
         std::visit(
             [&](auto& values) {
                 std::size_t row = 0;
-                std::erase_if(values, [&](const auto&) { return !kept[row++]; });
+                std::erase_if(values, [&](const auto&) { return !isPoint[row++]; });
             },
             column.values);
     }
-    cloud.width = static_cast<std::size_t>(std::ranges::count(kept, true));
+    cloud.width = static_cast<std::size_t>(std::ranges::count(isPoint, true));
     cloud.height = 1;
 }
 
-/// Lists are read line by line whatever their length: the record takes one line, and whoever counts rows is hardly off.
+/// Lists are read line by line, so the record may be one long line: programs that count rows are off by one only.
 /// A spreadsheet cuts the comments of a `table` at their commas too, and would take a part for a formula.
 void appendListComments(std::string& text, const CloudColumns& cloud, bool table) {
     const auto written = [&](const std::string& json) { return table ? jsonWithoutFormulas(json) : json; };
@@ -328,22 +362,22 @@ Format pointListFormat() {
     return {.title = "Point list",
             .reads = {".xyz", ".txt", ".asc", ".pts"},
             .writes = {".xyz", ".txt", ".asc"},
-            .points = readTextPoints,
+            .read = readingOf<readTextPoints>,
             .write = xyzBytes,
-            .keeps = Keeps::Beside,
+            .keeps = Keeps::Sidecar,
             .writesByLines = true};
 }
 
 Format pointTableFormat() {
     return {.title = "Point table",
             .writes = {".csv"},
-            .points = readTextPoints,
+            .read = readingOf<readTextPoints>,
             .write = csvBytes,
-            .keeps = Keeps::Beside,
+            .keeps = Keeps::Sidecar,
             .keepsIntensity = true,
             .writesByLines = true};
 }
 
-Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .points = readTextPoints}; }
+Format scan3dFormat() { return {.title = "3DTK scan", .reads = {".3d"}, .read = readingOf<readTextPoints>}; }
 
 } // namespace edgescan::files

@@ -7,7 +7,6 @@
 #include "core/base/memory.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
-#include "core/files/formats/written_place.h"
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/point_columns.h"
 
@@ -23,7 +22,6 @@ namespace {
 constexpr std::size_t kHeaderLines = 10;
 constexpr auto kMostAlongOneSide = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
 constexpr float kNoIntensity = 0.5F;
-constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
 
 struct PtxHeader {
     std::uint64_t columns = 0, rows = 0;
@@ -53,7 +51,7 @@ std::optional<std::uint64_t> countIn(std::string_view line) {
     return words.size() == 1 ? wholeNumber(words[0]) : std::nullopt;
 }
 
-/// The ten lines of a header from `from` on; empty when they are none.
+/// The ten lines of a header from `from` on; empty when they are not one.
 std::optional<PtxHeader> headerAt(std::string_view text, std::size_t from, std::size_t lineNumber) {
     PtxHeader header;
     std::size_t at = from;
@@ -100,7 +98,7 @@ struct PtxScan {
     PtxHeader header;
     std::size_t endByte = 0;
     std::size_t inFile = 0;  ///< scans that the file holds
-    bool restIsNone = false; ///< what follows a later scan is none
+    bool restIsNone = false; ///< what follows a later scan is not a scan
 };
 
 Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
@@ -181,38 +179,12 @@ Result<Done> readPoints(PointTable& table, const PtxHeader& header, const Source
     return Done{};
 }
 
-/// The header's matrix as the scan's place, when it moves and turns and does nothing else.
-void placeByHeader(Scan& scan, const PtxHeader& header, const Source& source) {
-    if (scan.placement || (header.place.isZero(0.0) && header.turn.isIdentity(0.0))) return;
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(header.turn, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose(); // printed with few digits: the nearest rotation
-    if (!((header.turn - turn).cwiseAbs().maxCoeff() < kMostOffRotation) || turn.determinant() < 0) {
-        scan.warnings.emplace_back("The matrix in the file is no rotation and shift, so the scan stays in the scanner's frame.");
-        return;
-    }
-    placeAsWritten(scan, turn, header.place, "PTX", source);
-}
-
 bool looksLikePtx(const Source& source) {
     return !firstByteThatIsNoText(source.text()) && headerAt(source.text().substr(0, 8192), 0, 1).has_value();
 }
 
-/// The points of the scan that the options ask for, moved by its matrix; without 0 0 0, which is no return.
-Result<PointTable> readPtxPoints(const Source& source) {
-    const auto found = findScan(source);
-    if (!found) return found.error();
-    PointTable table;
-    Source part = source;
-    part.bytes = source.bytes.first(found->endByte);
-    if (auto read = readPoints(table, found->header, part); !read) return read.error();
-    table.intensity.clear();
-    std::erase_if(table.points, [](const Eigen::Vector3d& p) { return p.isZero(0.0); });
-    for (Eigen::Vector3d& p : table.points) p = found->header.turn * p + found->header.place;
-    return table;
-}
-
-/// The scan that the options ask for, placed by its matrix.
-Result<Scan> readPtx(const Source& source) {
+/// The points of the scan that the options ask for, and its matrix.
+Result<Reading> readPtx(const Source& source) {
     const auto found = findScan(source);
     if (!found) return found.error();
     const PtxHeader& header = found->header;
@@ -232,9 +204,9 @@ Result<Scan> readPtx(const Source& source) {
     }
     if (endsWithoutLineEnd(part.text())) table.remarks.emplace_back(kMayBeCutOff);
     if (found->restIsNone) table.remarks.emplace_back("Behind the last of these scans there is text that is none.");
-    Result<Scan> scan = scanFromPoints(std::move(table), source);
-    if (scan) placeByHeader(*scan, header, source);
-    return scan;
+    Reading reading(std::move(table));
+    reading.place = WrittenPlace{"PTX", header.turn, header.place, true};
+    return reading;
 }
 
 constexpr std::size_t kNoRow = ~std::size_t{0};
@@ -293,7 +265,7 @@ Result<std::string> ptxBytes(CloudColumns cloud, const std::string& where, bool)
         if (intensity != nullptr)
             appendFixed(text, span.ofOne(numberIn(*intensity, row)), 6);
         else
-            text += edge != nullptr && numberIn(*edge, row) != 0 ? "1" : "0.5"; // edges stand out
+            text += edge != nullptr && numberIn(*edge, row) != 0 ? "1" : "0.5"; // edges are brighter
         text += '\n';
     }
     return text;
@@ -306,7 +278,6 @@ Format ptxFormat() {
             .reads = {".ptx"},
             .writes = {".ptx"},
             .recognises = looksLikePtx,
-            .points = readPtxPoints,
             .read = readPtx,
             .write = ptxBytes,
             .keeps = Keeps::NoReturns,

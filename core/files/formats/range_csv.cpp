@@ -20,7 +20,7 @@ constexpr std::size_t kFewestRangeColumns = 16; // point lists have x y z and a 
 constexpr std::size_t kLms511Columns = 1141;
 constexpr std::size_t kPeekedRows = 20;
 
-/// A column's name as its number and what stands around it: "beam_12", "-4.83", "r7 [m]".
+/// A column's name as its number and the text around it: "beam_12", "-4.83", "r7 [m]".
 struct NumberedName {
     std::string around;
     double number = std::nan("");
@@ -28,7 +28,7 @@ struct NumberedName {
 NumberedName numberedName(const std::string& name) {
     const std::size_t digit = name.find_first_of("0123456789");
     if (digit == std::string::npos) return {name};
-    const std::size_t from = digit == 1 && name[0] == '-' ? 0 : digit; // a sign, where nothing stands before it
+    const std::size_t from = digit == 1 && name[0] == '-' ? 0 : digit; // a sign, where nothing precedes it
     NumberedName found;
     const auto [end, problem] = std::from_chars(name.data() + from, name.data() + name.size(), found.number);
     if (problem != std::errc{}) return {name};
@@ -162,7 +162,7 @@ Run runOf(const std::vector<double>& labels) {
     return run;
 }
 
-/// Takes angles over that stand around the table, where the user gave none. What was taken, as a sentence; empty when nothing was.
+/// Takes angles from the labels around the table, where the user gave none. What was taken, as a sentence; empty when nothing was.
 std::string takeAngles(const Run& run, std::size_t count, const char* of, const char* from, std::optional<double>& start,
                        std::optional<double>& step) {
     if (start || step || count < 2 || run.step == 0 || !run.isDegrees(count)) return {};
@@ -184,7 +184,7 @@ std::string leftOutText(const TextLayout& layout, const RangeColumns& columns) {
            (others > 6 ? " ..." : "") + ".";
 }
 
-/// 0 and empty cells are no returns. Geometry from the options or the table's own header and index, or the LMS511 defaults.
+/// 0 and empty cells are missing returns. Geometry from the options or the table's own header and index, or the LMS511 defaults.
 Result<Scan> readRangeCsv(const Source& source) {
     auto found = textLayoutOf(source);
     if (!found) return found.error();
@@ -198,14 +198,14 @@ Result<Scan> readRangeCsv(const Source& source) {
     ReadingOptions options = *source.options;
     Source asked = source;
     asked.options = &options;
-    std::vector<std::string> told;
-    const auto tell = [&](std::string sentence) {
-        if (!sentence.empty()) told.push_back(std::move(sentence));
+    std::vector<std::string> warnings;
+    const auto warn = [&](std::string sentence) {
+        if (!sentence.empty()) warnings.push_back(std::move(sentence));
     };
-    tell(takeAngles(columns.numbers, columns.count, "beams", "the header", options.beamStartDeg, options.beamStepDeg));
+    warn(takeAngles(columns.numbers, columns.count, "beams", "the header", options.beamStartDeg, options.beamStepDeg));
     auto table = readTable(source, layout, columns);
     if (!table) return table.error();
-    tell(takeAngles(runOf(table->labels), table->labels.size(), "lines", "the first column", options.lineStartDeg, options.lineStepDeg));
+    warn(takeAngles(runOf(table->labels), table->labels.size(), "lines", "the first column", options.lineStartDeg, options.lineStepDeg));
     if (auto known = checkWidth(layout, columns, asked); !known) return known.error();
     if (table->whole && !options.unitMm) options.unitMm = 1.0; // numbers without a point are millimetres
     auto scan = scanFromRanges(std::move(table->ranges), "table", asked, [&](std::size_t line, std::size_t beam) {
@@ -214,16 +214,16 @@ Result<Scan> readRangeCsv(const Source& source) {
     if (!scan) return scan;
     scan->format = "range CSV";
     scan->unitMm = source.options->unitMm.value_or(1.0);
-    tell(leftOutText(layout, columns));
-    if (endsWithoutLineEnd(source.text())) tell(kMayBeCutOff);
-    scan->warnings.insert(scan->warnings.end(), told.begin(), told.end());
+    warn(leftOutText(layout, columns));
+    if (endsWithoutLineEnd(source.text())) warn(kMayBeCutOff);
+    scan->warnings.insert(scan->warnings.end(), warnings.begin(), warnings.end());
     return scan;
 }
 
 } // namespace
 
 Format rangeTableFormat() {
-    return {.title = "Range or point table", .reads = {".csv"}, .recognises = looksLikeRangeCsv, .read = readRangeCsv};
+    return {.title = "Range or point table", .reads = {".csv"}, .recognises = looksLikeRangeCsv, .read = readingOf<readRangeCsv>};
 }
 
 } // namespace edgescan::files

@@ -13,50 +13,50 @@ namespace {
 
 constexpr std::size_t kLms511Beams = 1141;
 
-struct Told {
+struct NotRanges {
     std::size_t infinite = 0, negative = 0, absurd = 0;
 
     void addTo(std::vector<std::string>& warnings) const {
-        const auto tell = [&](std::size_t count, const std::string& what) {
+        const auto warn = [&](std::size_t count, const std::string& what) {
             if (count > 0) warnings.push_back(std::to_string(count) + what);
         };
-        tell(infinite, " infinite ranges were taken as no return.");
-        tell(negative, " ranges below 0, all the same number, were taken as no return.");
-        tell(absurd, " ranges longer than any scanner reaches were taken as no return.");
+        warn(infinite, " infinite ranges were taken as no return.");
+        warn(negative, " ranges below 0, all the same number, were taken as no return.");
+        warn(absurd, " ranges longer than any scanner reaches were taken as no return.");
     }
 };
 
-/// What is no range becomes 0.
-Result<Told> clearNoRanges(BareRanges& ranges, const Source& source, const std::function<std::string(std::size_t, std::size_t)>& at) {
-    Told told;
+/// Numbers that are not ranges become 0.
+Result<NotRanges> clearNoRanges(BareRanges& ranges, const Source& source, const std::function<std::string(std::size_t, std::size_t)>& at) {
+    NotRanges found;
     double marker = 0.0;
     for (std::size_t k = 0; k < ranges.values.size(); ++k) {
         double& value = ranges.values[k];
-        told.infinite += std::isinf(value) ? 1 : 0;
+        found.infinite += std::isinf(value) ? 1 : 0;
         if (value < 0 && std::isfinite(value)) {
             if (!isNoRangeMark(value) || (marker < 0 && value != marker)) {
                 return source.refused(at(k / ranges.beams, k % ranges.beams) + " holds " + shortestText(value) + ", which is no range",
                                       "check that these are ranges; points need columns x, y and z");
             }
             marker = value;
-            ++told.negative;
+            ++found.negative;
         }
         if (!std::isfinite(value) || value < 0) value = 0;
     }
-    return told;
+    return found;
 }
 
 } // namespace
 
 Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,
                             const std::function<std::string(std::size_t, std::size_t)>& at) {
-    auto told = clearNoRanges(ranges, source, at);
-    if (!told) return told.error();
+    auto notRanges = clearNoRanges(ranges, source, at);
+    if (!notRanges) return notRanges.error();
     auto angles = assumedAngles(ranges.lines, ranges.beams, what, source);
     if (!angles) return angles.error();
     std::vector<double> returns;
     std::ranges::copy_if(ranges.values, std::back_inserter(returns), [](double range) { return range > 0; });
-    const RangeUnit unit = recogniseUnit(returns, ranges.precision, source.options->unitMm);
+    const RangeUnit unit = findUnit(returns, ranges.precision, source.options->unitMm);
     Scan scan;
     const auto lines = static_cast<int>(ranges.lines);
     const auto beams = static_cast<int>(ranges.beams);
@@ -66,7 +66,7 @@ Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& s
         const double mm = ranges.values[k] * unit.mmPerUnit;
         if (!(mm > 0)) continue;
         if (!physical::kRangeMm.hold(mm)) {
-            ++told->absurd;
+            ++notRanges->absurd;
             continue;
         }
         scan.rangeMm[k] = static_cast<float>(unit.wholeMm ? std::round(mm) : mm);
@@ -75,7 +75,7 @@ Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& s
     scan.geometry = std::move(angles->polar);
     if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
     if (!unit.remark.empty()) scan.warnings.push_back(unit.remark);
-    told->addTo(scan.warnings);
+    notRanges->addTo(scan.warnings);
     return scan;
 }
 

@@ -1,4 +1,4 @@
-// Ranges that come as bare numbers, in tables of text, arrays and pictures: their angles, their unit, and which are none.
+// Ranges that come as bare numbers, in tables of text, arrays and pictures: their angles, their unit, and which of them are not ranges.
 #pragma once
 
 #include "core/files/grid_recovery/recover_grid.h"
@@ -11,14 +11,14 @@ struct AssumedAngles {
     std::string warning; ///< empty when the user gave all of them
 };
 
-/// Angles from the options; where they give none those of an LMS511, if there are as many beams as it has (1141). `what` names what
+/// Angles from the options; where they do not give them those of an LMS511, if there are as many beams as it has (1141). `what` names what
 /// holds the ranges ("table", "picture"). Error: the options that are needed.
 Result<AssumedAngles> assumedAngles(std::size_t lines, std::size_t beams, const char* what, const Source& source);
 
 /// Error when a sweep of so many lines and columns has no angles, before anything is read.
 Result<Done> checkAnglesKnown(std::size_t beams, const char* what, const Source& source);
 
-/// Numbers as they stand in a file, lines x beams; what is not finite is no return.
+/// Numbers as a file has them, lines x beams; what is not finite is a missing return.
 struct BareRanges {
     std::vector<double> values;
     std::size_t lines = 0, beams = 0;
@@ -26,12 +26,12 @@ struct BareRanges {
 };
 
 /// A scan of them, with angles as assumedAngles() and the unit found from the numbers where the options do not say it. 0, infinity and one
-/// number below 0 that repeats are no returns, which is told. Error: the angles are not known, or several numbers stand below 0; `at` says
-/// where a cell stands ("line 3, column 7").
+/// number below 0 that repeats are missing returns, with a warning. Error: the angles are not known, or several numbers are below 0; `at`
+/// names the place of a cell ("line 3, column 7").
 Result<Scan> scanFromRanges(BareRanges ranges, const char* what, const Source& source,
                             const std::function<std::string(std::size_t line, std::size_t beam)>& at);
 
-/// A number that stands for "no range" in tables: -1, or -9 and less.
+/// A number that means "no range" in tables: -1, or -9 and less.
 [[nodiscard]] constexpr bool isNoRangeMark(double number) { return number == -1 || number == -0.001 || number <= -9; }
 
 } // namespace edgescan::files

@@ -17,7 +17,7 @@
 namespace edgescan::files {
 namespace {
 
-struct Reading {
+struct PngBytes {
     const std::byte* at = nullptr;
     std::size_t left = 0;
     char problem[120] = "";
@@ -25,14 +25,14 @@ struct Reading {
 
 extern "C" {
 void takeBytes(png_structp png, png_bytep to, png_size_t count) {
-    auto* reading = static_cast<Reading*>(png_get_io_ptr(png));
+    auto* reading = static_cast<PngBytes*>(png_get_io_ptr(png));
     if (count > reading->left) png_error(png, "the file ends too early");
     std::memcpy(to, reading->at, count);
     reading->at += count;
     reading->left -= count;
 }
 void keepProblem(png_structp png, png_const_charp text) {
-    auto* reading = static_cast<Reading*>(png_get_error_ptr(png));
+    auto* reading = static_cast<PngBytes*>(png_get_error_ptr(png));
     std::strncpy(reading->problem, text, sizeof reading->problem - 1);
     png_longjmp(png, 1);
 }
@@ -45,7 +45,7 @@ struct Header {
 };
 
 /// Only trivial objects live in these two, so a longjmp skips no destructor.
-bool readHeader(png_structp png, png_infop head, Reading* reading, Header* header) {
+bool readHeader(png_structp png, png_infop head, PngBytes* reading, Header* header) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_read_fn(png, reading, takeBytes);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
@@ -64,7 +64,7 @@ bool readRows(png_structp png, png_bytepp rows) {
 struct PngReader {
     png_structp png = nullptr;
     png_infop head = nullptr;
-    explicit PngReader(Reading* reading) : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, reading, keepProblem, ignoreIt)) {
+    explicit PngReader(PngBytes* reading) : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, reading, keepProblem, ignoreIt)) {
         if (png != nullptr) head = png_create_info_struct(png);
     }
     PngReader(const PngReader&) = delete;
@@ -87,7 +87,7 @@ Result<Done> checkHeader(const Header& header, const Source& source) {
 bool isPng(const Source& source) { return source.text().starts_with("\x89PNG\r\n\x1a\n"); }
 
 Result<Scan> readRangePng(const Source& source) {
-    Reading reading{source.bytes.data(), source.bytes.size()};
+    PngBytes reading{source.bytes.data(), source.bytes.size()};
     const PngReader reader(&reading);
     const auto damaged = [&] {
         return source.refused(std::string("this is a PNG picture that cannot be read: ") + reading.problem, "copy it again");
@@ -116,7 +116,7 @@ Result<Scan> readPicture(const Source& source) { return isPng(source) ? readRang
 } // namespace
 
 Format rangePictureFormat() {
-    return {.title = "Range picture", .reads = {".png", ".tif", ".tiff"}, .recognises = looksLikePicture, .read = readPicture};
+    return {.title = "Range picture", .reads = {".png", ".tif", ".tiff"}, .recognises = looksLikePicture, .read = readingOf<readPicture>};
 }
 
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {

@@ -9,14 +9,14 @@ namespace edgescan::files {
 
 inline constexpr std::uint64_t kBytesPerPixel = 16; ///< while a picture becomes a scan
 
-/// Error when the file is far too small for so many bytes of pixels: a bomb, or a header that lies.
+/// Error when the file is far too small for so many bytes of pixels: a bomb, or a false header.
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);
 
 /// lines x beams in millimetres (or unitMm of the options). Error: no gray picture of 16 bits or 4-byte floats, damaged, no angles; or when
 /// the program was built without libtiff.
 Result<Scan> readRangeTiff(const Source& source);
 
-/// The scan that a picture's numbers are. Values that are not finite or not above 0 are no returns.
+/// The scan that a picture's numbers are. Values that are not finite or not above 0 are missing returns.
 Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source);
 
 } // namespace edgescan::files

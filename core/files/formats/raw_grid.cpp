@@ -110,7 +110,7 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& statusCodes() const { return statusCodes_; }
     [[nodiscard]] const std::vector<std::uint32_t>& noReturnCodes() const { return noReturnCodes_; }
 
-    /// Empty when the cell cannot be told by a count.
+    /// Empty when a count cannot express the cell.
     std::optional<std::uint16_t> countOf(std::size_t k) {
         auto count = whole(static_cast<double>(scan_->rangeMm[k]) / scan_->unitMm);
         // What is read back must be what was written, to the last bit.
@@ -128,7 +128,7 @@ public:
             if (count && states_[*count] == CellState::NoReturn) return count;
             return noReturnCount();
         default:
-            return count ? count : noReturnCount(); // told by state_runs
+            return count ? count : noReturnCount(); // state_runs has its state
         }
     }
 
@@ -148,7 +148,7 @@ private:
     CountStates states_{};
 };
 
-/// Through the description. The counts are in the file that it names, or in NAME.u16 beside it.
+/// Through the description. The counts are in the file that it names, or in NAME.u16 of the same folder.
 Result<Scan> readRawGridJson(const Source& source) {
     if (source.inMemory) return readBothInOne(source);
     const auto grid = parseDescription(source.text(), source.path.string());
@@ -168,7 +168,7 @@ Result<Scan> readRawGridJson(const Source& source) {
     return scan;
 }
 
-/// Through the counts; the description is NAME.json beside them.
+/// Through the counts; the description is NAME.json of the same folder.
 Result<Scan> readRawGridCounts(const Source& source) {
     if (source.inMemory) return source.refused("counts alone are no raw grid", "give the description before them");
     const fs::path describedIn = withExtension(source.path, ".json");
@@ -232,7 +232,7 @@ Format rawGridFormat() {
             .reads = {".json", ".u16"},
             .writes = {".json", ".u16"},
             .recognises = looksLikeRawGrid,
-            .read = readRawGrid,
+            .read = readingOf<readRawGrid>,
             .writeScan = rawGridFiles,
             .keepsPlace = true};
 }

@@ -22,7 +22,7 @@ Format recordingFormat() {
             .reads = {".mcap"},
             .writes = {".mcap"},
             .recognises = looksLikeRecording,
-            .read = readRecording,
+            .read = readingOf<readRecording>,
             .writeScan = recordingFile,
             .keepsPlace = true,
             .placesItself = true};

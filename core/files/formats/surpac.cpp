@@ -48,7 +48,7 @@ std::optional<double> coordinateIn(std::string_view word) {
     return problem == std::errc{} && end == word.data() + word.size() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// The line that ends the file stands in its last bytes.
+/// The line that ends the file is in its last bytes.
 bool hasLastLine(std::string_view text) {
     const std::string_view tail = text.substr(text.size() - std::min<std::size_t>(text.size(), 4096));
     for (std::size_t at = 0; at < tail.size();) {
@@ -119,6 +119,8 @@ Result<PointTable> readSurpacPoints(const Source& source) {
 
 } // namespace
 
-Format surpacFormat() { return {.title = "Surpac strings", .reads = {".str"}, .recognises = looksLikeSurpac, .points = readSurpacPoints}; }
+Format surpacFormat() {
+    return {.title = "Surpac strings", .reads = {".str"}, .recognises = looksLikeSurpac, .read = readingOf<readSurpacPoints>};
+}
 
 } // namespace edgescan::files

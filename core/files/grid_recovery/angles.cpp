@@ -15,7 +15,7 @@ struct Steps {
 };
 Steps stepsOf(const Fit& fit) {
     Steps steps{medianStep(fit.tilt), medianStep(fit.plane)};
-    if (!(steps.line > 1e-9)) steps.line = steps.beam; // one line, or a stepper that stood still
+    if (!(steps.line > 1e-9)) steps.line = steps.beam; // one line, or a stepper at rest
     return steps;
 }
 

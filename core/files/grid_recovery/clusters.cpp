@@ -63,7 +63,7 @@ private:
         std::vector<std::array<double, 4>> keys(group.size()); // line or beam, level, place, index
         for (std::size_t g = 0; g < group.size(); ++g) {
             const auto itsLevel = static_cast<std::size_t>(level(group[g]));
-            // Where nothing tells the place, the list does: whatever order it has.
+            // Where nothing else gives the place, the order of the list does.
             const bool unknown = itsLevel + 1 >= kLevels.size();
             keys[g] = {static_cast<double>(fixed(group[g])), static_cast<double>(itsLevel), unknown ? 0.0 : place(group[g]),
                        static_cast<double>(group[g])};

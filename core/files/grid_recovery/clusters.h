@@ -27,7 +27,7 @@ struct Placed {
 };
 
 /// Gives each point a cell of `pointOf`: sure ones theirs, where the nearer of two stays; all others, in the order of their angles, cells
-/// that remain free within their errors. `points` tells equal points.
+/// that remain free within their errors. `points` serves to find equal points.
 Placed placeOnCells(std::span<const OnCell> returns, std::span<const AxisPoint> points, Grid<std::uint32_t>& pointOf);
 
 } // namespace edgescan::files::recognition

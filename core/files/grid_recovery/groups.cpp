@@ -28,7 +28,7 @@ public:
     [[nodiscard]] Place place(double angle, double error) const {
         const Ring::Nearest near = ring_.nearest(angle);
         const double side = std::remainder(angle - ring_.centres[near.group], ring_.period) < 0 ? -1 : 1;
-        const double step = std::min(near.voidWidth, 8 * least_); // the void behind the last group is no step
+        const double step = std::min(near.voidWidth, 8 * least_); // the void after the last group is not a step
         Place place{static_cast<double>(near.group) + side * near.distance / step, step, near.group, false, false};
         place.telling = error <= kTelling * step;
         place.off = near.distance > 0.25 * step + error;
@@ -136,7 +136,7 @@ private:
         }
         return share.of(seen_.size(), lines.centres.size());
     }
-    /// A first look at some of the returns: most rings are none.
+    /// A first look at some of the returns: most rings fail here.
     [[nodiscard]] bool seemsOn(const OnRing& onRing) const {
         constexpr std::size_t kSome = 20'000;
         Share share;

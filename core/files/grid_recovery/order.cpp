@@ -178,7 +178,7 @@ Grid<std::uint32_t> inOrder(const std::vector<std::size_t>& lines, std::size_t b
 }
 
 /// The list read as lines of `beams` points. A few lines first: nearly every wrong length fails there.
-/// `known`: the file says how long a line is; else the points must be precise enough to tell.
+/// `known`: the file says how long a line is; else the points must be precise enough to show it.
 std::optional<Fit> fitLines(std::span<const AxisPoint> points, const Precision& precision, std::size_t beams, double eps, bool known) {
     const std::size_t lines = points.size() / beams;
     LineFitter fitter(points, beams, eps);

@@ -15,7 +15,7 @@
 namespace edgescan::files::recognition {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr std::uint32_t kNone = RecognisedGrid::kNoPoint;
+inline constexpr std::uint32_t kNone = RecoveredGrid::kNoPoint;
 inline constexpr double kShareOnGrid = 0.99; // of the points, for a grid to be believed
 
 inline constexpr double kLeastFilled = 0.05; // of the cells; below, any cloud would fit
@@ -39,7 +39,7 @@ struct AxisPoint {
 struct Fit {
     std::vector<double> plane;   ///< one per line, continuous
     std::vector<double> tilt;    ///< one per beam, continuous and monotone
-    Grid<std::uint32_t> pointOf; ///< lines x beams, RecognisedGrid::kNoPoint where empty
+    Grid<std::uint32_t> pointOf; ///< lines x beams, RecoveredGrid::kNoPoint where empty
     bool complete = false;       ///< every cell was in the list, in order
     std::size_t unplaced = 0;
     std::size_t doubled = 0; ///< different points in one cell
@@ -49,7 +49,7 @@ struct Fit {
 
 /// What was seen when no fit came out, for the sentence.
 struct NoFit {
-    std::size_t lines = 0, beams = 0; ///< groups of angles found, 0 = none stood out
+    std::size_t lines = 0, beams = 0; ///< groups of angles found, 0 = no group was distinct
     double onGrid = 0.0;              ///< share of points on them
 };
 
@@ -73,7 +73,7 @@ struct MeasuredAngles {
 struct OnGrid {
     double share = 0.0;    ///< of points with a return that lie within a quarter step of their cell's beam
     double residual = 0.0; ///< median distance in beam steps
-    bool telling = false;  ///< the points are written precisely enough to tell cells apart
+    bool telling = false;  ///< the points are written precisely enough to distinguish cells
 };
 [[nodiscard]] OnGrid judge(const Fit& fit, std::span<const AxisPoint> points, const Precision& precision);
 

@@ -19,7 +19,7 @@ std::vector<int> phasesOf(const Grid<std::uint32_t>& pointOf, int phases) {
         std::array<int, kMostPhases> count{};
         int all = 0;
         for (int j = 0; j < pointOf.beams; ++j) {
-            if (pointOf.at(i, j) == RecognisedGrid::kNoPoint) continue;
+            if (pointOf.at(i, j) == RecoveredGrid::kNoPoint) continue;
             ++count[static_cast<std::size_t>(j % phases)];
             ++all;
         }
@@ -55,7 +55,7 @@ Turns turnsIn(const Grid<std::uint32_t>& pointOf) {
 
 } // namespace
 
-int foldPhases(RecognisedGrid& grid) {
+int foldPhases(RecoveredGrid& grid) {
     const Turns turns = turnsIn(grid.pointOf);
     if (turns.phases == 1) return 1;
     const int rows = (grid.pointOf.lines + turns.phases - 1) / turns.phases;
@@ -77,7 +77,7 @@ int foldPhases(RecognisedGrid& grid) {
             ahead[k] += (deg - rowDeg.back()) / rows;
         }
     }
-    Grid<std::uint32_t> pointOf(rows, beams, RecognisedGrid::kNoPoint);
+    Grid<std::uint32_t> pointOf(rows, beams, RecoveredGrid::kNoPoint);
     grid.geometry.lineSkewDeg.assign(static_cast<std::size_t>(beams), 0.0);
     for (int line = 0; line < grid.pointOf.lines; ++line) {
         const int row = line / turns.phases;
@@ -87,7 +87,7 @@ int foldPhases(RecognisedGrid& grid) {
                 pointOf.at(row, j) = point;
                 grid.geometry.lineSkewDeg[static_cast<std::size_t>(j)] = ahead[static_cast<std::size_t>(line % turns.phases)];
             } else {
-                grid.unplaced += point != RecognisedGrid::kNoPoint ? 1 : 0;
+                grid.unplaced += point != RecoveredGrid::kNoPoint ? 1 : 0;
             }
         }
     }

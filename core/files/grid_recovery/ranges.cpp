@@ -7,7 +7,7 @@
 namespace edgescan::files {
 namespace {
 
-constexpr double kOfOthers = 0.25; // of the points that have a whole number in reach only by chance: at most so many have none
+constexpr double kOfOthers = 0.25; // of the points that have a whole number in reach only by chance: at most so many do not have one
 constexpr double kByChance = 0.9;  // where more have one anyway, nothing is shown
 constexpr std::size_t kFewest = 60;
 constexpr double kSlack = 0.02; // of the rounding: directions are known this well
@@ -20,7 +20,7 @@ Interval allowed(const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
     for (int axis = 0; axis < 3; ++axis) {
         const double error = (precision.absolute + precision.relative * std::abs(point[axis])) * (1 + kSlack);
         const double along = std::abs(direction[axis]);
-        if (along < 1e-3) continue; // nearly at right angles: tells of the direction, not of the range
+        if (along < 1e-3) continue; // nearly at right angles: shows the direction, not the range
         const double middle = point[axis] / direction[axis];
         reach.low = std::max(reach.low, middle - error / along);
         reach.high = std::min(reach.high, middle + error / along);

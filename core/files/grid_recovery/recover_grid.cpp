@@ -237,8 +237,8 @@ std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypo
     return text + " (99 % are needed)";
 }
 
-/// Tells how the list differed from a full grid in order.
-void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
+/// Remarks on how the list differed from a full grid in order.
+void tellRepairs(RecoveredGrid& grid, std::size_t putBack) {
     const auto tell = [&](std::size_t count, const char* sentence) {
         if (count > 0) grid.remarks.push_back(std::to_string(count) + sentence);
     };
@@ -258,8 +258,8 @@ void tellRepairs(RecognisedGrid& grid, std::size_t putBack) {
     }
 }
 
-RecognisedGrid finished(Found found, const PointList& list) {
-    RecognisedGrid grid;
+RecoveredGrid finished(Found found, const PointList& list) {
+    RecoveredGrid grid;
     grid.copiedLines = found.fit.complete ? dropCopiedLines(found.fit, found.points) : 0;
     if (!found.fit.complete) unfoldHalves(found.fit);
     const std::size_t putBack = found.fit.complete ? 0 : putBackMissing(found.fit);
@@ -287,7 +287,7 @@ bool isReturn(const Eigen::Vector3d& point) {
     return largest > 1e-9 && largest < 1e12; // squares of both stay far from the ends of double
 }
 
-Result<RecognisedGrid> recogniseGrid(const PointList& list) {
+Result<RecoveredGrid> recoverGrid(const PointList& list) {
     const auto returns = static_cast<std::size_t>(std::count_if(list.points.begin(), list.points.end(), isReturn));
     if (returns < kFewestPoints) {
         return Error{"holds " + std::to_string(returns) + " points with a return, too few to find a scanner's grid", "",

@@ -31,16 +31,16 @@ struct PointList {
     std::function<bool(const char* stage, double fraction)> progress; ///< false cancels
 };
 
-struct RecognisedGrid {
+struct RecoveredGrid {
     static constexpr std::uint32_t kNoPoint = 0xFFFFFFFF;
 
     PolarGeometry geometry;                             ///< of the points after `turn`
     Grid<std::uint32_t> pointOf;                        ///< lines x beams: index into the list, kNoPoint where the list has none
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< applied first, where the rotation axis is none that Axis can express
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< applied first, where Axis cannot express the rotation axis
     bool complete = false;                              ///< the list held every cell in order, also those without a return
     std::size_t unplaced = 0;                           ///< points with a return that lie on no cell
     std::size_t doubled = 0;                            ///< other points in cells that hold a nearer one
-    std::size_t copied = 0;                             ///< points that stood in the list before
+    std::size_t copied = 0;                             ///< points that were in the list before
     std::size_t copiedLines = 0;                        ///< lines that repeated the line before and were left out
     std::vector<std::string> remarks;                   ///< sentences about what was assumed or repaired
 };
@@ -49,6 +49,6 @@ struct RecognisedGrid {
 [[nodiscard]] bool isReturn(const Eigen::Vector3d& point);
 
 /// Error: the points lie on no such grid; says in numbers what was found instead. `where` is left empty for the caller.
-Result<RecognisedGrid> recogniseGrid(const PointList& list);
+Result<RecoveredGrid> recoverGrid(const PointList& list);
 
 } // namespace edgescan::files

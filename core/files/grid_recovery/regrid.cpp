@@ -20,7 +20,7 @@ namespace {
 using namespace regridding;
 
 constexpr std::size_t kFewestReturns = 64;
-constexpr double kNarrowestDeg = 2.0; // all points in less than that: the sensor cannot have stood there
+constexpr double kNarrowestDeg = 2.0; // all points in less than that: the sensor cannot have been there
 constexpr double kLeastClosed = 0.55; // as many neighbours are filled where points are strewn at random, one to every second cell
 constexpr double kLeastFill = 0.01;
 constexpr double kMostCells = 3e8;

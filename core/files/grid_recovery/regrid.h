@@ -1,4 +1,4 @@
-// Puts points that lie on no grid onto one, as seen from the sensor: the nearest return wins a cell, the others stay attached.
+// Puts points without a grid onto one, as seen from the sensor: the nearest return wins a cell, the others stay attached.
 #pragma once
 
 #include "core/base/grid.h"
@@ -26,7 +26,7 @@ struct LooseCloud {
 };
 
 struct Regridded {
-    static constexpr std::uint32_t kNoPoint = RecognisedGrid::kNoPoint;
+    static constexpr std::uint32_t kNoPoint = RecoveredGrid::kNoPoint;
     struct Hidden {
         std::uint32_t cell = 0;
         std::uint32_t point = 0;

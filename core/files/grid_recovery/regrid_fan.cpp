@@ -1,4 +1,4 @@
-// Scan lines among points that are no full grid: rings of a spinning scanner, planes of a fan on a stepper.
+// Scan lines among points that are not a full grid: rings of a spinning scanner, planes of a fan on a stepper.
 #include "core/files/grid_recovery/parts.h"
 #include "core/files/grid_recovery/regrid_parts.h"
 #include "core/files/grid_recovery/rings.h"
@@ -16,7 +16,7 @@ using recognition::Ring;
 constexpr double kShareOnLines = 0.99;
 constexpr std::size_t kFewestLines = 4;
 constexpr std::size_t kPointsPerLine = 12; // on average, at least
-constexpr std::size_t kSample = 60000;     // points of a first look: lines that do not show here are none
+constexpr std::size_t kSample = 60000;     // points of a first look: lines that do not show here do not exist
 
 std::vector<AxisPoint> seenAlong(const LooseCloud& cloud, int axis) {
     std::vector<AxisPoint> seen;

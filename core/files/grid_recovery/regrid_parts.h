@@ -36,7 +36,7 @@ struct Cover {
 [[nodiscard]] double spacingOf(const std::vector<Sight>& sights, const Window& window, double lineStep);
 
 /// Lines of a scanner among the sights of a cloud: rings about the sensor's upright axis (a spinning scanner with several beams), or
-/// planes through one of the axes (a fan on a stepper whose beams are uneven). Empty when none stand out.
+/// planes through one of the axes (a fan on a stepper whose beams are uneven). Empty when no lines are distinct.
 struct Fan {
     std::vector<Sight> sights;     ///< `down` is the line's number
     std::vector<double> lineAngle; ///< radians, one per line

@@ -22,7 +22,7 @@ struct Ring {
     [[nodiscard]] Nearest nearest(double angle) const;
     [[nodiscard]] std::vector<double> voids() const;
     void beginAt(std::size_t first);
-    /// Begins after the widest void; false when none stands out, and then at the group nearest to 0.
+    /// Begins after the widest void; false when no void is distinct, and then at the group nearest to 0.
     bool cutAtWidestVoid();
 };
 

@@ -67,7 +67,7 @@ private:
     [[nodiscard]] Place placeOn(const Ring& ring, const Angle& tilt) const {
         const Ring::Nearest near = ring.nearest(tilt.value);
         const double side = std::remainder(tilt.value - ring.centres[near.group], 2 * kPi) < 0 ? -1 : 1;
-        // Beyond the first and the last beam the void is no step.
+        // Beyond the first and the last beam the void is not a step.
         const double step = std::min(near.voidWidth, 2 * usualStep(ring));
         Place place{static_cast<double>(near.group) + side * near.distance / step, step, false, false};
         place.sure = tilt.error <= kOnBeam * step && near.distance <= std::max(kOnBeam * step, tilt.error);
@@ -89,7 +89,7 @@ private:
         for (const Run& run : runs_.runs) placeRun(run, places, ring.centres.size(), beams.of);
         return beams;
     }
-    /// Sure returns stand on their beams; those between two of them take what beams are left there, in their order.
+    /// Sure returns are on their beams; those between two of them take what beams are left there, in their order.
     void placeRun(const Run& run, const std::vector<Place>& places, std::size_t beams, std::vector<std::uint32_t>& of) const {
         std::size_t unsureFrom = run.from;
         std::size_t free = 0; // the first beam behind the last sure one
@@ -226,7 +226,7 @@ private:
         if (cell != kNone) ++(samePoint(point, cell) ? fit.copied : fit.doubled);
         if (cell == kNone || points_[point].range() < points_[cell].range()) cell = point;
     }
-    /// A few returns that stand somewhere in the list, far from their line: no line of their own, but late returns of that one.
+    /// A few returns somewhere in the list, far from their line: no line of their own, but late returns of that one.
     void takeStrays() {
         std::vector<double> lengths;
         for (const Line& line : lines_) lengths.push_back(static_cast<double>(line.run.to - line.run.from));
@@ -272,7 +272,7 @@ private:
         std::erase_if(lines_, [&](const Line&) { return stray[i++]; });
     }
     [[nodiscard]] static double turnOf(double plane) { return std::fmod(std::fmod(plane, 2 * kPi) + 2 * kPi, 2 * kPi); }
-    /// The lines in the order of the list, which a motor that stands still or turns on and on goes through with equal angles. Only where no
+    /// The lines in the order of the list, which a motor that stops or turns on and on goes through with equal angles. Only where no
     /// two of them are equal and they go to and fro are they put in the order of their angles.
     [[nodiscard]] std::vector<std::size_t> orderOfLines() {
         std::vector<std::size_t> order(lines_.size());
@@ -297,7 +297,7 @@ private:
             const std::size_t a = order[i];
             const std::size_t b = order[(i + 1) % order.size()];
             const bool neighbours = a + 1 == b || b + 1 == a;
-            if (voids[i] < 0.5 * usual && !neighbours) { // seen twice: the list alone tells them apart
+            if (voids[i] < 0.5 * usual && !neighbours) { // seen twice: only the list distinguishes them
                 std::sort(order.begin(), order.end());
                 return order;
             }

@@ -37,7 +37,7 @@ struct FanGap {
     }
 };
 
-/// The usual step from beam to beam; empty when neighbours in the list are none on a line.
+/// The usual step from beam to beam; empty when neighbours in the list are not neighbours on a line.
 std::optional<double> beamStepOf(std::span<const Seen> seen) {
     const std::size_t stride = std::max<std::size_t>(1, seen.size() / kSamplePairs);
     std::vector<double> steps;
@@ -208,7 +208,7 @@ bool turnsOverAndOver(const std::vector<Run>& runs) {
     return runs.size() >= 4 && turned * 2 > runs.size();
 }
 
-/// Planes that no return tells lie between those of their neighbours; angles run on from line to line.
+/// Planes that no return shows lie between those of their neighbours; angles run on from line to line.
 void continuePlanes(std::vector<Run>& runs) {
     std::size_t before = runs.size();
     for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -15,7 +15,7 @@ namespace edgescan::files::recognition {
 struct Run {
     std::size_t from = 0, to = 0;
     double plane = 0.0;      ///< of the half plane in which tilts count positive, radians
-    double planeError = 0.0; ///< pi where no return tells it
+    double planeError = 0.0; ///< pi where no return shows it
 };
 
 struct Runs {

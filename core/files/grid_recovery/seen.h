@@ -15,7 +15,7 @@ namespace edgescan::files::recognition {
 struct Seen {
     std::uint32_t point = 0; ///< index into the list
     double plane = 0.0;      ///< atan2 about the axis, whole turn
-    double tilt = 0.0;       ///< from the axis, 0 to pi: which side of the axis is not told
+    double tilt = 0.0;       ///< from the axis, 0 to pi: the side of the axis is unknown
     double planeError = 0.0; ///< pi where the point may be on the axis
     double tiltError = 0.0;
 };
@@ -31,7 +31,7 @@ struct Angle {
 /// are precise enough for these voids. The clearest first; no more than a few.
 [[nodiscard]] std::vector<Ring> ringsAmong(std::span<const Angle> angles, double period);
 
-/// The angles whose errors are below a sixth of the steps of a ring, put into groups anew.
+/// The angles whose errors are below a sixth of the steps of a ring, put into groups again.
 [[nodiscard]] std::vector<Ring> ringsOfStep(std::span<const Angle> angles, double period, double step);
 
 /// Brings n values, ascending, to different places 0 .. places - 1 in their order, each near `wanted` (in places): least weighted squares.

@@ -33,7 +33,7 @@ const char* unitName(double mmPerUnit) { return mmPerUnit == 1.0 ? "millimetres"
 
 } // namespace
 
-RangeUnit recogniseUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> known) {
+RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> known) {
     RangeUnit unit;
     if (known) {
         unit.mmPerUnit = *known;

@@ -1,4 +1,4 @@
-// What a number in a point list is worth, and which ranges are no ranges but status codes.
+// What a number in a point list is worth, and which ranges are status codes.
 #pragma once
 
 #include "core/base/grid.h"
@@ -20,12 +20,12 @@ struct RangeUnit {
 };
 
 /// Unit of the distances `ranges` (> 0) from the origin. A scanner that measures whole millimetres gives itself away.
-[[nodiscard]] RangeUnit recogniseUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> knownMmPerUnit);
+[[nodiscard]] RangeUnit findUnit(std::span<const double> ranges, const Precision& precision, std::optional<double> knownMmPerUnit);
 
 /// Millimetres per number, of a warning that is such a remark; empty of any other.
 [[nodiscard]] std::optional<double> unitToldBy(const std::string& warning);
 
-/// Status codes of a SICK LMS2xx that stand where whole millimetres should be; empty when the scan shows none: they are the
+/// Status codes of a SICK LMS2xx in place of whole millimetres; empty when the scan shows none: they are the
 /// largest values there are, nothing else lies among them, and they repeat as no range does. `rangeMm` lines x beams.
 [[nodiscard]] std::vector<std::uint32_t> lms2xxStatusCodes(const Grid<float>& rangeMm, const Grid<CellState>& state,
                                                            const PolarGeometry& geometry);

@@ -133,9 +133,9 @@ std::optional<int> LiveFeed::useSweep(const scanner::SweepSettings& sweep) {
         if (sweep == sweepSettings_) return std::nullopt;
         sweepSettings_ = sweep;
         gone = feed_.assembler().progress().received;
-        feed_ = SweepFeed(sweep);
+        feed_ = scanner::SweepFeed(sweep);
         for (const RecordingMessagePtr& message : messagesOfSweep())
-            static_cast<void>(feed_.message({message->topic, message->hostNs, message->hostNs, message->payload}));
+            static_cast<void>(feedMessage(feed_, {message->topic, message->hostNs, message->hostNs, message->payload}));
         gone = std::max(0, gone - feed_.assembler().progress().received);
     }
     changed_();

@@ -13,7 +13,8 @@
 
 namespace edgescan::files {
 
-/// Everything the health of a live scan is told by (docs/operator.md, "S2", "S4", "S5"). A copy, true at the moment it was asked for.
+/// Everything that the health of a live scan is derived from (docs/operator.md, "S2", "S4", "S5"). A copy, true at the moment it was asked
+/// for.
 struct LiveStatus {
     scanner::SessionState session;
     std::optional<scanner::ScannerIdentity> scanner;
@@ -72,11 +73,11 @@ private:
     RecordingClock clock_;
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the session
-    SweepFeed feed_;
+    scanner::SweepFeed feed_;
     scanner::SessionState state_;
     std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
-    bool starting_ = false;          // somebody makes a recorder
+    bool starting_ = false;          // a recorder is being made
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0;
     std::deque<std::int64_t> lineNs_;                  // of the last lines, monotonic

@@ -60,7 +60,7 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     if (sweep.expected == 0) return {};
     const int left = sweep.expected - sweep.lines;
     if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
-    if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // when no line comes nobody knows when the last one will
+    if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // without lines the time of the last one is unknown
     return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
 }
 

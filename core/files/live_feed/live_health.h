@@ -1,4 +1,4 @@
-// What the operator is told of a live scan, in words and states: a function of the status alone.
+// What the operator sees of a live scan, in words and states: a function of the status alone.
 // (docs/operator.md, "S2", "S4", "S5"; states as in NE 107.)
 #pragma once
 

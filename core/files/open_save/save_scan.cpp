@@ -17,7 +17,7 @@ Error unknownFormat(const std::filesystem::path& path, bool wholeScans) {
             path.string(), "use " + writtenExtensions(wholeScans)};
 }
 
-/// The format of a cloud; null when the file's name asks for none.
+/// The format of a cloud; null when the file's name does not choose one.
 const Format* cloudFormat(const std::filesystem::path& path) {
     const Format* format = writtenFormat(path);
     return format != nullptr && format->write != nullptr ? format : nullptr;
@@ -79,20 +79,20 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
     if (attached && !options.includeAttached)
         lost.push_back(std::to_string(scan.attached.size()) +
                        " points behind the nearest of their cell are not in this file: --include-attached saves all points.");
-    const bool keepsBeside = format->keeps == Keeps::Beside;
-    const bool beside = keepsBeside && !options.choices.comments;
+    const bool bySidecar = format->keeps == Keeps::Sidecar;
+    const bool needsSidecar = bySidecar && !options.choices.comments;
     const bool list = format->keeps == Keeps::Points || (attached && options.includeAttached);
     if (list)
         lost.push_back("The file holds points and no grid: " + std::to_string(without) + " cells without a range are not in it.");
-    else if ((format->keeps == Keeps::NoReturns || beside) && without > noReturn)
+    else if ((format->keeps == Keeps::NoReturns || needsSidecar) && without > noReturn)
         lost.push_back("This file knows only points and no returns: " + std::to_string(without - noReturn) +
                        " cells of other states become no returns.");
-    if (beside && !list)
+    if (needsSidecar && !list)
         lost.push_back("The file holds numbers only: keep " + path.filename().string() +
                        ".provenance.json beside it, which holds the grid, or write it with --comments.");
-    if (scan.intensity.size() > 0 && !format->keepsIntensity && !(keepsBeside && options.choices.comments))
+    if (scan.intensity.size() > 0 && !format->keepsIntensity && !(bySidecar && options.choices.comments))
         lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
-    if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(keepsBeside && options.choices.comments))
+    if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(bySidecar && options.choices.comments))
         lost.emplace_back(
             "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");
     return lost;
@@ -114,9 +114,8 @@ Result<std::string> cloudBytes(const Scan& scan, const std::filesystem::path& pa
         if (auto fits = checkMask(scan, *edgeMask, path); !fits) return fits.error();
     }
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.rocks, options.filledSdMm,
-                               options.confidence),
-                   *format, path, options);
+    return bytesOf(validPoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.columns), *format, path,
+                   options);
 }
 
 Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMask, const std::filesystem::path& path,
@@ -125,9 +124,8 @@ Result<std::string> edgeBytes(const Scan& scan, const Grid<std::uint8_t>& edgeMa
     if (format == nullptr) return unknownFormat(path, false);
     if (auto fits = checkMask(scan, edgeMask, path); !fits) return fits.error();
     if (auto known = checkFrame(scan, options.frame, path.string()); !known) return known.error();
-    return bytesOf(
-        edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.filledSdMm, options.confidence),
-        *format, path, options);
+    return bytesOf(edgePoints(scan, edgeMask, options.frame, options.includeAttached, options.classes, options.columns), *format, path,
+                   options);
 }
 
 } // namespace edgescan::files

@@ -5,6 +5,7 @@
 #include "core/base/grid.h"
 #include "core/base/result.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/files/point_tables/cloud_columns.h"
 #include "core/files/point_tables/writing_choices.h"
 #include "core/scan/grid/placement.h"
 #include "core/scan/grid/scan.h"
@@ -15,10 +16,6 @@
 #include <string>
 #include <vector>
 
-namespace edgescan::edges {
-enum class DepthEdge : std::uint8_t;
-} // namespace edgescan::edges
-
 namespace edgescan::files {
 
 struct SaveOptions {
@@ -28,9 +25,7 @@ struct SaveOptions {
     bool includeAttached = false; ///< clouds and edges of a projected cloud: also the points behind the nearest of each cell
     const Grid<edges::DepthEdge>* classes = nullptr; ///< lines x beams: clouds and edges get a field "class" with it; null = none
     WritingChoices choices{};
-    const Grid<std::uint32_t>* rocks = nullptr; ///< lines x beams: clouds get a field "rock" with it, 0 = none; null = no field
-    const Grid<float>* filledSdMm = nullptr;    ///< lines x beams: clouds get a field "filled_sd_mm" with it, 0 = measured; null = no field
-    const Grid<std::uint8_t>* confidence = nullptr; ///< lines x beams: clouds and edges get a field "confidence" with it; null = no field
+    std::vector<CellColumn> columns{}; ///< one more field each in clouds and edges
 };
 
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.

@@ -9,8 +9,8 @@
 #include "core/base/physical_limits.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
+#include "core/files/grid_recovery/regrid.h"
 #include "core/files/point_tables/description.h"
-#include "core/files/point_tables/own_scan.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
@@ -30,17 +30,17 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMostOffDeg = 0.02;  // farther from every beam or line, and the grid is another
+constexpr double kMostOffDeg = 0.02;  // a point farther from every beam or line is of another grid
 constexpr double kGuessOffDeg = 3.0;  // of a direction worked out with another line's place of the scanner
 constexpr double kRoundingM = 1.0e-3; // of the coarsest format: LAS, whole millimetres
 
 /// The cells that a list's grid has, empty, with the place in the mine.
-struct GridBeside {
+struct SidecarGrid {
     Scan scan;
     CoordinateFrame frame = CoordinateFrame::Scanner;
 };
 
-std::optional<GridBeside> gridBeside(PointTable& table, const Source& source) {
+std::optional<SidecarGrid> readSidecar(PointTable& table, const Source& source) {
     const fs::path path = sidecarPath(source.path);
     const auto bytes = readInput(path);
     if (!bytes) return std::nullopt;
@@ -59,8 +59,8 @@ std::optional<GridBeside> gridBeside(PointTable& table, const Source& source) {
     }
     auto polar = polarOf(*grid);
     if (!polar) return std::nullopt;
-    GridBeside beside;
-    Scan& scan = beside.scan;
+    SidecarGrid sidecar;
+    Scan& scan = sidecar.scan;
     scan.geometry = std::move(*polar);
     scan.rangeMm = Grid<float>(static_cast<int>(grid->lines), static_cast<int>(grid->beams));
     scan.state = Grid<CellState>(scan.lines(), scan.beams(), CellState::NoReturn);
@@ -69,10 +69,10 @@ std::optional<GridBeside> gridBeside(PointTable& table, const Source& source) {
     if (record->contains(way) && record->at(way).is_string()) {
         const auto frame = frameNamed(record->at(way).get<std::string>());
         if (!frame) return std::nullopt;
-        beside.frame = *frame;
+        sidecar.frame = *frame;
     }
-    if (beside.frame != CoordinateFrame::Scanner && !scan.placement) return std::nullopt;
-    return beside;
+    if (sidecar.frame != CoordinateFrame::Scanner && !scan.placement) return std::nullopt;
+    return sidecar;
 }
 
 /// Angles in order, for looking one up.
@@ -103,8 +103,8 @@ public:
         : scan_(scan), polar_(std::get<PolarGeometry>(scan.geometry)), beams_(polar_.beamDeg), lines_(polar_.lineDeg),
           roundingM_(roundingM) {}
 
-    /// The nearest cell behind `last`; of those that the rounding of the numbers cannot tell apart the first: a list is in the order of the
-    /// cells. Empty when none is near enough.
+    /// The nearest cell after `last`; of those that the rounding of the numbers does not distinguish the first: a list is in the order of
+    /// the cells. Empty when no cell is near enough.
     [[nodiscard]] std::optional<std::size_t> cellOf(const Vector3d& p, std::ptrdiff_t last, double mostOff = kMostOffDeg) const {
         const bool sweep = polar_.axis == Axis::Sweep;
         const double out = sweep ? std::hypot(p.y(), p.z()) : std::hypot(p.x(), p.y());
@@ -143,10 +143,10 @@ private:
     mutable std::vector<std::pair<double, std::size_t>> near_; // of one call: off, cell
 };
 
-/// The scanner's frame again. The line matters where the scanner sits beside the stepper's axis: found with a first guess, then anew.
+/// The scanner's frame again. The line matters where the scanner is off the stepper's axis: it is found with a first guess, then again.
 class BackToScanner {
 public:
-    BackToScanner(const GridBeside& grid, const CellFinder& finder) : grid_(grid), finder_(finder) {
+    BackToScanner(const SidecarGrid& grid, const CellFinder& finder) : grid_(grid), finder_(finder) {
         if (grid.frame != CoordinateFrame::Scanner) placed_.emplace(grid.scan);
     }
     [[nodiscard]] std::pair<std::optional<std::size_t>, Vector3d> operator()(const Vector3d& p, std::ptrdiff_t last) const {
@@ -166,7 +166,7 @@ public:
     }
 
 private:
-    const GridBeside& grid_;
+    const SidecarGrid& grid_;
     const CellFinder& finder_;
     std::optional<PlacedPoints> placed_;
 };
@@ -181,22 +181,20 @@ float rangeOf(double mm, double unitMm) {
 
 fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string() + ".provenance.json"); }
 
-bool isGridBeside(const Source& source) {
+std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<WrittenPlace>& place, const Source& source) {
     std::error_code ignored;
-    return !source.options->unitMm && fs::is_regular_file(sidecarPath(source.path), ignored);
-}
-
-std::optional<Scan> scanOfGridBeside(PointTable& table, const Source& source) {
-    if (!table.description.empty() || !isGridBeside(source)) return std::nullopt;
-    auto grid = gridBeside(table, source);
+    const bool mayBeThere = table.description.empty() && !source.options->unitMm && !source.inMemory;
+    if (!mayBeThere || !fs::is_regular_file(sidecarPath(source.path), ignored)) return std::nullopt;
+    auto grid = readSidecar(table, source);
     if (!grid) return std::nullopt;
     const CellFinder finder(grid->scan, std::max(2.0 * table.precision.absolute, 1e-5));
     const BackToScanner back(*grid, finder);
     Scan& scan = grid->scan;
-    std::ptrdiff_t last = -1; // each point's cell lies behind the one before
+    std::ptrdiff_t last = -1; // the cells of the points ascend
     for (std::size_t n = 0; n < table.points.size(); ++n) {
-        if (!table.points[n].allFinite()) continue;
-        const auto [cell, point] = back(table.points[n], last);
+        const Vector3d& read = table.points[n];
+        if (place ? !isReturn(read) : !read.allFinite()) continue;
+        const auto [cell, point] = back(place ? Vector3d(place->turn * read + place->place) : read, last);
         if (!cell) {
             table.remarks.push_back("Point " + std::to_string(n + 1) +
                                     " is in no cell of the grid beside the file, so that grid was not used.");
@@ -206,7 +204,7 @@ std::optional<Scan> scanOfGridBeside(PointTable& table, const Source& source) {
         const bool given = n < table.rangeMm.size() && table.rangeMm[n] > 0 && physical::kRangeMm.hold(table.rangeMm[n]);
         scan.rangeMm[*cell] = given ? table.rangeMm[n] : rangeOf(point.norm() * 1000.0, scan.unitMm);
         scan.state[*cell] = CellState::Valid;
-        if (table.intensity.empty()) continue;
+        if (table.intensity.empty() || place) continue; // PTX: scaled to 0 to 1
         if (scan.intensity.size() == 0) scan.intensity = Grid<float>(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
         scan.intensity[*cell] = table.intensity[n];
     }

@@ -1,9 +1,7 @@
-// A list of points that this program wrote, with its record beside it: the record holds the grid whose cells the points are.
+// The grid of a list of points that this program wrote, from its sidecar: the record NAME.EXT.provenance.json in the same folder.
 #pragma once
 
-#include "core/base/result.h"
-#include "core/files/point_tables/point_table.h"
-#include "core/files/point_tables/source.h"
+#include "core/files/formats/reading.h"
 
 #include <filesystem>
 #include <optional>
@@ -12,15 +10,12 @@ namespace edgescan::files {
 
 inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 
-/// NAME.EXT.provenance.json beside the export.
+/// NAME.EXT.provenance.json in the folder of the export.
 [[nodiscard]] std::filesystem::path sidecarPath(const std::filesystem::path& exported);
 
-/// Whether to look there at all.
-[[nodiscard]] bool isGridBeside(const Source& source);
-
-/// The scan as it was: each point in the cell that its direction names, in the order of the cells, ranges on whole counts again where the
-/// printed digits allow no other. Empty when there is no record beside the file, when it was written for another file, or when the grid has
-/// no angles or does not fit the points; a remark says why.
-[[nodiscard]] std::optional<Scan> scanOfGridBeside(PointTable& table, const Source& source);
+/// The scan as it was exported: each point in the cell that its direction names, in the order of the cells, and each range a whole number
+/// of counts again where the printed digits allow only that one. Empty when the file has no sidecar, when the sidecar was written for
+/// another file, or when its grid has no angles or does not fit the points; a remark says why. `place`: as in Reading.
+[[nodiscard]] std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<WrittenPlace>& place, const Source& source);
 
 } // namespace edgescan::files

@@ -54,7 +54,7 @@ Result<PacketFile> readPcap(ByteView file, const PcapKind& kind, const std::stri
     constexpr std::size_t kHeader = 24, kRecord = 16;
     if (file.size() < kHeader) return Error{"the capture ends within its header", where, kCopyCapture};
     const Numbers in(file, kind.bigEndian);
-    const auto link = static_cast<LinkType>(in.u32(20) & 0x0FFFFFFFU); // the highest bits tell of a checksum behind packets
+    const auto link = static_cast<LinkType>(in.u32(20) & 0x0FFFFFFFU); // the highest bits announce a checksum after packets
     PacketFile found;
     for (std::size_t at = kHeader; at < file.size();) {
         found.cutOff = file.size() - at < kRecord || file.size() - at - kRecord < in.u32(at + 8);

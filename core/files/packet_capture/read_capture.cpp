@@ -82,7 +82,7 @@ Result<Scan> scanOfHeard(Heard heard, const char* format, const Source& source) 
     return scan;
 }
 
-/// The scanner's own clock as time, for a stream that has none: it wraps every 71.6 minutes and begins anew with the scanner.
+/// The scanner's own clock as time, for a stream without times: it wraps every 71.6 minutes and restarts with the scanner.
 class DeviceTime {
 public:
     std::int64_t of(const scanner::ColaFrame& frame) {
@@ -99,7 +99,7 @@ private:
 
     void takeUs(std::uint32_t now) {
         const std::int64_t ahead = last_ ? static_cast<std::int32_t>(now - *last_) : 0;
-        us_ += std::max<std::int64_t>(0, ahead); // a clock that was set back stands still for once
+        us_ += std::max<std::int64_t>(0, ahead); // a clock that was set back stops once
         last_ = now;
     }
 
@@ -111,7 +111,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// The streams of one scanner, one behind the other: it may have been connected to anew.
+/// The streams of one scanner, one after the other: a program may have connected to it again.
 struct Speaker {
     Endpoint from;
     std::vector<const TcpStream*> streams;
@@ -245,7 +245,7 @@ Result<Scan> readColaCapture(const Source& source) {
     if (!scan) return scan;
     if (skipped > 0)
         scan->warnings.insert(scan->warnings.begin(), std::to_string(skipped) + " bytes of the stream belong to no whole telegram.");
-    if (scan->acquisition) { // the scanner's clock tells how long things took, not when they were
+    if (scan->acquisition) { // the scanner's clock measures durations and not the time of day
         auto named = std::make_shared<Acquisition>(*scan->acquisition);
         named->startUtc.clear();
         named->endUtc.clear();

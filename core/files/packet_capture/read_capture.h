@@ -11,7 +11,7 @@ namespace edgescan::files {
 /// Bytes that hold a whole telegram within their first part, in either dialect.
 [[nodiscard]] bool looksLikeColaStream(const Source& source);
 
-/// The sweep of the scanner whose telegrams are in it: of the connection with most of them. Warnings tell what is missing in the capture
+/// The sweep of the scanner whose telegrams are in it: of the connection with most of them. Warnings name what is missing in the capture
 /// and what it does not say and was assumed. Error: damaged, or without a scan telegram.
 Result<Scan> readPacketCapture(const Source& source);
 /// The same of the bytes as they came from the scanner, without times.

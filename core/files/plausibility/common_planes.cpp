@@ -23,7 +23,7 @@ constexpr double kLeastMm = 12.0;    // either, at least
 constexpr double kSameDeg = 6.0;     // between normals
 constexpr int kPlanes = 3;
 constexpr int kClearlyMore = 10;  // pieces
-constexpr int kLeastPieces = 150; // a few flat things are no room
+constexpr int kLeastPieces = 150; // a few flat things are not a room
 constexpr int kWallsOneIn = 3;    // pieces on planes, of all; where there are fewer there is no wall to go by
 constexpr double kClearTimes = 1.4;
 

@@ -1,4 +1,4 @@
-// Whether angles and mounting can be right: pieces of a wall or a floor lie on one plane only where they are.
+// Whether angles and mounting can be right: pieces of a wall or a floor are on one plane only then.
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -16,7 +16,7 @@ struct CommonPlanes {
 /// Some tens of milliseconds.
 [[nodiscard]] CommonPlanes commonPlanes(const Scan& scan, const PolarGeometry& geometry);
 
-/// So many more that chance and rough ground are no reason.
+/// So many more that chance and rough ground cannot be the reason.
 [[nodiscard]] bool clearlyFlatter(const CommonPlanes& other, const CommonPlanes& now);
 
 } // namespace edgescan::files

@@ -20,9 +20,9 @@ using Source = OpeningPoint::Source;
 constexpr double kNearestUsualM = 0.3;    // half of all ranges shorter: no draw-bell
 constexpr double kFarthestUsualM = 100.0; // half of all ranges longer: no scanner of rocks
 constexpr const char* kRangeTable = "range CSV";
-constexpr double kCrowded = 0.1; // of the points behind others of their cell
+constexpr double kMostLeftOut = 0.1; // of the points behind others of their cell
 
-// How each unit and each mounting is told. Every sentence below is one that the window translates (resources/languages/collect).
+// The words for each unit and each mounting. Every sentence below is one that the window translates (resources/languages/collect).
 struct Unit {
     double mm;
     const char *taken, *other;
@@ -149,7 +149,7 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
     return point;
 }
 
-/// No surface tells left from right: only who was there can.
+/// No surface distinguishes left from right: only a person who was there can.
 OpeningPoint orderOf(const PolarGeometry& polar, double step, const ReadingOptions& options) {
     OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : Source::Said};
     point.taken = {"line angles from %1 to %2 degrees; whether left and right are exchanged no range tells",
@@ -163,12 +163,12 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
     if (scan.pointsRead == 0 || cloud == nullptr || !cloud->angles || scan.attached.empty()) return std::nullopt;
     const auto step = evenStep(cloud->angles->beamDeg);
     if (!step) return std::nullopt;
-    const double crowded = static_cast<double>(scan.pointsLeftOut) / static_cast<double>(scan.pointsRead);
+    const double leftOut = static_cast<double>(scan.pointsLeftOut) / static_cast<double>(scan.pointsRead);
     OpeningPoint point{"Grid", options.gridStepDeg ? Source::Typed : Source::Guessed};
-    const std::string behind = significantText(100.0 * crowded, 2);
+    const std::string behind = significantText(100.0 * leftOut, 2);
     point.taken = {"projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell",
                    {significantText(std::abs(*step), 3), behind}};
-    if (crowded > kCrowded)
+    if (leftOut > kMostLeftOut)
         point.against = {"%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.",
                          {behind}};
     for (const double times : {0.5, 2.0}) {

@@ -19,7 +19,7 @@ struct OtherReading {
 struct OpeningPoint {
     enum class Source {
         Said,    ///< by the file
-        Typed,   ///< by whoever opened it
+        Typed,   ///< by the person who opened it
         Guessed, ///< found out from the numbers, or taken as usual
     };
     const char* what; ///< "Unit", "Mounting", ...
@@ -30,10 +30,11 @@ struct OpeningPoint {
 };
 
 /// Unit, mounting, angles, order of the lines, grid, and lines out of place, in this order, where they can be otherwise. `options` are
-/// those that the scan was opened with. A file that has to be opened for it is not touched: all is told from the scan. Well below a second.
+/// those that the scan was opened with. A file that has to be opened for it is not touched: everything comes from the scan. Well below a
+/// second.
 [[nodiscard]] std::vector<OpeningPoint> openingCheck(const Scan& scan, const ReadingOptions& options);
 
-/// The point that tells of beams and lines out of place.
+/// The point about beams and lines out of place.
 inline constexpr std::string_view kDisplacedPoint = "Beams and lines";
 
 /// Something speaks against one of them.

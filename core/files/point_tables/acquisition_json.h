@@ -1,4 +1,4 @@
-// Who measured a scan and when, as JSON: it stands in the description of a saved scan.
+// Who measured a scan and when, as JSON, for the description of a saved scan.
 #pragma once
 
 #include "core/base/result.h"

@@ -1,4 +1,4 @@
-// One scalar of a binary record: where it lies and how it is stored.
+// One scalar of a binary record: where it is and how it is stored.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ template <class T>
 
 } // namespace binary
 
-/// Calls take(n, value) for the `count` numbers that lie `stride` bytes from each other.
+/// Calls take(n, value) for the `count` numbers that are `stride` bytes from each other.
 template <class Take>
 void forEachScalar(Scalar scalar, const std::byte* first, std::size_t stride, std::size_t count, bool bigEndian, Take take) {
     const auto all = [&]<class T>(T) {

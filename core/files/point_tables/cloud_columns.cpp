@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostHeaderLines = 4096;
 
-/// Polar points are computed and lie within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
+/// Polar points are computed and are within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
 /// that were read keep every bit, which may take 8 bytes. Large numbers always do: they are mine coordinates.
 bool floatsSuffice(const std::vector<Eigen::Vector3d>& points, bool computed) {
     for (const Eigen::Vector3d& p : points) {
@@ -79,7 +79,7 @@ void placePoints(CloudColumns& cloud, const Scan& scan, const std::vector<CellOf
     Eigen::Matrix3d axes;
     for (int axis = 0; axis < 3; ++axis) axes.col(axis) = placed.local(0, 0, Eigen::Vector3d::Unit(axis)) - zero;
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    cloud.turn = svd.matrixU() * svd.matrixV().transpose(); // without the grid's scale, which is no rotation
+    cloud.turn = svd.matrixU() * svd.matrixV().transpose(); // without the grid's scale, which is not a rotation
 }
 
 /// The cells of a cloud, one per point; the last `attached.size()` are those of the points attached to them.
@@ -88,7 +88,7 @@ struct Chosen {
     std::vector<const AttachedPoint*> attached;
 };
 
-/// Of the cells as they are, and of what is attached from where it stands.
+/// Of the cells as they are, and of attached points from their own places.
 std::vector<float> rangesOfChosen(const Scan& scan, const Chosen& chosen, const CartesianTables& tables) {
     const std::size_t ownPoints = chosen.cells.size() - chosen.attached.size();
     if (ownPoints == scan.cells() && chosen.attached.empty()) return scan.rangeMm.cells; // all of them, in order
@@ -139,7 +139,7 @@ void addCells(CloudColumns& cloud, const Scan& scan, const Chosen& chosen, std::
     intensity.reserve(cells.size());
     for (std::size_t n = 0; n < cells.size() - chosen.attached.size(); ++n)
         intensity.push_back(scan.intensity.at(static_cast<int>(cells[n].line), static_cast<int>(cells[n].beam)));
-    intensity.resize(cells.size(), std::numeric_limits<float>::quiet_NaN()); // points attached to a cell bring none along
+    intensity.resize(cells.size(), std::numeric_limits<float>::quiet_NaN()); // attached points have no intensity
     cloud.columns.push_back({"intensity", std::move(intensity)});
 }
 
@@ -205,14 +205,13 @@ void addClasses(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, cons
     addColumn<std::uint8_t>(cloud, "blue", cells, [&](const CellOfPoint& cell) { return colour(cell).blue; });
 }
 
-void addFilled(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<float>* sdMm) {
-    if (sdMm == nullptr) return;
-    addColumn<float>(cloud, "filled_sd_mm", cells, [&](const CellOfPoint& cell) { return valueAt(*sdMm, cell); });
-}
-
-void addConfidence(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, const Grid<std::uint8_t>* percent) {
-    if (percent == nullptr) return;
-    addColumn<std::uint8_t>(cloud, "confidence", cells, [&](const CellOfPoint& cell) { return valueAt(*percent, cell); });
+void addGiven(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, std::span<const CellColumn> given) {
+    for (const CellColumn& column : given) {
+        const auto add = [&]<class T>(const Grid<T>& values) {
+            addColumn<T>(cloud, column.name, cells, [&](const CellOfPoint& cell) { return valueAt(values, cell); });
+        };
+        std::visit(add, column.values);
+    }
 }
 
 constexpr std::size_t kAtOnce = 8; // cells
@@ -238,7 +237,7 @@ void forEachOfLine(const std::uint8_t* mask, std::size_t beams, Found found) {
     }
 }
 
-/// `mask`: none is wanted where it is 0; null: any may be.
+/// `mask`: cells where it is 0 are left out; null: all cells.
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>* mask, Wanted wanted) {
     Chosen chosen;
@@ -297,26 +296,21 @@ CloudColumns everyCell(const Scan& scan, CoordinateFrame frame) {
 }
 
 CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached,
-                         const Grid<edges::DepthEdge>* classes, const Grid<std::uint32_t>* rocks, const Grid<float>* filledSdMm,
-                         const Grid<std::uint8_t>* confidence) {
+                         const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen valid = validCells(scan, withAttached);
     CloudColumns cloud = columnsFor(scan, valid, false, frame);
     addColumn<std::uint8_t>(cloud, "edge", valid.cells,
                             [&](const CellOfPoint& cell) { return edgeMask != nullptr && valueAt(*edgeMask, cell) != 0 ? 255 : 0; });
-    if (rocks != nullptr)
-        addColumn<std::uint32_t>(cloud, "rock", valid.cells, [&](const CellOfPoint& cell) { return valueAt(*rocks, cell); });
-    addFilled(cloud, valid.cells, filledSdMm);
-    addConfidence(cloud, valid.cells, confidence);
+    addGiven(cloud, valid.cells, given);
     addClasses(cloud, valid.cells, edgeMask, classes);
     return cloud;
 }
 
 CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, CoordinateFrame frame, bool withAttached,
-                        const Grid<edges::DepthEdge>* classes, const Grid<float>* filledSdMm, const Grid<std::uint8_t>* confidence) {
+                        const Grid<edges::DepthEdge>* classes, std::span<const CellColumn> given) {
     const Chosen edges = edgeCellsOf(scan, edgeMask, withAttached);
     CloudColumns cloud = columnsFor(scan, edges, false, frame);
-    addFilled(cloud, edges.cells, filledSdMm);
-    addConfidence(cloud, edges.cells, confidence);
+    addGiven(cloud, edges.cells, given);
     addClasses(cloud, edges.cells, &edgeMask, classes);
     return cloud;
 }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +24,13 @@ namespace edgescan::files {
 struct CloudColumn {
     std::string name; ///< "x", "range_mm" ...
     std::variant<std::vector<float>, std::vector<double>, std::vector<std::uint32_t>, std::vector<std::uint8_t>> values;
+};
+
+/// One value per cell of a scan, lines x beams.
+using CellValues = std::variant<Grid<float>, Grid<std::uint32_t>, Grid<std::uint8_t>>;
+struct CellColumn {
+    const char* name; ///< of the field
+    CellValues values;
 };
 
 struct CloudColumns {
@@ -49,26 +57,24 @@ struct CloudColumns {
 void makeAll(CloudColumns& cloud);
 
 /// All cells, lines x beams: x y z (metres, NaN where not valid), line, beam, range_mm, intensity where the scan has it, state, and the
-/// description. A frame other than Scanner needs the scan's placement; points that were read then stand in scanner_x scanner_y scanner_z as
+/// description. A frame other than Scanner needs the scan's placement; points that were read are then in scanner_x scanner_y scanner_z as
 /// well.
 [[nodiscard]] CloudColumns everyCell(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
 /// The same, where possible with columns that are made as they are written (linesLater). The scan must outlive it.
 [[nodiscard]] CloudColumns everyCellByLines(const Scan& scan, CoordinateFrame frame = CoordinateFrame::Scanner);
 
-/// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, class where `classes` is given, rock where `rocks` is,
-/// filled_sd_mm where `filledSdMm` is (0 = measured), confidence where it is given, and red green blue. `edgeMask` may be null. With
-/// `withAttached` the points that are attached to these cells follow, and a column tells them.
+/// Valid cells: x y z, line, beam, range_mm, intensity as above, edge, those given, class where `classes` is given, and red green blue.
+/// `edgeMask` may be null. With `withAttached` the points that are attached to these cells follow, marked in a column "attached".
 [[nodiscard]] CloudColumns validPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask,
                                        CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                       const Grid<edges::DepthEdge>* classes = nullptr, const Grid<std::uint32_t>* rocks = nullptr,
-                                       const Grid<float>* filledSdMm = nullptr, const Grid<std::uint8_t>* confidence = nullptr);
+                                       const Grid<edges::DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
 
-/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, class and colours as above; and what is attached to them.
+/// Valid cells whose mask is not 0: x y z, line, beam, range_mm, intensity, those given, class and colours as above; and what is attached
+/// to them.
 [[nodiscard]] CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask,
                                       CoordinateFrame frame = CoordinateFrame::Scanner, bool withAttached = false,
-                                      const Grid<edges::DepthEdge>* classes = nullptr, const Grid<float>* filledSdMm = nullptr,
-                                      const Grid<std::uint8_t>* confidence = nullptr);
+                                      const Grid<edges::DepthEdge>* classes = nullptr, std::span<const CellColumn> given = {});
 
 /// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
 [[nodiscard]] CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached);
@@ -77,13 +83,13 @@ void makeAll(CloudColumns& cloud);
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name));
 [[nodiscard]] inline bool isColour(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }
 
-/// What a header tells people of frame, unit, axis order and origin: one line of ASCII.
+/// What a header says of frame, unit, axis order and origin: one line of ASCII.
 [[nodiscard]] std::string frameText(const CloudColumns& cloud);
 
 /// JSON cut into lines short enough for every reader, each behind `mark`: "edgescan {...".
 [[nodiscard]] std::vector<std::string> commentLines(const std::string& json, const std::string& mark = "edgescan ");
 
-/// What stands before provenance in comment lines.
+/// The mark before provenance in comment lines.
 inline constexpr const char* kRecordMark = "edgescan-record ";
 
 /// The provenance in the comment lines of a file; empty when there is none.

@@ -195,7 +195,7 @@ std::optional<std::string> axisAmongWords(std::vector<std::string> words) {
     return std::nullopt;
 }
 
-/// Place in the table; a name that is only found without some of its words stands behind all that are found whole.
+/// Place in the table; a name that is only found without some of its words follows all that are found whole.
 std::optional<std::size_t> rankOf(std::string_view given) {
     const std::size_t whole = rankIn(plain(given));
     if (whole < std::size(kNames)) return whole;

@@ -14,7 +14,7 @@ namespace edgescan::files {
 enum class ColumnRole : std::uint8_t { X, Y, Z, Line, Beam, RangeMm, State, ScannerX, ScannerY, ScannerZ, Intensity, FilledSdMm };
 inline constexpr std::size_t kColumnRoles = 12;
 
-/// Which column has which role; empty where none has.
+/// Which column has which role; empty where no column has it.
 struct NamedColumns {
     std::optional<std::size_t> of[kColumnRoles];
     bool rowsAndColumns = false;  ///< line and beam are called row and column, which programs mean either way
@@ -30,11 +30,11 @@ struct NamedColumns {
 
 /// By the usual names, in any case: x y z, Easting Northing Elevation, E N Z, East North Height, RL ..., line or row or ring, beam or
 /// column or col, intensity or reflectance or RSSI. A column that is the first of its name counts; a role's usual name goes before its
-/// others. Words that all three columns share are no part of a name: "Point X", "pos.x", "Points:0", "cartesianX".
+/// others. Words that all three columns share are not part of a name: "Point X", "pos.x", "Points:0", "cartesianX".
 [[nodiscard]] NamedColumns columnsNamed(std::span<const std::string> names);
 
 /// What the names say the columns hold in place of x, y and z: "angles and ranges", "degrees of latitude and longitude"; empty where the
-/// names do not tell, or where they name x, y and z.
+/// names do not say it, or where they name x, y and z.
 [[nodiscard]] std::optional<std::string> contentsNamed(std::span<const std::string> names);
 
 } // namespace edgescan::files

@@ -31,7 +31,7 @@ namespace edgescan::files {
 struct IntensitySpan {
     double least = 0, greatest = 0;
     bool whole = true;
-    /// 0 .. 1 for PTX: as it is where all lie there, else stretched from the least to the greatest; one half where there is none.
+    /// 0 .. 1 for PTX: as it is where all are in it, else stretched from the least to the greatest; one half where there is none.
     [[nodiscard]] double ofOne(double value) const;
     /// All are whole numbers from 0 to `most`.
     [[nodiscard]] bool fits(double most) const { return whole && least >= 0 && greatest <= most; }

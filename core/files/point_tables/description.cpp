@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kFormat = "edgescan-raw-grid/1";
 constexpr auto kMostCells = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
-constexpr std::size_t kMostCodes = 65536; // as many as 16 bits can tell apart
+constexpr std::size_t kMostCodes = 65536; // as many as 16 bits can distinguish
 const char* const kSeeFormat = "compare it with docs/formats.md, \"Raw grid\"";
 
 std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vector<std::uint32_t> missing) {
@@ -80,7 +80,7 @@ void readStateRuns(JsonFields& fields, GridDescription& grid) {
     }
 }
 
-/// Where the scan stands; it must fit the grid.
+/// The place of the scan; it must fit the grid.
 Result<std::shared_ptr<const Placement>> readPlacement(JsonFields& fields, const GridDescription& grid, const std::string& where) {
     if (!fields.has("placement")) return std::shared_ptr<const Placement>();
     return placementFromJson(fields.value("placement"), grid.lines, where);
@@ -149,6 +149,12 @@ std::optional<PolarGeometry> polarOf(const GridDescription& grid) {
     PolarGeometry polar{anglesOf(*grid.beamDeg, grid.beams), anglesOf(*grid.lineDeg, grid.lines), *grid.axis, grid.lineDirection};
     if (grid.lineSkewDeg) polar.lineSkewDeg = anglesOf(*grid.lineSkewDeg, grid.beams);
     return polar;
+}
+
+bool takesRangesOnly(const std::string& description) {
+    if (description.empty()) return false;
+    const auto grid = parseDescription(description, "");
+    return grid && !grid->sensorM && grid->beamDeg && grid->lineDeg && grid->axis;
 }
 
 void takeDescription(Scan& scan, const GridDescription& grid) {
@@ -223,18 +229,18 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
 
 namespace {
 
-// Whether ranges alone do not say it.
-bool isTold(CellState state) { return state == CellState::Lost || state == CellState::Masked || state == CellState::OutOfWindow; }
+// Whether ranges alone do not express it.
+bool needsStateRun(CellState state) { return state == CellState::Lost || state == CellState::Masked || state == CellState::OutOfWindow; }
 
-constexpr std::size_t kBlock = 256; // cells, of which most blocks have none that is told
+constexpr std::size_t kBlock = 256; // cells; in most blocks the ranges alone say every state
 
-bool isAnyTold(const CellState* states) {
+bool needsAnyStateRun(const CellState* states) {
     static_assert(static_cast<int>(CellState::Valid) == 0 && sizeof(CellState) == 1);
     std::array<std::uint64_t, kBlock / 8> eights;
     std::memcpy(eights.data(), states, kBlock);
     std::uint64_t other = 0;
     for (const std::uint64_t eight : eights) other |= eight;
-    return other != 0 && std::any_of(states, states + kBlock, isTold);
+    return other != 0 && std::any_of(states, states + kBlock, needsStateRun);
 }
 
 } // namespace
@@ -243,12 +249,12 @@ std::vector<StateRun> stateRunsOf(const Scan& scan) {
     std::vector<StateRun> runs;
     const std::vector<CellState>& states = scan.state.cells;
     for (std::size_t k = 0; k < states.size(); ++k) {
-        if (k % kBlock == 0 && k + kBlock <= states.size() && !isAnyTold(states.data() + k)) {
+        if (k % kBlock == 0 && k + kBlock <= states.size() && !needsAnyStateRun(states.data() + k)) {
             k += kBlock - 1;
             continue;
         }
         const CellState state = states[k];
-        if (!isTold(state)) continue;
+        if (!needsStateRun(state)) continue;
         const bool continues = !runs.empty() && runs.back().state == state && runs.back().firstCell + runs.back().cells == k;
         if (continues)
             ++runs.back().cells;

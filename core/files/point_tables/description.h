@@ -22,7 +22,7 @@ struct AngleSteps {
 };
 using AngleList = std::variant<AngleSteps, std::vector<double>>;
 
-/// A run of cells whose state the counts cannot tell (lost, masked, out of window).
+/// A run of cells whose state the counts cannot express (lost, masked, out of window).
 struct StateRun {
     CellState state = CellState::Lost;
     std::uint64_t firstCell = 0;
@@ -57,22 +57,26 @@ Result<GridDescription> parseDescription(std::string_view json, const std::strin
 /// beams have been checked.
 [[nodiscard]] std::optional<PolarGeometry> polarOf(const GridDescription& grid);
 
+/// Whether a file of this program with this description (JSON, or empty) says everything by its columns of ranges and states, because the
+/// angles say the rest: then a reader can skip its x y z, line and beam.
+[[nodiscard]] bool takesRangesOnly(const std::string& description);
+
 /// Unit, codes, note, place and acquisition.
 void takeDescription(Scan& scan, const GridDescription& grid);
 
-/// The states that the counts cannot tell, as far as the scan's cells go.
+/// The states that the counts cannot express, as far as the scan's cells go.
 void applyStateRuns(Scan& scan, const GridDescription& grid);
 
 /// {"start","step"} when that gives back the same doubles, else the list.
 [[nodiscard]] AngleList shortestAngles(const std::vector<double>& degrees);
 
-/// A scan without ranges and points, and without a note, a place and an acquisition: what its description tells is left.
+/// A scan without ranges and points, and without a note, a place and an acquisition: what its description states is left.
 [[nodiscard]] Scan headOf(const Scan& scan);
 
 /// The description of a scan. `dataFile` is named in it when not empty; `indent` as in nlohmann::json::dump (-1 = one line).
 [[nodiscard]] std::string descriptionText(const Scan& scan, const std::string& dataFile, int indent);
 
-/// Runs of the states that a count cannot tell: lost, masked, out of window.
+/// Runs of the states that a count cannot express: lost, masked, out of window.
 [[nodiscard]] std::vector<StateRun> stateRunsOf(const Scan& scan);
 
 /// "lost" -> CellState::Lost.

@@ -23,7 +23,7 @@ constexpr std::array<std::uint64_t, kMostDecimals + 1> kWholeTens{1,       10,  
 constexpr double powerOfTwo(int power) { return std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52U); }
 constexpr double halfStep(int power) { return powerOfTwo(power - 24); } // to the next float
 
-// By power of two: with so many decimals every float is told apart.
+// By power of two: so many decimals distinguish every float.
 constexpr auto kEnough = [] {
     std::array<std::uint8_t, kMostPower - kLeastPower + 1> enough{};
     for (int power = kLeastPower; power <= kMostPower; ++power) {
@@ -101,7 +101,7 @@ char* writeFloat(char* to, char* end, float value) {
         return std::to_chars(to, end, value).ptr;
     *to = '-';
     to += value < 0 ? 1 : 0;
-    // Never rounded up to the next whole number, which would be told with fewer decimals.
+    // Never rounded up to the next whole number, which would be printed with fewer decimals.
     const auto whole = static_cast<std::uint32_t>(size);
     const std::uint64_t part = decimal.number - whole * kWholeTens[decimal.decimals];
     const std::size_t digits =

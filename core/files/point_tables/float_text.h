@@ -1,4 +1,4 @@
-// A float in as few digits as tell it from all others.
+// A float in as few digits as distinguish it from all others.
 #pragma once
 
 namespace edgescan::files {

@@ -23,7 +23,7 @@ std::size_t digitsAt(std::string_view text, std::size_t from) {
     return at - from;
 }
 
-/// What stands between groups of digits; empty: none of these. Blanks that do not break are C2 A0 and E2 80 AF in UTF-8, A0 in Latin-1.
+/// The text between groups of digits; empty: another one. Blanks that do not break are C2 A0 and E2 80 AF in UTF-8, A0 in Latin-1.
 std::string_view markAt(std::string_view text) {
     static constexpr std::array<std::string_view, 9> kMarks{
         "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89", "\xE2\x80\x99", "\xA0", " ", "'", ".", ","};
@@ -39,7 +39,7 @@ std::vector<std::string_view> cutAt(std::string_view line, char separator) {
     return cellsIn(line, layout);
 }
 
-/// Commas within quotes are none of the separators.
+/// Commas within quotes are not separators.
 std::vector<std::string_view> cutAtCommas(std::string_view line) {
     std::vector<std::string_view> cells;
     bool quoted = false;

@@ -23,7 +23,7 @@ enum class Grouped : std::uint8_t { No, Maybe, Yes };
 struct GroupedNumber {
     std::string word;
     std::size_t line = 1;       ///< of the text, from 1
-    bool mayBeDecimals = false; ///< a column of three decimals or none: either reading is possible
+    bool mayBeDecimals = false; ///< a column of numbers with three decimals and numbers without: either reading is possible
 };
 /// Looks at the first rows, cut at semicolons or tabs, else at commas outside quotes, else at blanks. Rows have three numbers at least.
 [[nodiscard]] std::optional<GroupedNumber> findGroupedNumber(std::string_view text);

@@ -48,19 +48,19 @@ EDGESCAN_AVX2 inline std::uint32_t inNumbers(const char* from) {
     return static_cast<std::uint32_t>(_mm256_movemask_epi8(inside));
 }
 
-// A bit for each of 64 bytes that is none of them.
+// A bit for each of 64 bytes that is not one of them.
 EDGESCAN_AVX2 inline std::uint64_t endsWithin(const char* from) {
     return ~(std::uint64_t{inNumbers(from)} | std::uint64_t{inNumbers(from + kBlock / 2)} << 32U);
 }
 
-// The number of `length` bytes, at most 16, at `from`; false where it is no plain one.
+// The number of `length` bytes, at most 16, at `from`; false where it is not a plain one.
 EDGESCAN_AVX2 inline bool plainNumber(const char* from, std::size_t length, double& value) {
     const bool negative = *from == '-';
     from += negative ? 1 : 0;
     length -= negative ? 1 : 0;
     const __m128i bytes = _mm_sub_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)), _mm_set1_epi8('0'));
     const auto points = static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, _mm_set1_epi8('.' - '0'))));
-    const std::size_t point = _tzcnt_u32(points | 1U << length); // of what stands behind the number the first bit is no matter
+    const std::size_t point = _tzcnt_u32(points | 1U << length); // bits after the number do not matter
     const bool hasPoint = point < length;
     const __m128i places = _mm_loadu_si128(reinterpret_cast<const __m128i*>(kPlaces[length][point].data()));
     const __m128i digits = _mm_shuffle_epi8(bytes, places);

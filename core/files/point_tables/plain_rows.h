@@ -10,11 +10,11 @@ namespace edgescan::files {
 inline constexpr std::size_t kPlainRowReach = 128;
 
 struct PlainRow {
-    const char* next = nullptr; ///< where the next row begins; null: this is no plain row, and nothing was read
+    const char* next = nullptr; ///< where the next row begins; null: this is not a plain row, and nothing was read
     std::size_t numbers = 0;
 };
 
-/// Reads the row at `from` into `numbers`; what stands behind as many as there is room for is not looked at. A plain row ends with LF or
+/// Reads the row at `from` into `numbers`; only as many as there is space for; the rest is not looked at. A plain row ends with LF or
 /// CRLF, and holds nan and numbers of at most 15 digits, "-12.345678", with one `separator` between them, or blanks where that is ' '.
 /// The numbers are what std::from_chars gives. Reads no further than `end`.
 using PlainRowReader = PlainRow (*)(const char* from, const char* end, char separator, std::span<double> numbers);

@@ -2,7 +2,7 @@
 #include "core/files/point_tables/point_columns.h"
 
 #include "core/files/point_tables/column_names.h"
-#include "core/files/point_tables/own_scan.h"
+#include "core/files/point_tables/description.h"
 #include "core/files/point_tables/text_layout.h"
 
 #include <algorithm>

@@ -41,7 +41,7 @@ struct PointFields {
 bool readRecords(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                  const Source& source);
 
-/// The same where places alone are wanted and taken away (Source::takePlaces); the table keeps none.
+/// The same where only places are asked for and are given away (Source::takePlaces); the table stays empty.
 bool givePlaces(PointTable& table, const PointFields& fields, std::size_t points, std::span<const std::byte> bytes, bool bigEndian,
                 const Source& source);
 
@@ -79,7 +79,7 @@ private:
 /// Words between blanks.
 [[nodiscard]] std::vector<std::string_view> wordsOf(std::string_view line);
 
-/// A whole number without sign; empty when the word is none or too large.
+/// A whole number without sign; empty when the word is not one, or is too large.
 [[nodiscard]] std::optional<std::uint64_t> wholeNumber(std::string_view word);
 
 } // namespace edgescan::files

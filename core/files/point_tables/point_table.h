@@ -1,4 +1,4 @@
-// Points as any format delivers them, and the scan they become.
+// Points as any format delivers them.
 #pragma once
 
 #include "core/files/grid_recovery/recover_grid.h"
@@ -46,16 +46,6 @@ struct PointTable {
     std::vector<std::uint32_t> line, beam;      ///< of columns of that name, in any file; kNoIndex where there is no whole number
     std::vector<Eigen::Vector3d> scannerPoints; ///< of a cloud in mine coordinates: the points as they were read
 };
-
-/// Cells that an export of ours had filled were measured by nobody: they become no returns, and that is told.
-void takeFilledOut(PointTable& table);
-
-/// A file of our own: every cell in order, bit-exact. An organised cloud: its grid. Any other: the grid that is recognised, or else
-/// the one the points are projected onto. Error: neither, in numbers; a description that does not fit.
-Result<Scan> scanFromPoints(PointTable table, const Source& source);
-
-/// How many points of the file did not end in a cell of their own; empty when all did.
-[[nodiscard]] std::optional<std::string> leftOutSentence(const Scan& scan);
 
 /// Adds one line of a comment to the description when it is ours ("edgescan {..."): true when it was.
 bool addToDescription(std::string_view comment, std::string& description);

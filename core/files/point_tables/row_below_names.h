@@ -15,7 +15,7 @@ namespace edgescan::files {
 /// Rows at the beginning of a text that are looked at to find out how it is laid out.
 inline constexpr std::size_t kSampleRows = 20;
 
-/// The names in a heading, in lower case; a unit in brackets that stands apart belongs to the name before it.
+/// The names in a heading, in lower case; a unit in separate brackets belongs to the name before it.
 [[nodiscard]] std::vector<std::string> namesIn(std::string_view header, const TextLayout& layout);
 
 struct RowBelowNames {

@@ -1,4 +1,4 @@
-// What a reader is given: the bytes of one file, where they came from, and what the user said.
+// What a reader gets: the bytes of one file, where they came from, and what the user said.
 #pragma once
 
 #include "core/base/result.h"
@@ -16,17 +16,17 @@
 namespace edgescan::files {
 
 class Replay;
-/// Called behind every line of a recording that is played.
+/// Called after every line of a recording that is played.
 using LinePlayed = std::function<void(const Replay&)>;
 
 struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
     const ReadingOptions* options = nullptr;
-    bool inMemory = false;   ///< there is no file, and no other may be touched
-    LinePlayed played = {};  ///< called behind every line of a recording
-    bool placesOnly = false; ///< of points x y z alone are wanted: what else stands beside them may be left out
-    /// Of these points: where it is set, a reader may give them away some at a time, in order, instead of keeping them in its table.
+    bool inMemory = false;   ///< there is not a file, and no other file may be touched
+    LinePlayed played = {};  ///< called after every line of a recording
+    bool placesOnly = false; ///< only x y z of the points are asked for: their other columns may be left out
+    /// Where it is set, a reader may pass these points on some at a time, in order, instead of storing them in its table.
     std::function<void(std::span<const Eigen::Vector3d>)> takePlaces = {};
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }

@@ -13,8 +13,8 @@
 namespace edgescan::files {
 namespace {
 
-constexpr std::size_t kMostHeading = 120; ///< bytes of a heading that are told
-constexpr std::size_t kWide = 16;         ///< columns that are no point's
+constexpr std::size_t kMostHeading = 120; ///< bytes of a heading that a message quotes
+constexpr std::size_t kWide = 16;         ///< more columns than a point has
 
 /// Blanks behind it do not count.
 bool endsWith(std::string_view row, char separator) {
@@ -22,7 +22,7 @@ bool endsWith(std::string_view row, char separator) {
     return row.ends_with(separator);
 }
 
-/// "1,5" between blanks or tabs: most words have one comma with a digit on both sides, the others none, and there is no point.
+/// "1,5" between blanks or tabs: most words have one comma with a digit on both sides, the others have no comma, and no word has a point.
 bool hasDecimalCommas(std::string_view row) {
     std::size_t words = 0;
     std::size_t commas = 0;
@@ -138,7 +138,7 @@ bool allRowsEndWith(std::string_view text, std::size_t from, char separator) {
     return true;
 }
 
-/// A separator behind the last cell of the sample may stand before a column that is empty there.
+/// A separator after the last cell of the sample may precede a column that is empty there.
 bool endsInEmptyColumn(std::string_view text, std::string_view header, std::string_view row, TextLayout layout) {
     if (!allRowsEndWith(text, layout.firstByte, layout.separator)) return true;
     layout.trailingSeparator = false;
@@ -146,7 +146,7 @@ bool endsInEmptyColumn(std::string_view text, std::string_view header, std::stri
     return names.size() == cellsIn(row, layout).size() && !names.back().empty();
 }
 
-/// Names of `cells` columns, a label included; none where a line about something else stands there.
+/// Names of `cells` columns, a label included; empty where the line is about something else.
 std::vector<std::string> namesOf(std::string_view header, std::size_t cells, const TextLayout& layout) {
     if (trimmed(header).empty()) return {};
     auto names = namesIn(header, layout);
@@ -175,7 +175,7 @@ void nameColumns(const TextHead& head, std::size_t cells, std::string_view text,
     const std::string_view header = head.header;
     auto names = namesOf(header, cells, layout);
     addUnits(names, head.units, layout);
-    if (names.size() != cells && names.size() + 1 != cells) names.clear(); // a line about something else is no header
+    if (names.size() != cells && names.size() + 1 != cells) names.clear(); // a line about something else is not a header
     const bool pandas = names.size() == cells && cells > 2 && (names[0].empty() || names[0].starts_with("unnamed: 0"));
     const bool counted = names.size() != cells && cells > 3 && firstCellsCount(text, layout);
     layout.labels = layout.labels || pandas || counted;

@@ -18,16 +18,16 @@ namespace edgescan::files {
 [[nodiscard]] constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '"'; }
 
 struct TextLayout {
-    std::size_t firstByte = 0;               ///< where the first row of numbers begins
-    std::size_t firstLine = 1;               ///< its line number, from 1
-    char separator = ' ';                    ///< ' ' = any white space; ',' ';' '\t' may leave cells empty
-    bool decimalComma = false;               ///< 1,5;2,25
-    bool trailingSeparator = false;          ///< every row ends with a separator that begins no cell
-    bool labels = false;                     ///< every row begins with a label or a count (the index of pandas) that is none of its numbers
-    std::size_t columns = 0;                 ///< numbers of the first row
-    std::vector<std::string> names;          ///< of the columns, from the header, lower case; empty when there is none
-    std::string unusedHeading;               ///< what stands there as a heading and does not name as many columns as there are
-    std::vector<bool> mayBeWords;            ///< by column: what stands there is not needed; empty: all are numbers
+    std::size_t firstByte = 0;      ///< where the first row of numbers begins
+    std::size_t firstLine = 1;      ///< its line number, from 1
+    char separator = ' ';           ///< ' ' = any white space; ',' ';' '\t' may leave cells empty
+    bool decimalComma = false;      ///< 1,5;2,25
+    bool trailingSeparator = false; ///< every row ends with a separator that begins no cell
+    bool labels = false;            ///< every row begins with a label or a count (the index of pandas) and not with one of its numbers
+    std::size_t columns = 0;        ///< numbers of the first row
+    std::vector<std::string> names; ///< of the columns, from the header, lower case; empty when there is none
+    std::string unusedHeading;      ///< a heading that does not name as many columns as there are
+    std::vector<bool> mayBeWords;   ///< by column: its text is not needed; empty: all are numbers
     std::optional<std::size_t> promisedRows; ///< a line with one whole number before the rows (.pts)
     std::string description;                 ///< JSON of our own "# edgescan " comment lines
 };
@@ -39,7 +39,7 @@ struct TextLine {
 };
 [[nodiscard]] TextLine textLineAt(std::string_view text, std::size_t from);
 
-/// What tables write where there is no number: "NA", "null", "None" ...; "nan" is a number already.
+/// What tables write in place of a missing number: "NA", "null", "None" ...; "nan" is a number already.
 [[nodiscard]] bool isMissingMark(std::string_view word);
 
 /// Byte offset of the first byte that no text has (NUL, control characters); empty for text.
@@ -77,12 +77,12 @@ public:
     [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
     [[nodiscard]] std::size_t lineNumber() const { return line_; } ///< of the row that next() gave
     [[nodiscard]] double fraction() const;                         ///< of the text that has been read
-    /// Which columns digits() is about; the first three unless told otherwise.
+    /// Which columns digits() is about; the first three by default.
     void measure(std::array<std::size_t, 3> columns) { measured_ = columns; }
     void measureAll() { measured_.reset(); }
-    /// What stands behind the first so many numbers of a row is not looked at.
+    /// Only the first so many numbers of a row are read; the rest is not looked at.
     void takeOnly(std::size_t columns) { mostNumbers_ = columns; }
-    /// What stands before the numbers of the row that next() gave, where the layout has labels.
+    /// The text before the numbers of the row that next() gave, where the layout has labels.
     [[nodiscard]] std::string_view label() const { return label_; }
     /// Of the measured columns of the rows read so far.
     [[nodiscard]] const PrintedDigits& digits() const { return digits_; }

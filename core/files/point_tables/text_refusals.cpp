@@ -13,7 +13,7 @@
 namespace edgescan::files {
 namespace {
 
-constexpr std::size_t kMostQuoted = 40; ///< bytes of a cell that are told
+constexpr std::size_t kMostQuoted = 40; ///< bytes of a cell that a message quotes
 constexpr const char* kPlainNumbers = "save the file with plain numbers, without separators of thousands";
 
 std::string inQuotes(std::string_view cell) {
@@ -26,7 +26,7 @@ std::string inQuotes(std::string_view cell) {
 /// Numbers and words in one row, as total stations write points: "12,350012.33,7650004.10,-812.4,ROCK".
 bool isNumbersAmongWords(std::string_view line) { return std::ranges::count_if(wordsIn(line), isNumber) >= 3; }
 
-/// What stands between the numbers of a row, where it is no separator that is read: "1.5|2.5|3.5", "[1.5 2.5 3.5]".
+/// The text between the numbers of a row, where it is not a separator that is read: "1.5|2.5|3.5", "[1.5 2.5 3.5]".
 std::optional<char> oddSeparatorIn(std::string_view line) {
     static constexpr std::string_view kOdd = "|:/&=()[]{}<>'";
     std::string bare(line);
@@ -39,7 +39,7 @@ std::optional<char> oddSeparatorIn(std::string_view line) {
     return numbers ? std::optional(line[first]) : std::nullopt;
 }
 
-/// Below a heading that names x, y and z: the first cell of these columns that is no number.
+/// Below a heading that names x, y and z: the first cell of these columns that is not a number.
 struct WrongCell {
     std::string cell;
     std::size_t line = 0;

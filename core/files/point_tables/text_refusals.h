@@ -1,4 +1,4 @@
-// Why a text is no list of points, in a sentence that names the cause and the way out.
+// Why a text is not a list of points, in a sentence that names the cause and the remedy.
 #pragma once
 
 #include "core/files/point_tables/number_groups.h"
@@ -14,7 +14,7 @@ namespace edgescan::files {
 
 [[nodiscard]] Error thousandsApart(const Source& source, const GroupedNumber& number);
 
-/// A cell that is no number, in a line (from 1) of the text.
+/// A cell that is not a number, in a line (from 1) of the text.
 [[nodiscard]] Error noNumber(const Source& source, std::size_t line, std::string_view cell);
 
 } // namespace edgescan::files

@@ -49,7 +49,7 @@ std::from_chars_result numberFrom(const char* from, const char* to, double& valu
     return {at, std::errc{}};
 }
 
-// Up to seven digits at once, the first in the lowest byte of the eight that stand there.
+// Up to seven digits at once, the first in the lowest byte of the eight.
 struct EightBytes {
     std::uint64_t value = 0; ///< of the digits
     unsigned count = 0;      ///< of digits; 8: perhaps there are more
@@ -63,7 +63,7 @@ inline EightBytes digitsAt(const char* from) {
     if (others == 0) return {0, 8};
     const unsigned count = static_cast<unsigned>(std::countr_zero(others)) / 8;
     if (count == 0) return {};
-    word <<= 8U * (8U - count); // as if zeros stood before them
+    word <<= 8U * (8U - count); // as if zeros were before them
     // Pairs of digits, of pairs, and of fours.
     word = word * 10U + (word >> 8U);
     word = ((word & 0x000000FF000000FFU) * 0x000F424000000064U + ((word >> 16U) & 0x000000FF000000FFU) * 0x0000271000000001U) >> 32U;
@@ -178,7 +178,7 @@ bool RowReader::readRow(std::vector<double>& numbers) {
     }
 }
 
-/// Past what stands behind the number of a cell; false where the number is needed.
+/// Past the text that follows the number of a cell; false where the number is needed.
 bool RowReader::passRestOf(const char* cell, std::vector<double>& numbers) {
     while (at_ < rowEnd_ && *at_ != layout_->separator) ++at_;
     const std::size_t column = numbers.size() - 1;
@@ -268,7 +268,7 @@ bool RowReader::readCell(std::vector<double>& numbers) {
             at_ = wordEnd;
             return true;
         }
-        // Between other separators a cell may hold blanks: the whole of it tells more.
+        // Between other separators a cell may hold blanks: the whole of it says more.
         while (separator != ' ' && wordEnd < rowEnd_ && *wordEnd != separator) ++wordEnd;
         problem_ = noNumber(*source_, line_, {at_, static_cast<std::size_t>(wordEnd - at_)});
         return false;

@@ -14,7 +14,7 @@ constexpr std::size_t kMostHeadLines = 2000;
 
 bool isSeparator(char c) { return isBlank(c) || c == ',' || c == ';'; }
 
-/// What stands behind the comment sign; empty optional when the line is no comment.
+/// The text after the comment sign; empty optional when the line is not a comment.
 std::optional<std::string_view> commentIn(std::string_view line) {
     const std::string_view text = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
     if (text.starts_with("//")) return text.substr(2);

@@ -26,10 +26,10 @@ std::from_chars_result numberWithFortranExponent(const char* from, const char* t
 /// Nothing but separators, blanks and marks of missing numbers, and at least two cells.
 [[nodiscard]] bool isEmptyRow(std::string_view line);
 
-/// What stands between the separators of a layout, a label included; without the last separator where it begins no cell.
+/// The text between the separators of a layout, a label included; without the last separator where no cell follows it.
 [[nodiscard]] std::vector<std::string_view> cellsIn(std::string_view line, const TextLayout& layout);
 
-/// What stands before the first row of numbers.
+/// The text before the first row of numbers.
 struct TextHead {
     std::size_t firstByte = 0;
     std::size_t firstLine = 0;

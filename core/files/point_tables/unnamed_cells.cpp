@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFewestPoints = 12;
 constexpr double kMostShared = 0.01;  // of the points, in a cell with another one: second returns
 constexpr double kNeighboursAre = 5;  // times nearer than any two points
-constexpr std::size_t kPairs = 20011; // looked at, as many as tell a median
+constexpr std::size_t kPairs = 20011; // looked at, enough for a median
 
 struct PlacedCell {
     std::uint64_t cell = 0;

@@ -1,4 +1,4 @@
-// What somebody who exports may ask of a format besides its frame: one row per choice, for flags, records and dialogs.
+// What an export may ask of a format in addition to its frame: one row per choice, for flags, records and dialogs.
 #pragma once
 
 #include <array>

@@ -173,7 +173,7 @@ std::int64_t RecordingEncoder::publishNs(const RecordingMessage& message) {
     if (!times) return message.hostNs;
     const auto before = static_cast<std::uint32_t>(deviceUs_.value_or(0));
     const std::int64_t ahead = static_cast<std::int32_t>(times->sinceStartUs - before);
-    constexpr std::int64_t kRestartUs = -10'000'000; // a clock set back by more started anew
+    constexpr std::int64_t kRestartUs = -10'000'000; // a clock set back by more was restarted
     if (!deviceUs_ || ahead < kRestartUs) {
         clock_.restart();
         deviceUs_ = times->sinceStartUs;

@@ -1,4 +1,4 @@
-// What a scan holds beyond what telegrams can say, kept as JSON in a recording's metadata.
+// What a scan holds beyond what telegrams can say, stored as JSON in a recording's metadata.
 #pragma once
 
 #include "core/base/result.h"

@@ -22,11 +22,11 @@ namespace {
 using PlainJson = nlohmann::json;
 
 constexpr std::size_t kLongestAnswer = 1024; // of the scanner to what it was asked: its name, its firmware
-constexpr double kStillM = 0.05;             // a base that stands still does not seem to move farther than this ...
+constexpr double kStillM = 0.05;             // a base at rest does not seem to move farther than this ...
 constexpr double kStillDeg = 0.2;            // ... nor to turn by more
 constexpr double kRotationTolerance = 1e-5;
 
-/// Null where the text is none that can be used.
+/// Null where the text cannot be used.
 PlainJson jsonOf(std::string_view text) {
     auto json = parseJson(text, "", kReadingJson);
     return json ? std::move(*json) : PlainJson();
@@ -114,7 +114,7 @@ std::optional<Calibration> calibrationOf(const scanner::SweepMetadata& metadata,
     return std::nullopt;
 }
 
-/// A number of a reading; NaN when it is none or out of all reason.
+/// A number of a reading; NaN when it is not a number or out of all reason.
 double numberOf(const PlainJson& reading, const char* key, const PhysicalLimit& limit) {
     const auto found = reading.find(key);
     if (found == reading.end() || !found->is_number()) return kUnknownTime;
@@ -161,7 +161,7 @@ template <class Reading>
 void keep(std::vector<Reading>& readings, const std::optional<Reading>& reading, int& unusable) {
     if (!reading)
         ++unusable;
-    else if (readings.empty() || reading->timeS > readings.back().timeS) // the same moment twice tells nothing new
+    else if (readings.empty() || reading->timeS > readings.back().timeS) // the same moment twice adds nothing
         readings.push_back(*reading);
 }
 
@@ -180,7 +180,7 @@ void cutToSweep(std::vector<Reading>& readings, double startS, double endS) {
     readings.erase(readings.begin(), first);
 }
 
-/// One or two readings beside the sweep bracket it; a static sweep is told by those within it, where there are any.
+/// One or two readings around the sweep bracket it; a static sweep takes those within it, where there are any.
 template <class Reading>
 void keepWithin(std::vector<Reading>& readings, double startS, double endS) {
     std::vector<Reading> within;
@@ -242,7 +242,7 @@ std::optional<PoseTrack> posesOf(const Recording& recording, double startS, doub
     return std::nullopt;
 }
 
-/// Both, each from a file where one was given. Empty: neither flag was given and the recording does not tell enough.
+/// Both, each from a file where one was given. Empty: neither flag was given and the recording does not say enough.
 struct Known {
     std::optional<Calibration> calibration;
     std::optional<PoseTrack> poses;

@@ -1,4 +1,4 @@
-// What a recording says of its robot: where it stood, how it is built, who measured (docs/recordings.md, "Metadata").
+// What a recording says of its robot: its place, how it is built, who measured (docs/recordings.md, "Metadata").
 #pragma once
 
 #include "core/files/recording/recording.h"
@@ -13,7 +13,7 @@ namespace edgescan::files {
 
 struct RecordedRobot {
     std::optional<Calibration> calibration; ///< metadata R_IA, head_in_robot_m, talin_in_robot_m and their like
-    std::optional<PoseTrack> poses;         ///< messages /inclinometer and /talin that tell of the sweep
+    std::optional<PoseTrack> poses;         ///< messages /inclinometer and /talin that belong to the sweep
     std::vector<std::string> warnings;      ///< what is there and cannot be used
 };
 

@@ -21,7 +21,7 @@ struct RecordedMessage {
 /// Never changed; messages point into the bytes it holds.
 class Recording {
 public:
-    /// Error: cannot be read, is no MCAP, or holds nothing of "sweep/1".
+    /// Error: cannot be read, is not MCAP, or holds nothing of "sweep/1".
     static Result<std::shared_ptr<const Recording>> open(const std::filesystem::path& path);
     static Result<std::shared_ptr<const Recording>> fromBytes(Bytes bytes, const std::string& where);
 

@@ -20,28 +20,11 @@ bool isLine(const RecordedMessage& message) {
 
 } // namespace
 
-bool SweepFeed::frame(const scanner::ColaFrame& frame, std::int64_t hostNs) {
-    if (!scanner::isScanTelegram(frame.payload())) return false;
-    const auto telegram = scanner::decodeScanTelegram(frame);
-    if (!telegram) {
-        if (++undecodable_ == 1) whyUndecodable_ = telegram.error().what;
-        return false;
-    }
-    assembler_.push(*telegram, hostNs);
-    return true;
-}
-
-bool SweepFeed::message(const RecordedMessage& message) {
-    bool line = false;
-    if (message.topic == RecordingTopic::ColaRx) {
-        const std::uint64_t skipped = stream_.counts().skipped;
-        for (const scanner::ColaFrame& received : stream_.push(message.payload)) line = frame(received, message.logNs) || line;
-        if (stream_.waiting() > 0 || stream_.counts().skipped > skipped) ++torn_;
-        if (stream_.waiting() > 0) stream_ = scanner::ColaStream(); // a message holds whole frames: the rest of it is damaged
-    } else if (message.topic == RecordingTopic::Stepper) {
-        if (const auto reading = parseStepper(message.payload, message.logNs)) assembler_.push(*reading);
-    }
-    return line;
+bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message) {
+    if (message.topic == RecordingTopic::ColaRx) return feed.frames(message.payload, message.logNs);
+    if (message.topic != RecordingTopic::Stepper) return false;
+    if (const auto reading = parseStepper(message.payload, message.logNs)) feed.assembler().push(*reading);
+    return false;
 }
 
 namespace {
@@ -66,7 +49,7 @@ Replay::Replay(std::shared_ptr<const Recording> recording, const ReadingOptions&
     settings_ = found.settings;
     sayAssumed(settings_, options);
     warnings_.insert(warnings_.end(), found.warnings.begin(), found.warnings.end());
-    feed_ = SweepFeed(settings_);
+    feed_ = scanner::SweepFeed(settings_);
     for (std::size_t i = 0; i < recording_->messages().size(); ++i) {
         if (isLine(recording_->messages()[i])) lineAt_.push_back(i);
     }
@@ -80,7 +63,7 @@ std::int64_t Replay::timeNs(int line) const {
 
 void Replay::playOne() {
     const std::size_t message = next_++;
-    feed_.message(recording_->messages()[message]);
+    feedMessage(feed_, recording_->messages()[message]);
     const auto line = static_cast<std::size_t>(position_);
     if (line < lineAt_.size() && lineAt_[line] == message) ++position_;
     if (atEnd()) feed_.assembler().finish();
@@ -94,11 +77,11 @@ bool Replay::step() {
 
 void Replay::seek(int line) {
     if (line < position_) {
-        feed_ = SweepFeed(settings_);
+        feed_ = scanner::SweepFeed(settings_);
         next_ = 0;
         position_ = 0;
     }
-    // What stands between this line and the next one (the stepper's report of it) belongs to this line.
+    // The messages between this line and the next one (the stepper's report of it) belong to this line.
     const auto behind = static_cast<std::size_t>(std::max(line, 0));
     const std::size_t end = behind < lineAt_.size() ? lineAt_[behind] : recording_->messages().size();
     while (next_ < end) playOne();

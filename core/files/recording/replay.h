@@ -3,36 +3,14 @@
 
 #include "core/files/point_tables/source.h"
 #include "core/files/recording/recording.h"
-#include "core/scanner/sweep_assembly/sweep.h"
+#include "core/scanner/sweep_assembly/sweep_feed.h"
 
 #include <functional>
 
 namespace edgescan::files {
 
-/// Feeds what was received into an assembler: the one path for live, replay and opening.
-class SweepFeed {
-public:
-    explicit SweepFeed(const scanner::SweepSettings& settings) : assembler_(settings) {}
-
-    /// One received frame; bytes that are no scan telegram are ignored. True when it brought a line.
-    bool frame(const scanner::ColaFrame& frame, std::int64_t hostNs);
-    bool message(const RecordedMessage& message);
-
-    [[nodiscard]] scanner::SweepAssembler& assembler() { return assembler_; }
-    [[nodiscard]] const scanner::SweepAssembler& assembler() const { return assembler_; }
-    /// Scan telegrams that could not be decoded.
-    [[nodiscard]] std::int64_t undecodable() const { return undecodable_; }
-    /// Messages of a recording with bytes that are no whole frame.
-    [[nodiscard]] std::int64_t torn() const { return torn_; }
-    /// What was wrong with the first of them.
-    [[nodiscard]] const std::string& whyUndecodable() const { return whyUndecodable_; }
-
-private:
-    scanner::ColaStream stream_;
-    scanner::SweepAssembler assembler_;
-    std::int64_t undecodable_ = 0, torn_ = 0;
-    std::string whyUndecodable_;
-};
+/// Feeds a message of a recording: a telegram or a reading of the stepper. True if it contained a line.
+bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message);
 
 /// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
 class Replay {
@@ -46,7 +24,7 @@ public:
     /// Lines played so far.
     [[nodiscard]] int position() const { return position_; }
     [[nodiscard]] bool atEnd() const { return next_ == recording_->messages().size(); }
-    /// When line `line` was received; recordings say so even where nothing else tells the time.
+    /// When line `line` was received; recordings hold it even where nothing else gives the time.
     [[nodiscard]] std::int64_t timeNs(int line) const;
 
     /// The next line with all that belongs to it. False at the end.
@@ -56,7 +34,7 @@ public:
 
     [[nodiscard]] std::shared_ptr<const Scan> snapshot() { return feed_.assembler().snapshot(); }
     [[nodiscard]] scanner::SweepProgress progress() const { return feed_.assembler().progress(); }
-    [[nodiscard]] SweepFeed& feed() { return feed_; }
+    [[nodiscard]] scanner::SweepFeed& feed() { return feed_; }
     /// What the recording and its settings gave reason to say.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -67,13 +45,13 @@ private:
     scanner::SweepSettings settings_;
     std::vector<std::string> warnings_;
     std::vector<std::size_t> lineAt_; // message of each line
-    SweepFeed feed_;
+    scanner::SweepFeed feed_;
     std::size_t next_ = 0; // message
     int position_ = 0;
 };
 
 /// A sweep of this recording, whole or growing, as it is shown and measured: with the grid, the scanner and the place that the recording
-/// names beside its telegrams. `where` goes into errors.
+/// names in addition to its telegrams. `where` goes into errors.
 Result<Scan> describedSweep(Scan sweep, const Recording& recording, const std::string& where, const ReadingOptions& options);
 
 /// Plays all of a recording and gives the sweep of which most lines were received. Warnings say what is missing: INCOMPLETE n/N, lost

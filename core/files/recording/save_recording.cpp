@@ -144,7 +144,7 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
     if (!scan.note.empty()) metadata["note"] = scan.note;
     const auto messages = messagesOf(scan, *polar, where);
     if (!messages) return messages.error();
-    // What telegrams cannot say (uneven beams, masked cells ...) is described beside them.
+    // What telegrams cannot say (uneven beams, masked cells ...) is described in the metadata.
     const bool more = scan.placement != nullptr || scan.acquisition != nullptr;
     for (const bool described : {false, true}) {
         if (more && !described) continue;

@@ -9,7 +9,7 @@
 
 namespace edgescan::files {
 
-/// Opens again as the same ranges, states and angles. Error: a range is no whole count of unitMm up to 65535, the scan has no angles,
+/// Opens again as the same ranges, states and angles. Error: a range is not a whole count of unitMm up to 65535, the scan has no angles,
 /// or more beams or lines than telegrams can carry. `where` goes into the error.
 Result<Bytes> recordingOf(const Scan& scan, const std::string& where);
 

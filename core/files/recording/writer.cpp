@@ -70,7 +70,7 @@ struct RecordingWriter::Work {
     std::optional<SteadyClock::time_point> unsyncedSince;   // when the oldest byte was written that is not synced
     std::optional<SteadyClock::time_point> writtenSinceAsk; // the same of those written since the last sync began
     bool closing = false;
-    bool abandoned = false; // nobody waits for the disk any more
+    bool abandoned = false; // no thread waits for the disk any more
     bool allWritten = false, allSynced = false;
 };
 

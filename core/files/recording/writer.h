@@ -14,7 +14,7 @@
 
 namespace edgescan::files {
 
-/// Host times of a recording: they start at the clock on the wall and run on evenly even when somebody sets that clock.
+/// Host times of a recording: they start at the system's clock and run on evenly even when that clock is set.
 class RecordingClock {
 public:
     explicit RecordingClock(scanner::HostTime start = scanner::hostNow()) : start_(start) {}
@@ -47,7 +47,7 @@ struct RecordingState {
 [[nodiscard]] std::string lagText(const RecordingState& state);
 
 /// Writes a recording. At most a quarter of a second waits to be written; after kill -9 the file opens with all before that. The disk is
-/// asked to keep it (fdatasync) by a thread of its own, for all that was written meanwhile at once: a slow disk holds nobody up.
+/// asked to keep it (fdatasync) by a thread of its own, for all that was written meanwhile at once: a slow disk delays no other thread.
 class RecordingWriter {
 public:
     struct Options {

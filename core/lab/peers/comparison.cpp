@@ -135,8 +135,8 @@ void medianSteps(ComparedMethod& method, const std::vector<ComparedSteps>& all) 
 }
 
 // Tries the threshold of the settings, and those that give a third to three times as many edges as the truth has.
-std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const edges::Settings& settings, const TruthSet& truth,
-                                           double tolerance) {
+std::optional<BestThreshold> bestThreshold(const std::shared_ptr<const Scan>& scan, const edges::Settings& settings,
+                                           const sim::TruthSet& truth, double tolerance) {
     const edges::ThresholdMap map = edges::thresholdMapOf(*edges::detectEdges(scan, settings));
     const edges::Parameter& swept = edges::sweptParameter(settings.method);
     std::vector<double> highest;
@@ -214,7 +214,7 @@ std::vector<std::string> comparedKeys() {
     return keys;
 }
 
-std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
+std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const sim::TruthSet* truth,
                                            const ComparisonSettings& settings, const ComparisonProgress& progress) {
     std::vector<ComparedMethod> methods = wantedMethods(*scan, settings.only);
     const std::size_t own = methods.size();

@@ -69,7 +69,7 @@ inline constexpr const char* kAsMeasuredKey = "edgescan+as-measured";
 using ComparisonProgress = std::function<bool(const char* name, double fraction)>;
 
 /// `truth` may be null. A PCL method that cannot run gives the reason in its note.
-[[nodiscard]] std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const TruthSet* truth,
+[[nodiscard]] std::vector<ComparedMethod> compareMethods(const std::shared_ptr<const Scan>& scan, const sim::TruthSet* truth,
                                                          const ComparisonSettings& settings, const ComparisonProgress& progress = {});
 
 } // namespace edgescan::lab

@@ -5,7 +5,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/inspect/registration/point_index.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ std::optional<Grid<std::uint8_t>> thinnedWith(std::size_t places, const inspect:
     }
     std::ranges::sort(highest, std::greater<>());
     highest.erase(std::unique(highest.begin(), highest.end()), highest.end());
-    const auto at = [&](std::size_t n) { return thinned(edges::edgesAt(map, highest[n])); };
+    const auto at = [&](std::size_t n) { return sim::thinned(edges::edgesAt(map, highest[n])); };
     std::size_t first = 0, end = highest.size();
     while (first < end) {
         const std::size_t middle = first + (end - first) / 2;
@@ -115,8 +115,8 @@ std::vector<MethodRepeatability> methodRepeatability(const inspect::PlacedScan& 
     const std::string ours = edges::traitsOf(edges::Method::EdgeScanPlus).key;
     const auto referenceA = named(ofA, ours);
     const auto referenceB = named(ofB, ours);
-    const Grid<std::uint8_t> thinOfA = referenceA != ofA.end() ? thinned(referenceA->mask) : Grid<std::uint8_t>();
-    const Grid<std::uint8_t> thinOfB = referenceB != ofB.end() ? thinned(referenceB->mask) : Grid<std::uint8_t>();
+    const Grid<std::uint8_t> thinOfA = referenceA != ofA.end() ? sim::thinned(referenceA->mask) : Grid<std::uint8_t>();
+    const Grid<std::uint8_t> thinOfB = referenceB != ofB.end() ? sim::thinned(referenceB->mask) : Grid<std::uint8_t>();
     std::vector<MethodRepeatability> rows;
     for (const ComparedMethod& method : ofA) {
         const auto other = named(ofB, method.key);

@@ -89,7 +89,7 @@ Grid<Rgb> edgesSheet(const Scan& scan, const std::vector<ComparedMethod>& method
     return exports::contactSheet(tiles, look);
 }
 
-Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
+Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const sim::EdgeTruth& truth, double tolerance) {
     const EdgeMatches matches = matchWithTruth(mask, truth, tolerance);
     Grid<std::uint8_t> marks(mask.lines, mask.beams);
     Grid<std::uint8_t> matched(mask.lines, mask.beams);
@@ -105,7 +105,7 @@ Grid<std::uint8_t> truthMarks(const Grid<std::uint8_t>& mask, const EdgeTruth& t
     return marks;
 }
 
-Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const EdgeTruth& truth, double tolerance) {
+Grid<Rgb> truthSheet(const Scan& scan, const std::vector<ComparedMethod>& methods, const sim::EdgeTruth& truth, double tolerance) {
     const Grid<std::uint8_t> gray = edges::grayImage(scan, edges::Settings{}).levels;
     std::vector<exports::SheetTile> tiles;
     for (const ComparedMethod& method : methods) {

@@ -30,13 +30,13 @@ constexpr std::array<Group, 5> kGroups{{{"occluding", &EdgeScore::occluding},
                                         {"all", &EdgeScore::all},
                                         {"strict_outline", &EdgeScore::strictOutline}}};
 
-std::vector<ScoredOutline> rockOutlines(const EdgeMatches& matches, const TruthSet& truth) {
+std::vector<ScoredOutline> rockOutlines(const EdgeMatches& matches, const sim::TruthSet& truth) {
     if (truth.object.size() == 0) return {};
     std::vector<std::size_t> cells(65536);
     std::vector<std::size_t> found(65536);
     const auto counts = [&](std::size_t k) {
         const std::uint8_t c = truth.edges.edgeClass[k];
-        return c != 0 && c != static_cast<std::uint8_t>(EdgeClass::Crease) && truth.edges.ignore[k] == 0;
+        return c != 0 && c != static_cast<std::uint8_t>(sim::EdgeClass::Crease) && truth.edges.ignore[k] == 0;
     };
     for (std::size_t k = 0; k < truth.object.size(); ++k) {
         if (counts(k)) ++cells[truth.object[k]];
@@ -51,7 +51,7 @@ std::vector<ScoredOutline> rockOutlines(const EdgeMatches& matches, const TruthS
     return result;
 }
 
-std::vector<double> errorsMm(const EdgeMatches& matches, const TruthSet& truth, const Scan& scan) {
+std::vector<double> errorsMm(const EdgeMatches& matches, const sim::TruthSet& truth, const Scan& scan) {
     if (truth.cleanMm.size() == 0) return {};
     const CartesianTables tables(scan);
     std::vector<double> errors;
@@ -109,7 +109,7 @@ Evaluation& Evaluation::operator+=(const Evaluation& other) {
     return *this;
 }
 
-double prattMerit(const Grid<std::uint8_t>& thin, const EdgeTruth& truth) {
+double prattMerit(const Grid<std::uint8_t>& thin, const sim::EdgeTruth& truth) {
     Grid<std::uint8_t> background(thin.lines, thin.beams, 255);
     std::size_t wanted = 0;
     for (std::size_t k = 0; k < thin.size(); ++k) {
@@ -133,7 +133,7 @@ double prattMerit(const Grid<std::uint8_t>& thin, const EdgeTruth& truth) {
     return most == 0 ? 1.0 : sum / static_cast<double>(most);
 }
 
-Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const TruthSet& truth, const Scan* scan, double tolerance) {
+Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const sim::TruthSet& truth, const Scan* scan, double tolerance) {
     const EdgeMatches matches = matchWithTruth(mask, truth.edges, tolerance);
     return {scoreMatches(matches, truth.edges), rockOutlines(matches, truth),
             scan != nullptr ? errorsMm(matches, truth, *scan) : std::vector<double>(), prattMerit(matches.thin, truth.edges), 1};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lab/score/score.h"
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -33,11 +33,11 @@ struct Evaluation {
 };
 
 /// `scan` may be null: then there are no errors in 3D. `mask`: 255 = edge. `tolerance`: cells.
-[[nodiscard]] Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const TruthSet& truth, const Scan* scan, double tolerance);
+[[nodiscard]] Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const sim::TruthSet& truth, const Scan* scan, double tolerance);
 
 /// Pratt's figure of merit (1978): sum over the detections of 1 / (1 + d^2 / 9) divided by the larger of the two counts; d is the distance
 /// to the nearest true cell, in cells. Cells that are not scored are left out. 1 if there are no true cells and no detections.
-[[nodiscard]] double prattMerit(const Grid<std::uint8_t>& thin, const EdgeTruth& truth);
+[[nodiscard]] double prattMerit(const Grid<std::uint8_t>& thin, const sim::EdgeTruth& truth);
 
 /// A method over its thresholds, on several scans.
 struct ThresholdSweep {

@@ -4,8 +4,8 @@
 #include "core/base/bounded_json.h"
 #include "core/base/json_fields.h"
 #include "core/base/whole_file.h"
-#include "core/lab/score/truth_files.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -67,7 +67,7 @@ Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder) {
     for (const Picture& picture :
          {Picture{"object.png", &object, true}, Picture{"range_clean.png", &truth.cleanMm, true},
           Picture{"tear_beam.png", &truth.tearToBeamMm, false}, Picture{"tear_line.png", &truth.tearToLineMm, false}}) {
-        auto grid = readTruthNumbers(folder / picture.name);
+        auto grid = sim::readTruthNumbers(folder / picture.name);
         if (!grid) return grid.error();
         *picture.grid = std::move(*grid);
         if (picture.grid->size() == 0 && picture.needed) return Error{"it is not there", (folder / picture.name).string(), kHint};
@@ -82,8 +82,8 @@ Result<TrueRocks> readTrueRocks(const std::filesystem::path& folder) {
 
 TrueRocks trueRocksOf(const sim::Simulation& simulation) {
     const sim::SimulationTruth& known = *simulation.truth;
-    const TruthSet set = truthSetOf(simulation);
-    TrueRocks truth{{}, set.cleanMm, wholeTears(known.toNextBeam), wholeTears(known.toNextLine), {}};
+    const sim::TruthSet set = sim::truthSetOf(simulation);
+    TrueRocks truth{{}, set.cleanMm, sim::wholeTears(known.toNextBeam), sim::wholeTears(known.toNextLine), {}};
     for (const auto& rock : known.rocks)
         truth.rocks.push_back(
             {static_cast<std::uint32_t>(rock.object), rock.centreM.cast<double>(), {rock.spansM[0], rock.spansM[1], rock.spansM[2]}});

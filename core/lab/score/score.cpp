@@ -2,7 +2,7 @@
 #include "core/lab/score/score.h"
 
 #include "core/lab/score/match.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <array>
 
@@ -50,22 +50,22 @@ EdgeScore& EdgeScore::operator+=(const EdgeScore& other) {
     return *this;
 }
 
-EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance) {
+EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const sim::EdgeTruth& truth, double tolerance) {
     // A true cell that is not scored can also be matched: then the detection is not a false alarm, and the match does not count.
     Grid<std::uint8_t> every(mask.lines, mask.beams);
     Grid<std::uint8_t> outline(mask.lines, mask.beams);
     for (std::size_t k = 0; k < every.size(); ++k) {
         const std::uint8_t c = truth.edgeClass[k];
         every[k] = c != 0 ? 255 : 0;
-        outline[k] = c != 0 && c != static_cast<std::uint8_t>(EdgeClass::Crease) ? 255 : 0;
+        outline[k] = c != 0 && c != static_cast<std::uint8_t>(sim::EdgeClass::Crease) ? 255 : 0;
     }
-    EdgeMatches matches{thinned(mask), {}, {}};
+    EdgeMatches matches{sim::thinned(mask), {}, {}};
     matches.all = matchEdges(matches.thin, every, tolerance);
     matches.outline = matchEdges(matches.thin, outline, tolerance);
     return matches;
 }
 
-EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth) {
+EdgeScore scoreMatches(const EdgeMatches& matches, const sim::EdgeTruth& truth) {
     ClassCounts wanted{};
     for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
         if (truth.ignore[k] == 0) ++wanted[truth.edgeClass[k]];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lab/score/match.h"
-#include "core/lab/score/truth.h"
+#include "core/sim/truth/truth.h"
 
 #include <vector>
 
@@ -38,7 +38,7 @@ struct EdgeMatches {
 };
 
 /// `mask`: 255 = edge; it is thinned here. `tolerance`: cells.
-[[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const EdgeTruth& truth, double tolerance);
-[[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const EdgeTruth& truth);
+[[nodiscard]] EdgeMatches matchWithTruth(const Grid<std::uint8_t>& mask, const sim::EdgeTruth& truth, double tolerance);
+[[nodiscard]] EdgeScore scoreMatches(const EdgeMatches& matches, const sim::EdgeTruth& truth);
 
 } // namespace edgescan::lab

@@ -18,7 +18,7 @@ constexpr double kFewest = 0.85;       // the scan itself gives more than 0.9, a
 
 // Share of the ranges (without isolated cells) that agree with the clean ranges: within five standard deviations of the scan's own noise +
 // 1 % + 20 mm. Near 1 for the scan itself with any noise, drop-outs, dust or slips; 1 if the truth has no clean ranges.
-double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
+double shareOfTrueRanges(const Scan& scan, const sim::TruthSet& truth) {
     if (truth.cleanMm.size() == 0) return 1.0;
     const InverseRange inverse = inverseRange(scan);
     const RangeNoise noise = rangeNoise(inverse);
@@ -40,7 +40,7 @@ double shareOfTrueRanges(const Scan& scan, const TruthSet& truth) {
 
 } // namespace
 
-Result<Done> checkTruthFits(const Scan& scan, const TruthSet& truth, const std::string& folder) {
+Result<Done> checkTruthFits(const Scan& scan, const sim::TruthSet& truth, const std::string& folder) {
     const double share = shareOfTrueRanges(scan, truth);
     if (share >= kFewest) return Done{};
     return Error{"the truth is of another scene: " + std::to_string(std::lround(100 * share)) + " % of the ranges of " + scan.path +

@@ -1,7 +1,6 @@
 // Collects the inputs of rock detection.
 #include "core/rocks/segmentation/inputs.h"
 
-#include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/settings/method_traits.h"
 
 namespace edgescan::rocks {
@@ -11,12 +10,11 @@ Inputs rockInputs(const edges::Detection& detection) {
     if (inputs.surface && inputs.responses && inputs.cracks) return inputs;
     edges::Settings settings = detection.settings;
     if (!edges::reads(settings.method, edges::kReadsSurface)) settings.method = edges::Method::EdgeScanPlus;
-    const edges::DepthEdgeSettings depth = edges::depthEdgeSettings(settings);
     if (!inputs.surface)
         inputs.surface =
-            std::make_shared<const edges::DepthSurface>(edges::depthSurface(*inputs.scan, depth.straighten, 0, depth.noiseKind));
+            std::make_shared<const edges::DepthSurface>(edges::depthSurface(*inputs.scan, settings.straighten, 0, settings.noiseKind));
     auto cracks = std::make_shared<edges::DepthCracks>();
-    inputs.responses = std::make_shared<const edges::DepthResponses>(edges::depthResponses(*inputs.surface, depth, cracks.get()));
+    inputs.responses = std::make_shared<const edges::DepthResponses>(edges::depthResponses(*inputs.surface, settings, cracks.get()));
     inputs.cracks = std::move(cracks);
     return inputs;
 }

@@ -1,4 +1,4 @@
-// The table of what can be turned about rocks.
+// The table of the settings for rocks.
 #include "core/rocks/selection/rock_settings.h"
 
 #include "core/base/json_fields.h"
@@ -19,16 +19,15 @@ constexpr std::size_t kMostCorners = 1000;
 
 constexpr std::array kRockParameters{
     RockParameter{"level", "Fine to coarse", "", "From which evidence on two pieces are two rocks: lower cuts more, higher joins more.", -4,
-                  4, 0.1, 1, [](const RockSettings& s) { return s.level; }, [](RockSettings& s, double v) { s.level = v; }},
+                  4, 0.1, 1, EDGESCAN_NUMBER(RockSettings, level)},
     RockParameter{"min-cells", "Smallest rock", "cells", "Pieces of fewer measured cells are fines and no rocks.", 20, 100000, 1, 0,
-                  [](const RockSettings& s) { return static_cast<double>(s.minimumCells); },
-                  [](RockSettings& s, double v) { s.minimumCells = static_cast<int>(std::lround(v)); }},
+                  EDGESCAN_NUMBER(RockSettings, minimumCells)},
     RockParameter{"farthest", "Farthest rock", "m", "What lies farther away is no rock.", 0.5, 100, 0.5, 1,
-                  [](const RockSettings& s) { return s.farthestM; }, [](RockSettings& s, double v) { s.farthestM = v; }},
+                  EDGESCAN_NUMBER(RockSettings, farthestM)},
     RockParameter{"largest", "Largest size expected", "m", "Pieces that are larger need better signs of being a rock and not a wall.", 0.1,
-                  50, 0.1, 1, [](const RockSettings& s) { return s.largestM; }, [](RockSettings& s, double v) { s.largestM = v; }},
+                  50, 0.1, 1, EDGESCAN_NUMBER(RockSettings, largestM)},
     RockParameter{"oversize", "Oversize", "m", "The share of rocks whose visible width is larger is told; 0 tells none.", 0, 50, 0.1, 2,
-                  [](const RockSettings& s) { return s.oversizeM; }, [](RockSettings& s, double v) { s.oversizeM = v; }},
+                  EDGESCAN_NUMBER(RockSettings, oversizeM)},
 };
 
 } // namespace
@@ -90,7 +89,7 @@ Result<RockSettings> rockSettingsFromJson(const nlohmann::json& object, const st
     if (!object.is_object()) return Error{"the settings of rocks are not a JSON object", where, "write {\"level\": 0, ...}"};
     JsonFields fields(object, where, "write {\"level\": 0, \"min-cells\": 100, ...}");
     RockSettings settings;
-    for (const RockParameter& p : rockParameters()) p.set(settings, fields.number(p.key, p.get(settings), {p.minimum, p.maximum}));
+    for (const RockParameter& p : rockParameters()) p.set(settings, fields.number(p.key, p.get(settings), p.limits()));
     for (const nlohmann::json& corner : fields.value("region")) {
         const auto isIndex = [](const nlohmann::json& n) { return n.is_number_integer() && n >= 0 && n <= kMostLines; };
         const bool isPair = corner.is_array() && corner.size() == 2 && isIndex(corner[0]) && isIndex(corner[1]);

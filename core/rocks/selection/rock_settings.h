@@ -1,7 +1,8 @@
-// What the operator can turn about rocks, and its table: flags, sliders, help and records follow.
+// The settings for rocks and their table, from which flags, sliders, help and records are made.
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/table_row.h"
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -20,41 +21,30 @@ struct RegionCorner {
 };
 
 struct RockSettings {
-    double level = 0.0;      ///< log odds up to which two pieces are one rock: -4 fine .. 4 coarse
-    int minimumCells = 100;  ///< measured cells; smaller ones are fines
-    double farthestM = 15.0; ///< what lies farther away is no rock
-    double largestM = 2.5;   ///< largest size expected on this site; what is larger needs better signs of being a rock
-    double oversizeM = 0.0;  ///< visible width over which a rock is too large for this site; 0: not said
-    /// Cells of a picture of lines x beams, corners included. Empty: everything; two: opposite corners of a rectangle; more: a polygon.
-    /// What lies mostly outside counts neither as rock nor as anything else.
+    double level = 0.0;      ///< log odds up to which two pieces are joined to one rock: -4 fine .. 4 coarse
+    int minimumCells = 100;  ///< fewer measured cells: fines
+    double farthestM = 15.0; ///< m: a region farther away is not classified as a rock
+    double largestM = 2.5;   ///< m: largest expected size on this site; a larger region needs stronger evidence to be a rock
+    double oversizeM = 0.0;  ///< m: visible width above which a rock is oversize on this site; 0: not given
+    /// Cells of a picture of lines x beams, including the corners. Empty: everything; two: opposite corners of a rectangle; more: a
+    /// polygon. Regions mostly outside are not classified at all.
     std::vector<RegionCorner> region = {};
 
     bool operator==(const RockSettings&) const = default;
 };
 
-struct RockParameter {
-    const char* key; ///< flag without "--", key in records
-    const char* label;
-    const char* unit;
-    const char* help; ///< one sentence
-    double minimum;
-    double maximum;
-    double step;
-    int decimals;
-    double (*get)(const RockSettings&);
-    void (*set)(RockSettings&, double);
-};
+using RockParameter = TableRow<RockSettings>;
 
-/// All but the region, in the order in which they are shown.
+/// All settings except the region, in the order in which they are shown.
 [[nodiscard]] std::span<const RockParameter> rockParameters();
 
-/// "LINE,BEAM LINE,BEAM ...": two corners or more. Error: something else.
+/// "LINE,BEAM LINE,BEAM ...": two or more corners. Error: the text has another form.
 Result<std::vector<RegionCorner>> parseRegion(std::string_view text);
 
-/// "--level 1 --region '0,0 9,9'": what is not as usual, for a POSIX shell.
+/// "--level 1 --region '0,0 9,9'": the settings that differ from the defaults, for a POSIX shell.
 [[nodiscard]] std::string rockSettingsFlags(const RockSettings& settings);
 
-/// {"level": 0, ..., "region": [[line, beam], ...]}; and back. Error: unknown key, outside the limits; `where` goes into it.
+/// {"level": 0, ..., "region": [[line, beam], ...]}; and back. Error: unknown key, outside the limits; the error names `where`.
 [[nodiscard]] nlohmann::ordered_json rockSettingsToJson(const RockSettings& settings);
 Result<RockSettings> rockSettingsFromJson(const nlohmann::json& object, const std::string& where);
 

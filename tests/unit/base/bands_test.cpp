@@ -1,4 +1,4 @@
-// Work shared out: each share is done once, whoever asks at the same time; what throws is thrown where it was asked for.
+// Parallel work: each share is done once, also with several callers at once; exceptions reach the caller.
 #include "core/base/bands.h"
 
 #include <gtest/gtest.h>
@@ -38,13 +38,13 @@ TEST(Shares, WhatOneThrowsIsThrownAfterAllAreDone) {
                  std::runtime_error);
     EXPECT_EQ(done, 50);
     endSecondThread();
-    endSecondThread(); // there is none
+    endSecondThread(); // the thread does not exist
     runInParallel(2, [&done](int) { ++done; });
     EXPECT_EQ(done, 52);
     endSecondThread();
 }
 
-// As a batch in Python does: the copy has no second thread, and must not wait for it.
+// As in a batch run from Python: the copy has no second thread, and must not wait for it.
 TEST(Shares, ACopyOfTheProcessStartsItsOwn) {
 #ifdef __SANITIZE_THREAD__
     GTEST_SKIP() << "the thread sanitizer starts no thread in a copied process";

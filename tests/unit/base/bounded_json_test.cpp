@@ -1,4 +1,4 @@
-// JSON from outside: its depth, size and keys are bounded, and whatever is wrong is one sentence.
+// JSON from outside: depth, size and keys are bounded, and every fault gives one sentence.
 #include "core/base/bounded_json.h"
 
 #include "core/base/json_fields.h"
@@ -64,7 +64,7 @@ TEST(BoundedJson, WhatIsOutOfBoundsIsASentence) {
     expectRefusal(std::string(101, ' '), "too large", {100, 7, 10});
     std::string keys = "{\"k0\":0";
     for (int n = 1; n < 5000; ++n) keys += ",\"k" + std::to_string(n) + "\":0";
-    expectRefusal(keys + "}", "too many keys"); // of one object
+    expectRefusal(keys + "}", "too many keys"); // in one object
     expectRefusal(R"([{"a":1},{"a":1},{"a":1}])", "too many keys", {100, 7, 2});
     EXPECT_EQ(refusal(R"([{"a":1},{"a":1}])", {100, 7, 2}), "");
     expectRefusal(R"({"lines":1,"lines":2})", "\"lines\" stands twice");
@@ -83,7 +83,7 @@ TEST(BoundedJson, EveryDoorThatJsonComesInBy) {
     ASSERT_FALSE(preset);
     EXPECT_NE(preset.error().sentence().find("nested too deep"), std::string::npos) << preset.error().sentence();
     writeText(folder / "large.json", "{\"format\":\"edgescan-preset/1\"}");
-    std::filesystem::resize_file(folder / "large.json", std::uintmax_t{1} << 36U); // sparse: not to be read
+    std::filesystem::resize_file(folder / "large.json", std::uintmax_t{1} << 36U); // sparse: must not be read
     const auto large = edges::findPreset((folder / "large.json").string());
     ASSERT_FALSE(large);
     EXPECT_NE(large.error().sentence().find("too large"), std::string::npos) << large.error().sentence();
@@ -97,7 +97,7 @@ TEST(BoundedJson, EveryDoorThatJsonComesInBy) {
     const std::string reading = "{\"phi_deg\":1,\"x\":" + nested(1000) + "}";
     EXPECT_FALSE(files::parseStepper(Bytes(reading.begin(), reading.end()), 0));
 
-    // Inside and beside an export.
+    // Inside an export, and in its sidecar.
     writeText(folder / "edges.xyz", "# edgescan-record {\"a\":" + nested(kDeep) + "}\n1 2 3\n");
     EXPECT_FALSE(exports::verifyExport(folder / "edges.xyz", {}));
     writeText(folder / "edges.xyz.provenance.json", nested(kDeep, '{', '}'));

@@ -1,4 +1,4 @@
-// Whose links are followed, which mode new files get, pipes that nobody reads, hashes of what is no file.
+// Which links are followed, the mode of new files, pipes without a reader, hashes of special files.
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "tests/support/run_program.h"
@@ -31,7 +31,7 @@ TEST(FileManners, TheUmaskOfTheOwnerHolds) {
         ::umask(before);
         EXPECT_EQ(modeOf(path), 0666U & ~mask);
     }
-    // A file that is replaced keeps its rights, but never lends those of its owner.
+    // A replaced file keeps its mode, but set-user-id bits do not remain.
     const fs::path path = folder / "old";
     ASSERT_TRUE(writeWholeFile(path, std::string("x")));
     ASSERT_EQ(::chmod(path.c_str(), 04640), 0);
@@ -60,7 +60,7 @@ TEST(FileManners, LinksOfAnotherUserAreNotFollowed) {
     ASSERT_TRUE(writeWholeFile(folder / "mine", std::string("old")));
     fs::create_symlink("mine", folder / "laid");
     ASSERT_EQ(::lchown((folder / "laid").c_str(), 65534, 65534), 0);
-    fs::create_symlink("laid", folder / "ours"); // ours leads to theirs
+    fs::create_symlink("laid", folder / "ours"); // our link leads to theirs
     for (const char* name : {"laid", "ours"}) {
         const auto written = writeWholeFile(folder / name, std::string("new"));
         ASSERT_FALSE(written) << name;
@@ -86,7 +86,7 @@ TEST(FileManners, APipeWithoutAReaderIsRefusedAndOneWithIsWritten) {
     EXPECT_TRUE(writeWholeFile(pipe, text));
     reader.join();
     EXPECT_EQ(read, text);
-    // One that goes away is an error and no signal.
+    // A reader that goes away is an error, not a signal.
     std::thread leaver([&] { ::close(::open(pipe.c_str(), O_RDONLY)); });
     EXPECT_FALSE(writeWholeFile(pipe, text));
     leaver.join();

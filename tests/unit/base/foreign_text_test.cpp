@@ -1,4 +1,4 @@
-// Foreign text made printable, JSON that carries any bytes, CSV comments that no spreadsheet computes.
+// Foreign text made printable, JSON with any bytes, CSV comments that a spreadsheet never computes.
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
@@ -15,7 +15,7 @@
 namespace edgescan {
 namespace {
 
-// By hand and without the function under test: valid UTF-8, no controls, nothing that turns the direction of writing.
+// Written without the function under test: valid UTF-8, without control characters, without characters that change the text direction.
 bool harmless(const std::string& text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto c = static_cast<unsigned char>(text[i]);
@@ -53,8 +53,8 @@ TEST(ForeignText, ControlsBecomeVisible) {
     EXPECT_EQ(printable("x\u202egpj"), "x\\u202egpj");
     EXPECT_EQ(printable("\U000E0041"), "\\U000e0041");
     EXPECT_EQ(printable("a\xff\xc3"), "a\\xff\\xc3");
-    EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80"); // a surrogate is no character
-    EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");          // nor is a longer way to write one
+    EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80"); // a surrogate is not a character
+    EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");          // an overlong encoding is not one either
 }
 
 TEST(ForeignText, LongTextIsShortAndKeepsBothEnds) {
@@ -64,7 +64,7 @@ TEST(ForeignText, LongTextIsShortAndKeepsBothEnds) {
     EXPECT_TRUE(shown.ends_with("end")) << shown;
     EXPECT_NE(shown.find("100008 bytes"), std::string::npos) << shown;
     EXPECT_EQ(printable(std::string(kMostShown, 'x')), std::string(kMostShown, 'x'));
-    // Of wide characters and of escapes the length is that of what is shown.
+    // For wide characters and escapes, the length of the printed text counts.
     std::string rocks;
     for (int i = 0; i < 5000; ++i) rocks += "岩";
     EXPECT_LT(printable(rocks).size(), 3 * kMostShown + 100);
@@ -101,7 +101,7 @@ TEST(ForeignText, NoCellOfACommentIsAFormula) {
     EXPECT_EQ(nlohmann::json::parse(text), json) << text;
     EXPECT_EQ(text.find('='), std::string::npos) << text;
     EXPECT_EQ(text.find('@'), std::string::npos) << text;
-    // Every cell, cut at any separator and freed of its quotes: a number or something that begins as no formula.
+    // Every cell, split at any separator and without its quotes, is a number or does not begin like a formula.
     for (const char separator : {',', ';', '\t'}) {
         for (std::size_t at = 0; at <= text.size();) {
             const std::size_t end = std::min(text.find(separator, at), text.size());

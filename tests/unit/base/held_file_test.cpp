@@ -1,4 +1,4 @@
-// Files that are looked at stay as they are, mapped or read.
+// Bytes of an open file do not change, whether mapped or read.
 #include "core/base/held_file.h"
 
 #include "core/base/whole_file.h"
@@ -44,7 +44,7 @@ TEST(HeldFile, NobodyWritesToWhatIsMapped) {
         if (!held->isMapped()) GTEST_SKIP() << "this system gives no lease here";
         EXPECT_EQ(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC), -1);
         EXPECT_EQ(errno, EWOULDBLOCK);
-        // Another file under the same name is no change of this one.
+        // Another file under the same name does not change this one.
         ASSERT_TRUE(writeWholeFile(path, std::string("new")));
         EXPECT_TRUE(textOf(held->bytes()) == longText());
     }

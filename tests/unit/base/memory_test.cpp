@@ -1,4 +1,4 @@
-// Sizes and memory: nothing wraps round, and the limit that holds is the one that counts.
+// Sizes and memory: nothing overflows, and the lowest limit counts.
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "tests/support/point_lists.h"
@@ -38,18 +38,18 @@ TEST(Memory, EveryControlGroupOnTheWayCounts) {
     limit("outer", "5000", "1000");
     limit("outer/inner", "max", "500");
     limit("outer/inner/own", "9000", "400");
-    EXPECT_EQ(memoryLeftInGroups("0::/outer/inner/own\n", folder.path()), 4000U); // the outer one is tighter
+    EXPECT_EQ(memoryLeftInGroups("0::/outer/inner/own\n", folder.path()), 4000U); // the outer limit is lower
     limit("outer/inner", "700", "500");
     EXPECT_EQ(memoryLeftInGroups("0::/outer/inner/own\n", folder.path()), 200U);
     writeText((folder / "outer/inner") / "memory.stat", "anon 100\ninactive_file 300\n");
-    EXPECT_EQ(memoryLeftInGroups("0::/outer/inner/own\n", folder.path()), 500U); // cached files are given up
+    EXPECT_EQ(memoryLeftInGroups("0::/outer/inner/own\n", folder.path()), 500U); // cached files are released
     EXPECT_EQ(memoryLeftInGroups("0::/outer\n", folder.path()), 4000U);
     EXPECT_EQ(memoryLeftInGroups("0::/gone/elsewhere\n", folder.path()), UINT64_MAX);
     EXPECT_EQ(memoryLeftInGroups("0::/../beside\n", folder.path()), UINT64_MAX);
     EXPECT_EQ(memoryLeftInGroups("", folder.path()), UINT64_MAX);
     limit("", "100", "300"); // over its limit
     EXPECT_EQ(memoryLeftInGroups("0::/\n", folder.path()), 0U);
-    // Version 1: a hierarchy of its own for memory.
+    // Version 1: a separate hierarchy for memory.
     std::filesystem::create_directories(folder / "memory/job");
     writeText((folder / "memory/job") / "memory.limit_in_bytes", "8000\n");
     writeText((folder / "memory/job") / "memory.usage_in_bytes", "7000\n");
@@ -60,7 +60,7 @@ TEST(Memory, EveryControlGroupOnTheWayCounts) {
 TEST(Memory, TheAddressSpaceCountsToo) {
     rlimit before{};
     ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
-    const std::uint64_t room = std::uint64_t{1} << 33U; // behind what is used already, which a sanitizer makes terabytes
+    const std::uint64_t room = std::uint64_t{1} << 33U; // in addition to the memory in use, which is terabytes with a sanitizer
     const std::uint64_t used = std::stoull(readText("/proc/self/statm")) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
     rlimit tight = before;
     tight.rlim_cur = used + room;
@@ -68,5 +68,5 @@ TEST(Memory, TheAddressSpaceCountsToo) {
     ASSERT_EQ(::setrlimit(RLIMIT_AS, &tight), 0);
     const std::uint64_t left = availableMemoryBytes();
     ::setrlimit(RLIMIT_AS, &before);
-    EXPECT_LE(left, room + (std::uint64_t{1} << 20U)); // what was in use while "used" was read may be given back by now
+    EXPECT_LE(left, room + (std::uint64_t{1} << 20U)); // memory in use at the first reading may be free by now
 }

@@ -1,4 +1,4 @@
-// Lumpy and small rocks: what the flags say is what the ranges have, and the truth stays that of the body.
+// Lumpy and small rocks: the ranges agree with the flags, and the truth remains that of the smooth body.
 #include "core/sim/noise.h"
 #include "core/sim/random.h"
 #include "core/sim/simulate.h"

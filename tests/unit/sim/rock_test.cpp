@@ -1,4 +1,4 @@
-// Rocks of the simulator: hulls are hulls, and rays meet rocks where triangles say they do.
+// Rocks of the simulator: hulls are convex hulls, and rays hit rocks at the same points as triangles.
 #include "core/base/geometry/convex_hull.h"
 #include "core/sim/caster.h"
 #include "core/sim/convex_rock.h"
@@ -101,7 +101,7 @@ TEST(SimRock, SizesAreSortedAndBounded) {
     EXPECT_TRUE(rockSizes(0, 3).empty());
 }
 
-/// The same rock as triangles of its own.
+/// The same rock as triangles.
 Mesh trianglesOf(const Points& corners, const Eigen::Vector3d& centre) {
     Mesh mesh;
     for (const HullTriangle& t : convexHull(corners)) {

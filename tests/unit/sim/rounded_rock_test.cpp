@@ -1,10 +1,10 @@
 // Rounded rocks: their surface is one radius off the core everywhere, and truth has edges where such a surface has some.
-#include "core/lab/score/truth.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/caster.h"
 #include "core/sim/cell_seams.h"
 #include "core/sim/convex_rock.h"
 #include "core/sim/rounded_core.h"
+#include "core/sim/truth/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Vector3d nearestOnSegment(const Vector3d& p, const Vector3d& a, const Vector3d& 
     return a + std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0) * (b - a);
 }
 
-/// The nearest point of a hull to a point outside it, triangle by triangle.
+/// The point of a hull that is nearest to a point outside, triangle by triangle.
 Vector3d nearestOnHull(const RoundedCore& core, const Vector3d& p) {
     Vector3d best = core.corners.front();
     for (const HullTriangle& t : core.hull) {
@@ -59,14 +59,14 @@ TEST(SimRoundedRock, AWornCubeHasItsKnownMeasures) {
     const double c = 1.0 - r;
     const RoundedCore worn = roundedCore(corners, convexHull(corners), r);
     EXPECT_NEAR(worn.radiusM, r, 1e-9);
-    EXPECT_EQ(worn.ridges.size(), 12U); // the diagonals of its sides are none
+    EXPECT_EQ(worn.ridges.size(), 12U); // the diagonals of its sides are not ridges
     const double pi = std::numbers::pi;
     EXPECT_NEAR(worn.volumeM3, 8 * c * c * c + 24 * c * c * r + 12 * 2 * c * pi * r * r / 4 + 4.0 / 3 * pi * r * r * r, 1e-6);
     Scene scene;
     addRock(scene, corners, {0, 0, 5}, r);
     EXPECT_NEAR(scene.rocks[0].spansM[0], 2 * c * std::sqrt(3.0) + 2 * r, 1e-5);
     EXPECT_NEAR(scene.rocks[0].volumeM3, worn.volumeM3, 1e-5);
-    EXPECT_NEAR(scene.bodies[0].box.max().z(), 6.0, 1e-5); // flat sides stay where they were
+    EXPECT_NEAR(scene.bodies[0].box.max().z(), 6.0, 1e-5); // flat sides keep their place
     EXPECT_NEAR(scene.bodies[0].box.min().x(), -1.0, 1e-5);
 }
 
@@ -137,11 +137,11 @@ TEST(SimRoundedRock, TurnsAndGrowsWithItsScene) {
     EXPECT_GT(round, 20);
 }
 
-/// A cube of 1 m, 5 m away, one ridge towards the scanner, before a wall; cells are 35 mm wide there.
+/// A cube of 1 m, 5 m away, one ridge towards the scanner, in front of a wall; cells are 35 mm wide there.
 struct Cube {
     Scan scan;
     SimulationTruth truth;
-    lab::EdgeTruth edges;
+    EdgeTruth edges;
 
     explicit Cube(double rounding) {
         constexpr int kCells = 70;
@@ -187,13 +187,13 @@ struct Cube {
             truth.rounded[k] = surface.ridge >= 0 ? 1 : 0;
         }
         for (int i = 0; i < kCells; ++i) findSeams({scene, caster, {&tables, &tables}}, i, truth);
-        edges = lab::edgeTruth(truth);
+        edges = edgeTruth(truth);
     }
 
-    [[nodiscard]] long count(lab::EdgeClass wanted) const {
+    [[nodiscard]] long count(EdgeClass wanted) const {
         return std::ranges::count(edges.edgeClass.cells, static_cast<std::uint8_t>(wanted));
     }
-    /// Cells that are not scored, of the row that crosses the ridge in the middle.
+    /// Cells that are not scored in the row that crosses the middle of the ridge.
     [[nodiscard]] int unscored() const {
         int cells = 0;
         for (int i = 0; i < scan.lines(); ++i) cells += edges.ignore.at(i, scan.beams() / 2) != 0 ? 1 : 0;
@@ -203,27 +203,27 @@ struct Cube {
 
 TEST(SimRoundedRock, AFoldIsACreaseOnlyWhileItTurnsWithinOneCell) {
     const Cube sharp(0.0);
-    const long ridge = sharp.count(lab::EdgeClass::Crease);
+    const long ridge = sharp.count(EdgeClass::Crease);
     EXPECT_GT(ridge, 20);
     EXPECT_EQ(sharp.unscored(), 0);
 
     const Cube hardly(0.01); // 5 mm: nobody can see it
-    EXPECT_NEAR(static_cast<double>(hardly.count(lab::EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
+    EXPECT_NEAR(static_cast<double>(hardly.count(EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
 
     const Cube worn(0.3); // 150 mm: 90 degrees over 7 cells
-    EXPECT_EQ(worn.count(lab::EdgeClass::Crease), 0);
+    EXPECT_EQ(worn.count(EdgeClass::Crease), 0);
     EXPECT_GT(worn.unscored(), 4);
     EXPECT_LT(worn.unscored(), 12);
 
     const Cube round(0.9); // 450 mm: 90 degrees over 18 cells and more
-    EXPECT_EQ(round.count(lab::EdgeClass::Crease), 0);
+    EXPECT_EQ(round.count(EdgeClass::Crease), 0);
     EXPECT_EQ(round.unscored(), 0);
 }
 
 TEST(SimRoundedRock, ItsOutlineStaysAnOutline) {
     for (const double rounding : {0.0, 0.3, 0.9}) {
         const Cube rock(rounding);
-        long rim = 0; // rock cells beside the wall
+        long rim = 0; // rock cells next to the wall
         for (int i = 1; i + 1 < rock.scan.lines(); ++i) {
             for (int j = 1; j + 1 < rock.scan.beams(); ++j) {
                 const Grid<std::uint16_t>& object = rock.truth.object;
@@ -231,11 +231,10 @@ TEST(SimRoundedRock, ItsOutlineStaysAnOutline) {
                     object.at(i - 1, j) == 1 || object.at(i + 1, j) == 1 || object.at(i, j - 1) == 1 || object.at(i, j + 1) == 1;
                 if (object.at(i, j) != 2 || !beside) continue;
                 ++rim;
-                bool found = false; // thinning takes corners of stairs away
+                bool found = false; // thinning removes corners of stairs
                 for (int di = -1; di <= 1; ++di)
                     for (int dj = -1; dj <= 1; ++dj) {
-                        const bool occluding =
-                            rock.edges.edgeClass.at(i + di, j + dj) == static_cast<std::uint8_t>(lab::EdgeClass::Occluding);
+                        const bool occluding = rock.edges.edgeClass.at(i + di, j + dj) == static_cast<std::uint8_t>(EdgeClass::Occluding);
                         found = found || (occluding && rock.edges.ignore.at(i + di, j + dj) == 0);
                     }
                 EXPECT_TRUE(found) << rounding << ": " << i << ", " << j;
@@ -255,19 +254,19 @@ TEST(SimRoundedRock, RoundingTakesCreasesOfAPileAndLeavesOutlines) {
         settings.rockRounding = rounding;
         settings.truth = true;
         const Result<Simulation> pile = simulate(settings);
-        lab::EdgeTruth truth = lab::edgeTruth(*pile->truth);
+        EdgeTruth truth = edgeTruth(*pile->truth);
         for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
-            if (pile->truth->object[k] < kFirstRock) truth.edgeClass[k] = 0; // the wall keeps its own
+            if (pile->truth->object[k] < kFirstRock) truth.edgeClass[k] = 0; // the wall's own edges remain
         }
         return truth;
     };
-    const auto count = [](const lab::EdgeTruth& truth, lab::EdgeClass wanted) {
+    const auto count = [](const EdgeTruth& truth, EdgeClass wanted) {
         return static_cast<double>(std::ranges::count(truth.edgeClass.cells, static_cast<std::uint8_t>(wanted)));
     };
-    const lab::EdgeTruth sharp = truthOf(0.0);
-    const lab::EdgeTruth worn = truthOf(0.8);
-    EXPECT_LT(count(worn, lab::EdgeClass::Crease), 0.5 * count(sharp, lab::EdgeClass::Crease));
-    EXPECT_GT(count(worn, lab::EdgeClass::Occluding), 0.8 * count(sharp, lab::EdgeClass::Occluding));
+    const EdgeTruth sharp = truthOf(0.0);
+    const EdgeTruth worn = truthOf(0.8);
+    EXPECT_LT(count(worn, EdgeClass::Crease), 0.5 * count(sharp, EdgeClass::Crease));
+    EXPECT_GT(count(worn, EdgeClass::Occluding), 0.8 * count(sharp, EdgeClass::Occluding));
     SimulationSettings nonsense;
     nonsense.rockRounding = 1.0;
     const auto refused = simulate(nonsense);

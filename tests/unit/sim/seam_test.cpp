@@ -1,4 +1,4 @@
-// Jumps and folds between rays: on planes, and on meshes whose facets are smaller than the way between two rays.
+// Jumps and folds between rays: on planes, and on meshes with facets smaller than the distance between two rays.
 #include "core/sim/seam.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Vector3d rayAt(double angleDeg) {
     return {std::sin(a), 0.0, std::cos(a)};
 }
 
-// Where a ray in the x-z plane meets the plane through `place`.
+// The point where a ray in the x-z plane meets the plane through `place`.
 TangentPlane on(const Vector3d& place, const Vector3d& normal, const Vector3d& ray) {
     return {ray, normal.dot(place) / normal.dot(ray), normal};
 }
@@ -41,7 +41,7 @@ TEST(SimSeam, AStepTearsAndARoofFolds) {
     EXPECT_NEAR(ridge.foldDeg, 60.0, 1e-4);
 }
 
-// A surface z(x) as facets of `facetMm`, met along a ray by small steps.
+// A surface z(x) as facets of `facetMm`; a ray's hit is found in small steps.
 template <class Height>
 TangentCast castOn(Height height, double facetMm) {
     return [=](const Vector3d& ray) -> std::optional<TangentPlane> {
@@ -49,7 +49,7 @@ TangentCast castOn(Height height, double facetMm) {
             const Vector3d a(x, 0, height(x));
             const Vector3d along = Vector3d(x + facetMm, 0, height(x + facetMm)) - a;
             const Vector3d normal = Vector3d(along.z(), 0, -along.x()).normalized();
-            if (normal.dot(ray) > -1e-9) continue; // turned away
+            if (normal.dot(ray) > -1e-9) continue; // faces away
             const double range = normal.dot(a) / normal.dot(ray);
             const double share = (ray * range - a).dot(along) / along.squaredNorm();
             if (range > 0 && share >= 0 && share < 1) return TangentPlane{ray, range, normal};
@@ -70,7 +70,7 @@ TEST(SimSeam, ABumpyFloorSeenGrazingIsOneSurface) {
         EXPECT_LE(seamOnMesh(*a, *b, floor).tearMm, kLeastTearMm);
         EXPECT_LE(seamOnMesh(*a, *b, floor).foldDeg, kLeastFoldDeg);
     }
-    EXPECT_GT(widest, kLeastTearMm); // or nothing was shown
+    EXPECT_GT(widest, kLeastTearMm); // otherwise the test shows nothing
 }
 
 TEST(SimSeam, AStepOnAMeshStays) {

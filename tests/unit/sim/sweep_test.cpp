@@ -1,10 +1,10 @@
 // The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method.md, "Simulator").
-#include "core/lab/score/truth.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/scenes.h"
 #include "core/sim/settings_json.h"
 #include "core/sim/simulate.h"
+#include "core/sim/truth/truth.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -30,7 +30,7 @@ SimulationSettings small(const char* scene) {
     return settings;
 }
 
-/// Nothing but geometry: ranges are those of the centre rays.
+/// Geometry only: ranges are those of the centre rays.
 SimulationSettings perfect(const char* scene) {
     SimulationSettings settings = small(scene);
     settings.noise = 0.0;
@@ -45,7 +45,7 @@ SimulationSettings perfect(const char* scene) {
     return settings;
 }
 
-// A few lines straight up, and the whole fan.
+// A few lines near the vertical, and the whole fan.
 SimulationSettings narrowStaircase() {
     SimulationSettings settings = perfect("staircase");
     settings.lines = 20;
@@ -243,7 +243,7 @@ TEST(SimSweep, StaircaseStepsAreRecovered) {
     settings.footprint = true;
     const Simulation result = swept(settings);
     const CartesianTables tables(result.scan);
-    std::map<int, std::pair<double, int>> depth; // by object: sum of z and count, along the line that looks straight up
+    std::map<int, std::pair<double, int>> depth; // by object: sum of z and count, along the vertical line
     for (int j = 1; j + 1 < 1141; ++j) {
         const int object = result.truth->object.at(10, j);
         const bool edge = result.truth->object.at(10, j - 1) != object || result.truth->object.at(10, j + 1) != object;
@@ -285,7 +285,7 @@ TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
         EXPECT_EQ(seen.size(), treads.size()) << distanceM;
         for (const double step : {50.0, 80.0, 120.0, 200.0, 300.0, 500.0})
             EXPECT_EQ(std::ranges::count(treads, step, &StaircaseTread::stepMm), 1) << step;
-        const lab::EdgeTruth truth = lab::edgeTruth(*result.truth);
+        const EdgeTruth truth = edgeTruth(*result.truth);
         for (int j = 240; j < 900; ++j) { // every step that is scored is one edge between the cells beside it
             const int a = result.truth->object.at(10, j);
             const int b = result.truth->object.at(10, j + 1);
@@ -317,7 +317,7 @@ TEST(SimSweep, WallIsFlatUnlessItsRoughnessIsGiven) {
     EXPECT_NEAR(spread(40.0) / rough, 2.0, 0.1);
 }
 
-// Groups of cells without a return that hang together.
+// Connected groups of cells without a return.
 int voidsOf(const Scan& scan) {
     Grid<std::uint8_t> left(scan.lines(), scan.beams());
     for (std::size_t k = 0; k < left.size(); ++k) left[k] = scan.state[k] != CellState::Valid;

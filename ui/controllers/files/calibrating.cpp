@@ -4,7 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/edges/pipeline/work_memory.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/inspect/calibration/seam_edges.h"
 #include "core/inspect/calibration/views_picture.h"
 #include "ui/base/notice_bar.h"

@@ -26,37 +26,19 @@
 #include <QStandardPaths>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace edgescan::ui {
 namespace {
 
-struct ContentNames {
-    exports::ExportContent content;
-    const char* tail;   // of the file's name
-    const char* things; // what is counted
-};
-constexpr std::array<ContentNames, 10> kNames{{{exports::ExportContent::EdgeCloud, "edges", "edge points"},
-                                               {exports::ExportContent::FullCloud, "cloud", "points"},
-                                               {exports::ExportContent::EdgeImage, "edge-map", "cells"},
-                                               {exports::ExportContent::GrayImage, "gray", "cells"},
-                                               {exports::ExportContent::RangeImage, "range", "cells"},
-                                               {exports::ExportContent::RockLabels, "rocks", "cells"},
-                                               {exports::ExportContent::RockTable, "rocks", "rocks"},
-                                               {exports::ExportContent::RockReport, "rocks", "rocks"},
-                                               {exports::ExportContent::RockOutlines, "rocks", "rocks"},
-                                               {exports::ExportContent::RockHulls, "hulls", "rocks"}}};
-
-const ContentNames& namesOf(exports::ExportContent content) { return *std::ranges::find(kNames, content, &ContentNames::content); }
-
 // "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
 QString exportName(const edges::Detection& detection, exports::ExportContent content, CoordinateFrame frame) {
-    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), namesOf(content).tail};
+    const exports::ExportKind::InWindow& names = exports::exportKind(content).window;
+    QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), names.tail};
     const edges::Settings& settings = detection.settings;
     const edges::Parameter& swept = edges::sweptParameter(settings.method);
-    const bool ofEdges = content != exports::ExportContent::RangeImage && content != exports::ExportContent::GrayImage;
-    if (ofEdges) parts << edges::traitsOf(settings.method).key << swept.key + exactText(edges::formatValue(swept, swept.get(settings)));
+    if (names.namesMethod)
+        parts << edges::traitsOf(settings.method).key << swept.key + exactText(edges::formatValue(swept, swept.get(settings)));
     parts << QDate::currentDate().toString(Qt::ISODate);
     return parts.join('_') + (exports::isCloud(content) ? frameTail(frame) : "");
 }
@@ -108,7 +90,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
         for (const files::Format& each : files::formats()) {
             if (each.write != nullptr) question.filters << filterOf(each, each.writes);
         }
-    // The record beside the file is replaced with it.
+    // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
@@ -117,7 +99,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count) {
     memory_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
     if (exports::isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.showSaved(path, QString("%1 %2").arg(count).arg(namesOf(what).things));
+    notice_.showSaved(path, QString("%1 %2").arg(count).arg(exports::countedThings(exports::exportKind(what))));
 }
 
 void Exports::askScreenshot(const QImage& image) {
@@ -141,7 +123,7 @@ void Exports::copyCommand() {
     if (!engine_.picture() || engine_.picture()->detection->scan->path.empty()) return;
     const edges::Detection& detection = *engine_.picture()->detection;
     const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
-    // Beside this program where it is not on the PATH.
+    // If it is not on the PATH: in the folder of this program.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
     QGuiApplication::clipboard()->setText(

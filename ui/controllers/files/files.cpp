@@ -21,7 +21,7 @@ namespace edgescan::ui {
 namespace {
 
 /// The scans in its folder, by name, including the file itself; other files of a scan (records, settings) are skipped.
-QStringList scansBeside(const QString& path) {
+QStringList scansInFolder(const QString& path) {
     QStringList patterns;
     for (const files::Format& format : files::formats()) {
         for (const char* extension : format.reads) patterns << QString("*") + extension;
@@ -84,10 +84,10 @@ void Files::reload() {
 
 void Files::step(int files) {
     if (series_.size() <= 1 && !path_.isEmpty()) { // one file was opened: its folder is the series
-        const QStringList beside = scansBeside(path_);
-        const auto own = static_cast<int>(beside.indexOf(QFileInfo(path_).absoluteFilePath()));
+        const QStringList inFolder = scansInFolder(path_);
+        const auto own = static_cast<int>(inFolder.indexOf(QFileInfo(path_).absoluteFilePath()));
         if (own >= 0) {
-            series_ = beside;
+            series_ = inFolder;
             place_ = own;
         }
     }

@@ -11,33 +11,37 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <array>
+#include <string>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
 
 // The extension determines the content of the file.
 struct RockFile {
-    const char* extension;
-    exports::ExportContent content;
-    const char* title;
-    bool hasFrame; // it contains coordinates
+    const exports::ExportKind* kind;
+    const exports::ExportFile* file;
 };
-constexpr std::array<RockFile, 7> kRockFiles{{
-    {"csv", exports::ExportContent::RockTable, QT_TRANSLATE_NOOP("QObject", "Table, one row per rock"), true},
-    {"json", exports::ExportContent::RockReport, QT_TRANSLATE_NOOP("QObject", "Report with settings and edits"), true},
-    {"png", exports::ExportContent::RockLabels, QT_TRANSLATE_NOOP("QObject", "Labels as a 16-bit picture"), false},
-    {"dxf", exports::ExportContent::RockOutlines, QT_TRANSLATE_NOOP("QObject", "Outlines in space"), true},
-    {"geojson", exports::ExportContent::RockOutlines, QT_TRANSLATE_NOOP("QObject", "Outlines in the picture"), false},
-    {"ply", exports::ExportContent::RockHulls, QT_TRANSLATE_NOOP("QObject", "Convex hulls of the visible points"), true},
-    {"obj", exports::ExportContent::RockHulls, QT_TRANSLATE_NOOP("QObject", "Convex hulls of the visible points"), true},
-}};
+
+// The table is first: it is the file that people use most.
+const std::vector<RockFile>& rockFiles() {
+    static const std::vector<RockFile> kFiles = [] {
+        std::vector<RockFile> files;
+        for (const exports::ExportKind& kind : exports::exportKinds()) {
+            for (const exports::ExportFile& file : kind.files) {
+                if (file.title != nullptr) files.push_back({&kind, &file});
+            }
+        }
+        std::ranges::stable_partition(files, [](const RockFile& each) { return each.kind->content == exports::ExportContent::RockTable; });
+        return files;
+    }();
+    return kFiles;
+}
 
 const RockFile* rockFileOf(const QString& path) {
-    const QString extension = QFileInfo(path).suffix().toLower();
-    const auto found =
-        std::find_if(kRockFiles.begin(), kRockFiles.end(), [&](const RockFile& file) { return extension == file.extension; });
-    return found == kRockFiles.end() ? nullptr : &*found;
+    const std::string extension = "." + QFileInfo(path).suffix().toLower().toStdString();
+    const auto found = std::ranges::find_if(rockFiles(), [&](const RockFile& each) { return extension == each.file->extension; });
+    return found == rockFiles().end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -49,8 +53,9 @@ void Rocks::askExport() {
     }
     SaveQuestion question;
     question.title = tr("Export %1 rocks").arg(picture_->study.rocks.size());
-    for (const RockFile& file : kRockFiles) question.filters << QString("%1 (*.%2)").arg(QObject::tr(file.title), file.extension);
-    question.extension = QString(".") + kRockFiles.front().extension;
+    for (const RockFile& each : rockFiles())
+        question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
+    question.extension = rockFiles().front().file->extension;
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
     question.place = QDir(memory_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
@@ -62,8 +67,9 @@ void Rocks::askExport() {
 void Rocks::exportTo(const QString& path) {
     const RockFile* file = rockFileOf(path);
     if (file == nullptr) {
-        notice_.showNotice(NoticeBar::Kind::Error,
-                           tr("%1 was not written: give it one of the endings csv, json, png, dxf, geojson, ply, obj.").arg(path));
+        QStringList endings;
+        for (const RockFile& each : rockFiles()) endings << each.file->extension + 1; // without its dot
+        notice_.showNotice(NoticeBar::Kind::Error, tr("%1 was not written: give it one of the endings %2.").arg(path, endings.join(", ")));
         return;
     }
     if (!picture_ || behind()) {
@@ -71,9 +77,9 @@ void Rocks::exportTo(const QString& path) {
         return;
     }
     exports::ExportOptions options;
-    if (file->hasFrame) options.frame = usualFrame(*picture_->detection->scan);
+    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = usualFrame(*picture_->detection->scan);
     options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
-    engine_.save(file->content, path, options);
+    engine_.save(file->kind->content, path, options);
 }
 
 } // namespace edgescan::ui

@@ -32,7 +32,7 @@ public:
     bool removeLastPick();
 
 signals:
-    /// Another kind of measurement, or none, is active.
+    /// Another kind of measurement is active, or the tool was left.
     void kindChanged();
     /// A text that names the next cell to click; empty: none.
     void asked(const QString& words);

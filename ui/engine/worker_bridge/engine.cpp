@@ -3,7 +3,7 @@
 
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance/provenance.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"

@@ -3,7 +3,7 @@
 
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/engine.h"

@@ -78,20 +78,15 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
 QGroupBox* ExportDialog::contentBox() {
     auto* box = new QGroupBox(tr("What"));
     auto* column = new QVBoxLayout(box);
-    const auto add = [&](exports::ExportContent content, const QString& text, const char* name) {
-        auto* button = new QRadioButton(text);
-        button->setObjectName(name);
-        contents_->addButton(button, static_cast<int>(content));
-        column->addWidget(button);
-    };
     const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
-    add(exports::ExportContent::EdgeCloud, tr("Edge points (%1)").arg(number(countOf(exports::ExportContent::EdgeCloud, false, false))),
-        "edges");
-    add(exports::ExportContent::FullCloud,
-        tr("All points, with a field for edges (%1)").arg(number(countOf(exports::ExportContent::FullCloud, false, false))), "all");
-    add(exports::ExportContent::EdgeImage, tr("Edge map as a picture, %1").arg(size), "edgeImage");
-    add(exports::ExportContent::GrayImage, tr("Gray image, %1").arg(size), "grayImage");
-    add(exports::ExportContent::RangeImage, tr("Ranges in millimetres as a picture of 16 bits, %1").arg(size), "rangeImage");
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        if (kind.window.title == nullptr) continue;
+        const QString counted = exports::isCloud(kind.content) ? number(countOf(kind.content, false, false)) : size;
+        auto* button = new QRadioButton(QObject::tr(kind.window.title).arg(counted));
+        button->setObjectName(kind.key);
+        contents_->addButton(button, static_cast<int>(kind.content));
+        column->addWidget(button);
+    }
     return box;
 }
 
@@ -145,7 +140,7 @@ QGroupBox* ExportDialog::writingBox() {
 std::size_t ExportDialog::countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const {
     const Scan& scan = *detection_->scan;
     if (!exports::isCloud(content)) return scan.cells();
-    const bool edges = content == exports::ExportContent::EdgeCloud;
+    const bool edges = exports::exportKind(content).counts == exports::ExportKind::Counts::EdgePoints;
     const auto wanted = [&](std::size_t k) {
         return scan.state[k] == CellState::Valid && (!edges || (*detection_->mask)[k] != 0) &&
                (!onlySelected || std::ranges::binary_search(*selected_.cells, static_cast<std::uint32_t>(k)));

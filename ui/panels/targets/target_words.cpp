@@ -2,7 +2,7 @@
 #include "ui/panels/targets/target_words.h"
 
 #include "core/base/number_text.h"
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>

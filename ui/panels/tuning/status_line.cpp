@@ -1,7 +1,7 @@
 // The status bar.
 #include "ui/panels/tuning/status_line.h"
 
-#include "core/edges/edgescan_plus/plus_settings.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"

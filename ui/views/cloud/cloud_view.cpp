@@ -190,11 +190,16 @@ void CloudView::initializeGL() {
 
 void CloudView::resizeEvent(QResizeEvent* event) {
     QVTKOpenGLNativeWidget::resizeEvent(event);
-    screenMarks_.reset();
     overlay_->setGeometry(rect());
+    fitPane();
+}
+
+/// Sizes in pixels belong to the pane's height and to the device pixel ratio.
+void CloudView::fitPane() {
+    screenMarks_.reset();
     followSpacing();
     updateOverlay();
-    applyColours(); // the device pixel ratio may have changed
+    applyColours();
 }
 
 void CloudView::paintGL() {

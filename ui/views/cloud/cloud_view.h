@@ -216,6 +216,7 @@ private:
     void changePointSize(int steps);
     void usePointSize(double pixels);
     void followSpacing();
+    void fitPane();
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
     void drag(QPointF at);

@@ -25,7 +25,9 @@ constexpr double kClipPerNotch = 0.02, kMostClipped = 0.98; // of the depth
 bool CloudView::event(QEvent* event) {
     if (touch_.read(event)) return true;
     // Bypasses VTK's interactor, which would handle the mouse too.
-    return QOpenGLWidget::event(event);
+    const bool taken = QOpenGLWidget::event(event);
+    if (event->type() == QEvent::ScreenChangeInternal) fitPane(); // another screen, perhaps with other pixels
+    return taken;
 }
 
 void CloudView::pinch(QPointF middle, QPointF shift, double factor) {

@@ -1,4 +1,4 @@
-// A log that was changed names the line; a crash is no change; a full disk is an error.
+// A changed log reports the changed line; a crash does not count as a change; a full disk is an error.
 #include "core/base/audit_log/audit_check.h"
 #include "core/base/whole_file.h"
 #include "tests/support/run_program.h"
@@ -72,7 +72,7 @@ TEST_F(Audit, TheLineThatWasAlteredIsNamed) {
             EXPECT_EQ(faultsOf(changed), (Faults{"altered " + std::to_string(at + 1) + " " + std::to_string(at + 1)})) << byte;
         }
     }
-    // With a hash that fits: the next line tells.
+    // With a matching hash: the next line reveals the change.
     auto forged = auditLine(lines[2], "");
     forged->details["path"] = "/other";
     std::vector<std::string> changed = lines;
@@ -87,7 +87,7 @@ TEST_F(Audit, LinesThatWereDroppedAreNamed) {
         EXPECT_EQ(faultsOf(changed), (Faults{"dropped " + std::to_string(at + 1) + " " + std::to_string(at + 1)}));
     }
     EXPECT_EQ(faultsOf({lines[0], lines[4], lines[5]}), Faults{"dropped 2 2"});
-    // The last one: only who noted its hash can tell.
+    // The last line: its loss is detected only with a hash noted elsewhere.
     writeLines(folder / "short.jsonl", {lines[0], lines[1]});
     EXPECT_TRUE(checkAudit(folder / "short.jsonl")->faults.empty());
     const auto check = checkAudit(folder / "short.jsonl", auditLine(lines[5], "")->sha256);
@@ -100,7 +100,7 @@ TEST_F(Audit, LinesThatWereMovedAreNamed) {
     EXPECT_EQ(faultsOf({lines[0], lines[2], lines[1], lines[3], lines[4], lines[5]}), Faults{"moved 3 2"});
     EXPECT_EQ(faultsOf({lines[1], lines[2], lines[3], lines[4], lines[5], lines[0]}), Faults{"moved 6 1"});
     EXPECT_EQ(faultsOf({lines[0], lines[1], lines[1], lines[2], lines[3], lines[4], lines[5]}), Faults{"moved 3 2"});
-    // Altered and dropped at once.
+    // Altered and dropped at the same time.
     std::vector<std::string> changed{lines[0], lines[1], lines[4], lines[5]};
     changed[1][3] = '9';
     EXPECT_EQ(faultsOf(changed), (Faults{"altered 2 2", "dropped 3 3"}));
@@ -136,7 +136,7 @@ TEST_F(Audit, WhatCannotBeWrittenIsSaid) {
     ASSERT_FALSE(full);
     EXPECT_NE(full.error().sentence().find("not noted"), std::string::npos) << full.error().sentence();
     EXPECT_FALSE(AuditLog(folder.path()).append("opened", {}));
-    // A file that is no log is not written to.
+    // A file that is not a log is not written to.
     ASSERT_TRUE(writeWholeFile(folder / "other.txt", std::string("hello\n")));
     EXPECT_FALSE(AuditLog(folder / "other.txt").append("opened", {}));
     EXPECT_EQ(test::fileText(folder / "other.txt"), "hello\n");

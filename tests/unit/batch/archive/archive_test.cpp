@@ -1,4 +1,4 @@
-// A run over an archive: which files it reads, what their results are called, its journal, its workers, its tables.
+// A run over an archive: its input files, the names of its results, its journal, its workers, its tables.
 #include "core/batch/archive/journal.h"
 #include "core/batch/archive/output_names.h"
 #include "core/batch/archive/results_table.h"
@@ -44,7 +44,7 @@ TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
     for (const char* name :
          {"b/2.pcd", "b/1.mcap", "a.las", "a.pcd.gz", "notes.txt.bak", ".hidden/x.pcd", "results/old.pcd", "grid.u16", "lone.u16"})
         write(folder / name, "x");
-    write(folder / "grid.json", "{}"); // its counts lie beside it
+    write(folder / "grid.json", "{}"); // its counts are in the file next to it
     write(folder / "record.json", R"({"format":"something else"})");
     write(folder / "described.json", R"({"format":"edgescan-raw-grid/1"})");
     write(folder / "edges.pcd", "x");
@@ -63,7 +63,7 @@ TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
     ASSERT_TRUE(twice);
     EXPECT_EQ(std::ranges::count_if(twice->inputs, [](const std::string& path) { return path.ends_with("1.mcap"); }), 1);
     EXPECT_FALSE(listArchive({(folder / "no*such").string()}, ""));
-    EXPECT_FALSE(listArchive({folder.path().string()}, folder.path())); // results among the scans
+    EXPECT_FALSE(listArchive({folder.path().string()}, folder.path())); // the results folder is among the scans
 }
 
 TEST(ArchiveListing, AListIsReadInItsOrderAndAPointListIsAScan) {
@@ -108,7 +108,7 @@ TEST(OutputNames, NoTwoScansShareAFolder) {
     EXPECT_FALSE(outputNames(inputs, "{path"));
     EXPECT_FALSE(outputNames({"a"}, ".."));
     EXPECT_FALSE(outputNames({"r/x.pcd", "r/sub/y.pcd"}, "{folder}")); // one folder inside the other
-    EXPECT_TRUE(outputNames({"a", "a-b", "a.c"}, "{path}"));           // names that only begin alike
+    EXPECT_TRUE(outputNames({"a", "a-b", "a.c"}, "{path}"));           // names with the same beginning
     const auto longName = outputNames({std::string(250, 'a') + ".pcd", std::string(250, 'a') + ".ply"}, "{path}");
     ASSERT_TRUE(longName);
     EXPECT_LT(longName->front().size(), 255U);
@@ -129,13 +129,13 @@ TEST(Journal, ATornLineIsCutAndTheNewestRowCounts) {
         EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // one at a time
         EXPECT_FALSE(Journal::open(folder.path(), {2, 5}, false));
     }
-    std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << R"({"input":"c","edg)"; // killed here
+    std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << R"({"input":"c","edg)"; // a crash here
     {
         auto part = Journal::open(folder.path(), {2, 5}, false);
         ASSERT_TRUE(part) << part.error().sentence();
-        EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // the whole would do that part as well
+        EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // a whole run includes this part
         ASSERT_TRUE(Journal::open(folder.path(), {3, 5}, false));
-        ASSERT_TRUE(part->append(rowOf("b", "2026-01-01T00:00:01.500Z", 9), "")); // older than what is there
+        ASSERT_TRUE(part->append(rowOf("b", "2026-01-01T00:00:01.500Z", 9), "")); // older than the existing row
     }
     EXPECT_EQ(shardsIn(folder.path()), 5);
     {

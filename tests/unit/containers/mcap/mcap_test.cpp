@@ -1,13 +1,15 @@
-// MCAP written and read: every byte where the specification wants it, and nothing but the damaged part lost.
+// MCAP written and read: every byte as in the specification, and damage loses only the damaged part.
 #include "core/containers/mcap/chunk_compression.h"
 #include "core/containers/mcap/reader.h"
 #include "core/containers/mcap/writer.h"
 #include "core/files/recording/recording.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace edgescan;
@@ -16,8 +18,8 @@ using namespace edgescan::test;
 
 namespace {
 
-const std::string kDemo = std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/sweep_demo.mcap";
-const std::string kMcapMin = std::string(EDGESCAN_SHARED_DIR) + "/protocol/tools/mcap_min.py";
+const std::string kDemo = (edgescan::test::sharedFolder() / "protocol/vectors/sweep_demo.mcap").string();
+const std::string kMcapMin = (edgescan::test::sharedFolder() / "protocol/tools/mcap_min.py").string();
 
 Bytes bytesOfFile(const std::filesystem::path& path) {
     const std::string text = readText(path);
@@ -47,7 +49,7 @@ Bytes sampleFile(int count, McapLimits limits = {}) {
     return encoder.take();
 }
 
-/// The messages of `sampleFile` from the first one on, nothing else.
+/// Exactly the messages of `sampleFile`, from the first one on.
 void expectPrefix(const McapContent& content) {
     for (std::size_t i = 0; i < content.messages.size(); ++i) {
         const McapMessage& message = content.messages[i];
@@ -60,7 +62,7 @@ void expectPrefix(const McapContent& content) {
     }
 }
 
-/// A file whose only chunk holds `records` packed as `compression`.
+/// A file whose only chunk holds `records`, compressed as `compression`.
 Bytes packedFile(const std::string& compression, const Bytes& packed, std::uint64_t size, std::uint32_t crc) {
     McapEncoder encoder("test");
     encoder.channel({1, 0, "/a", "x", {}});
@@ -85,7 +87,7 @@ Bytes fromHex(std::string_view hex) {
     return bytes;
 }
 
-/// One message of 200 times 'a', and the same packed by the programs zstd and lz4.
+/// One message of 200 times 'a', and the same compressed by the programs zstd and lz4.
 Bytes plainRecords() {
     McapBytes message;
     message.number16(1);
@@ -188,7 +190,7 @@ TEST(Mcap, FlippedBytesNeverCrashAndSoundChunksStay) {
         ASSERT_TRUE(content);
         EXPECT_LE(content->messages.size(), 200U);
         if (flips > 1) continue;
-        // One byte costs one chunk at most (as many messages as fit 64 KiB or 200 ms), and whatever is there is what was written.
+        // One damaged byte costs at most one chunk (as many messages as fit 64 KiB or 200 ms), and all messages read are as written.
         EXPECT_GE(content->messages.size(), 200U - 45);
         EXPECT_EQ(content->channels.size(), 2U) << "also when their records are damaged: the summary repeats them";
         if (content->messages.size() < 200) {
@@ -217,7 +219,7 @@ TEST(Mcap, UnknownRecordsAreSkipped) {
     encoder.channel({1, 0, "/a", "x", {}});
     file.raw(encoder.take());
     file.record(static_cast<McapOpcode>(0x09), Bytes(100, 1)); // an attachment
-    file.record(static_cast<McapOpcode>(0x90), Bytes(5, 2));   // somebody's own
+    file.record(static_cast<McapOpcode>(0x90), Bytes(5, 2));   // a private record type
     encoder.message({1, 9, 1, 1, Bytes(10, 3)});
     encoder.endChunk();
     file.raw(encoder.take());
@@ -245,7 +247,7 @@ TEST(Mcap, CompressedChunksAreReadOrRefusedInWords) {
         EXPECT_EQ(*unpacked, plain);
         ASSERT_EQ(content->messages.size(), 1U);
         EXPECT_EQ(content->messages[0].payload.size(), 200U);
-        // Promises that are too small, too great, and damage.
+        // Sizes that are too small or too large, and damage.
         for (const std::uint64_t size :
              {std::uint64_t{0}, std::uint64_t{10}, std::uint64_t{plain.size() - 1}, std::uint64_t{plain.size() + 1}, ~std::uint64_t{0}}) {
             EXPECT_FALSE(unpackChunk(name, packed, size, "test"));
@@ -277,7 +279,7 @@ TEST(Mcap, AfterDamageTheRestIsReadWhateverLiesBetween) {
     const Bytes file = sampleFile(60, {2000, 1'000'000'000});
     const auto whole = readMcap(file, "test");
     ASSERT_TRUE(whole);
-    // Many false starts of chunks that claim the rest of the file, where one chunk was.
+    // Many false starts of chunks that claim the rest of the file, in place of one chunk.
     const McapMessage& third = whole->messages[10];
     const auto at = static_cast<std::size_t>(third.payload.data() - file.data());
     Bytes damaged(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(at));
@@ -304,13 +306,14 @@ TEST(Mcap, AfterDamageTheRestIsReadWhateverLiesBetween) {
 }
 
 TEST(Mcap, CompressedChunksBehindDamageAreFound) {
+    if (std::ranges::none_of(kPacked, [](const auto& each) { return builtWith(each.first); })) GTEST_SKIP() << "built without lz4 and zstd";
     const Bytes plain = plainRecords();
     for (const auto& [name, hex] : kPacked) {
         if (!builtWith(name)) continue;
         const Bytes one = packedFile(name, fromHex(hex), plain.size(), crc32(plain));
         const Bytes head(one.begin(), one.begin() + 8);
         Bytes damaged = head;
-        damaged.insert(damaged.end(), 100, 0x77); // no record
+        damaged.insert(damaged.end(), 100, 0x77); // not a record
         damaged.insert(damaged.end(), one.begin() + 8, one.end());
         const auto content = readMcap(damaged, "test");
         ASSERT_TRUE(content);
@@ -338,7 +341,7 @@ TEST(Mcap, WhatWasLeftOutIsTheReasonThatNothingIsThere) {
         const std::string torn = refusal(packedFile(name, cut, plain.size(), crc32(plain)));
         EXPECT_NE(torn.find(std::string("compressed with ") + name + " and damaged or cut off"), std::string::npos) << torn;
     }
-    // A good chunk beside a bad one is read.
+    // A valid chunk next to a damaged one is read.
     Bytes both = packedFile("brotli", plain, plain.size(), 0);
     const Bytes good = packedFile("", plain, plain.size(), crc32(plain));
     both.insert(both.end(), good.begin() + 8, good.end());
@@ -349,7 +352,7 @@ TEST(Mcap, WhatWasLeftOutIsTheReasonThatNothingIsThere) {
 }
 
 TEST(Mcap, TheDemoHoldsWhatTheIndependentReaderSays) {
-    if (!std::filesystem::exists(kDemo)) GTEST_SKIP() << "no reference recording at " << kDemo;
+    EDGESCAN_NEEDS_SHARED("protocol/vectors");
     const auto recording = files::Recording::open(kDemo);
     ASSERT_TRUE(recording) << recording.error().sentence();
     EXPECT_TRUE((*recording)->clean());
@@ -379,7 +382,7 @@ TEST(Mcap, TheDemoHoldsWhatTheIndependentReaderSays) {
         return text;
     };
     EXPECT_EQ(ours(bytesOfFile(kDemo)), listed(kDemo));
-    // And the other way round: the independent reader reads what we write, whole and cut.
+    // And in the other direction: the independent reader reads our files, whole and truncated.
     std::vector<files::RecordingMessagePtr> messages;
     for (int n = 0; n < 40; ++n) {
         messages.push_back(lineMessage(n));

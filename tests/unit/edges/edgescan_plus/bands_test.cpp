@@ -1,4 +1,4 @@
-// The lines of a sweep shared out among threads: the same to the last bit, wherever the seams lie.
+// The lines of a sweep divided among threads: the same to the last bit, wherever the seams are.
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/sim/simulate.h"
 
@@ -9,7 +9,7 @@
 namespace edgescan::edges {
 namespace {
 
-void expectSameWithAnyThreads(const Scan& scan, const DepthEdgeSettings& settings) {
+void expectSameWithAnyThreads(const Scan& scan, const Settings& settings) {
     const DepthSurface surface = depthSurface(scan, true, 1);
     DepthCracks cracks;
     const DepthResponses responses = depthResponses(surface, settings, &cracks, 1);
@@ -42,9 +42,9 @@ TEST(DepthBands, GiveTheSameResponses) {
     simulation.dropouts = 0.02;
     const auto simulated = sim::simulate(simulation);
     ASSERT_TRUE(simulated);
-    DepthEdgeSettings settings;
+    Settings settings;
     expectSameWithAnyThreads(simulated->scan, settings);
-    settings.noiseAt5mMm = 30; // two passes of smoothing, lines through three cells
+    settings.noiseMm = 30; // two passes of smoothing, lines through three cells
     expectSameWithAnyThreads(simulated->scan, settings);
 }
 

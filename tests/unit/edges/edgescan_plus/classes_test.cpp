@@ -1,4 +1,4 @@
-// Classes of edges: what each switch takes away, and that the border of missing data is none of a rock (docs/operator.md, "S3").
+// Classes of edges: the effect of each switch; the border of missing data is not an edge of a rock (docs/operator.md, "S3").
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/exports/provenance/provenance.h"
@@ -88,7 +88,7 @@ TEST(EdgeClasses, ExportsHoldTheClassOfEveryPoint) {
                                                                        : countCells(*boxes)[static_cast<std::size_t>(CellState::Valid)]);
     }
     const auto gray = exports::exportFiles(exports::ExportContent::EdgeCloud, *detectEdges(boxes, cannySettings()), "cloud.csv", "", {});
-    EXPECT_EQ(gray->front().bytes.find("class"), std::string::npos); // Canny knows none
+    EXPECT_EQ(gray->front().bytes.find("class"), std::string::npos); // Canny has no classes
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Jumps and folds against the formulas of docs/method.md, "Step 3" and "Step 5", in double precision and cell by cell.
+// Jumps and folds compared with the formulas of docs/method.md, "Step 3" and "Step 5", in double precision and cell by cell.
 #include "core/edges/edgescan_plus/surface_lines.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/inverse_range.h"
@@ -43,10 +43,10 @@ double plainCrack(const float* at, const float* there, std::ptrdiff_t s, double 
 // A line through one side of a cell.
 struct PlainSide {
     int cells = 0;
-    double slope = 0, height = 0; // of u per step outwards, and at the cell, over the cell
+    double slope = 0, height = 0; // slope of u per step outwards, and height over the cell
 };
 PlainSide plainSide(const float* at, const std::uint8_t* link, std::ptrdiff_t s, int sign, int most) {
-    const auto linked = [&](int n) { return link[sign > 0 ? n * s : -(n + 1) * s] != 0; }; // from the nth cell on to the next
+    const auto linked = [&](int n) { return link[sign > 0 ? n * s : -(n + 1) * s] != 0; }; // from the nth cell to the next
     PlainSide side;
     double sum = 0, weighted = 0;
     for (int n = 1; n <= most && linked(n - 1); ++n) {

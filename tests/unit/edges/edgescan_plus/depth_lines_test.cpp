@@ -1,4 +1,4 @@
-// The stages of EdgeScan+ line by line, against the same and against plainer ones on the whole sweep.
+// The stages of EdgeScan+ line by line, compared with the same stages, and with simpler ones, on the whole sweep.
 #include "core/base/order_statistic.h"
 #include "core/edges/edgescan_plus/jump.h"
 #include "core/edges/edgescan_plus/mixed_pixels.h"
@@ -18,7 +18,7 @@
 namespace edgescan::edges {
 namespace {
 
-// Boxes, slanted and rough surfaces, mixed pixels and holes, in sizes round the blocks that loops work on.
+// Boxes, slanted and rough surfaces, mixed pixels and holes, in sizes near those of the blocks in the loops.
 Scan randomScan(std::mt19937& random) {
     constexpr std::array<int, 12> kSizes{1, 2, 3, 5, 8, 17, 31, 33, 48, 64, 70, 101};
     const int lines = kSizes[random() % kSizes.size()];
@@ -26,7 +26,7 @@ Scan randomScan(std::mt19937& random) {
     const double dropouts = std::array<double, 4>{0.0, 0.02, 0.2, 0.7}[random() % 4];
     const Scan boxes = test::boxesScan(lines, beams, static_cast<unsigned>(random()), dropouts);
     const double slant = static_cast<double>(random() % 400) * 0.01;
-    // The spot of the beam covers three cells where they are near.
+    // The spot of the beam covers three cells at small distances.
     const double scale = std::array<double, 3>{1.0, 0.3, 0.1}[random() % 3];
     return test::makeScan(lines, beams, [&](int i, int j) {
         const float range = boxes.rangeMm.at(i, j);
@@ -58,7 +58,7 @@ Grid<float> solidOf(const InverseRange& inverse) {
     return solid;
 }
 
-// docs/method.md, "Step 2" cell by cell, as mixed_pixels.h says it.
+// docs/method.md, "Step 2" cell by cell, as mixed_pixels.h describes it.
 struct PlainVeil {
     const Lines& u;
     const Lines& solid;
@@ -248,12 +248,12 @@ TEST(DepthLines, StagesLineByLineSayWhatTheySayOfTheWholeSweep) {
     EXPECT_GT(folds, 10000);
 }
 
-// Beams and lines taken away at the start shift the cells in all blocks and windows.
+// Beams and lines removed at the start shift the cells in all blocks and windows.
 TEST(DepthLines, WhatIsFarAwayDoesNotMatter) {
     constexpr int kFar = 48;
     const Scan scan = test::boxesScan(130, 140, 5, 0.03);
-    DepthEdgeSettings settings;
-    settings.noiseAt5mMm = 6.75;
+    Settings settings;
+    settings.noiseMm = 6.75;
     settings.straighten = false;
     const DepthResponses whole = test::depthResponses(scan, settings);
     for (const auto& [lines, beams] : {std::array{1, 0}, std::array{0, 1}, std::array{7, 13}, std::array{33, 9}}) {
@@ -276,7 +276,7 @@ TEST(DepthLines, WhatIsFarAwayDoesNotMatter) {
     }
 }
 
-TEST(DepthLines, CellsStandAloneAndGapsAreFilledAsCellByCell) {
+TEST(DepthLines, IsolatedCellsAndFilledGapsAreThoseOfCellByCell) {
     std::mt19937 random(33);
     for (int round = 0; round < 300; ++round) {
         const Scan scan = randomScan(random);
@@ -287,7 +287,7 @@ TEST(DepthLines, CellsStandAloneAndGapsAreFilledAsCellByCell) {
         Grid<std::uint8_t> measured(scan.lines(), scan.beams());
         for (int i = 0; i < scan.lines(); ++i) {
             for (int j = 0; j < scan.beams(); ++j) {
-                int agreeing = 0; // and the cell itself
+                int agreeing = 0; // including the cell itself
                 for (int n = 0; n < 9; ++n) {
                     const int a = i - 1 + n / 3;
                     const int b = j - 1 + n % 3;
@@ -297,7 +297,7 @@ TEST(DepthLines, CellsStandAloneAndGapsAreFilledAsCellByCell) {
                 measured.at(i, j) = valid(i, j) && agreeing >= 3 ? 1 : 0;
             }
         }
-        // The two ends of a gap of up to four cells round a hole, nearer the one or the other.
+        // Values from the two ends of a gap of up to four cells around a hole, nearer to one or the other.
         const auto filling = [&](int i, int j, int di, int dj) {
             int before = 1;
             int after = 1;

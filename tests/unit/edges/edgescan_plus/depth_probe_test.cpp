@@ -1,4 +1,4 @@
-// What is said to have been measured at a cell is what the whole scan was judged by.
+// The values reported for a cell are those that the detection of the whole scan used.
 #include "core/edges/edgescan_plus/cell_probe.h"
 
 #include "core/edges/explain/why.h"
@@ -8,6 +8,7 @@
 #include "core/sim/simulate.h"
 #include "tests/support/depth_edges.h"
 #include "tests/support/scans.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -38,7 +39,7 @@ bool besideFilled(const InverseRange& inverse, int line, int beam) {
 }
 
 // Every part of what is told must agree with the responses of the whole scan, to the last bit where it is a strength.
-void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int cells) {
+void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
     const DepthResponses whole = test::depthResponses(scan, settings);
     const InverseRange inverse = inverseRange(scan);
     std::mt19937 random(7);
@@ -57,7 +58,7 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
         const int line = static_cast<int>(k) / scan.beams();
         const int beam = static_cast<int>(k) % scan.beams();
         const DepthProbe probe = probeDepth(scan, settings, line, beam);
-        // Edges go round gaps: what a filled cell had comes to one beside it.
+        // Edges are moved around gaps: the response of a filled cell moves to a neighbouring cell.
         const auto same = [&](float kept, float held) {
             if (probe.support == Support::Filled) return held == 0.0F;
             return kept == held || (kept == 0.0F && probe.support == Support::Measured && besideFilled(inverse, line, beam));
@@ -65,7 +66,7 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
         ASSERT_PRED2(same, probe.jump.after, whole.jump[k]) << line << " " << beam;
         ASSERT_PRED2(same, probe.crease.after, whole.crease[k]) << line << " " << beam;
         exact += probe.jump.after == whole.jump[k] && probe.crease.after == whole.crease[k] ? 1 : 0;
-        EXPECT_EQ(probe.noiseAt5mMm, whole.noise.at(5.0));
+        EXPECT_EQ(probe.noiseMm, whole.noise.at(5.0));
         double jump = 0;
         for (const DepthStepAtCell& step : probe.steps) {
             EXPECT_NEAR(step.stepMm / step.limitMm(), step.strength, 1e-3 * step.strength);
@@ -89,15 +90,15 @@ void expectSameAsWhole(const Scan& scan, const DepthEdgeSettings& settings, int 
 TEST(DepthProbe, StrengthsAreThoseOfTheWholeScan) {
     expectSameAsWhole(smallBell(), {}, 250);
     expectSameAsWhole(smallBell(0.6), {}, 60); // beams interlaced
-    DepthEdgeSettings noisy;
-    noisy.noiseAt5mMm = 20; // three cells, two passes
+    Settings noisy;
+    noisy.noiseMm = 20; // three cells, two passes
     noisy.grazing = 0.7;
     expectSameAsWhole(smallBell(), noisy, 60);
 }
 
 TEST(DepthProbe, StrengthsAreThoseOfARealSweep) {
-    const std::filesystem::path corridor = std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/lms200_corridor/scan000.json";
-    if (!std::filesystem::exists(corridor)) GTEST_SKIP() << "no " << corridor;
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    const std::filesystem::path corridor = test::sharedFolder() / "data/lms200_corridor/scan000.json";
     const Result<Scan> scan = files::openScan(corridor);
     ASSERT_TRUE(scan);
     expectSameAsWhole(*scan, {}, 100);
@@ -106,8 +107,8 @@ TEST(DepthProbe, StrengthsAreThoseOfARealSweep) {
 // A box half a metre in front of a wall, and a corner of 90 degrees towards the scanner.
 TEST(DepthProbe, AStepAndACornerHaveTheirSizes) {
     const Scan step = test::makeScan(60, 60, [](int, int j) { return j < 30 ? 4000.0F : 4500.0F; });
-    DepthEdgeSettings settings;
-    settings.noiseAt5mMm = 1;
+    Settings settings;
+    settings.noiseMm = 1;
     const DepthProbe edge = probeDepth(step, settings, 30, 29);
     ASSERT_FALSE(edge.steps.empty());
     EXPECT_NEAR(edge.steps[0].stepMm, 500, 1);
@@ -130,7 +131,7 @@ TEST(DepthProbe, AStepAndACornerHaveTheirSizes) {
     ASSERT_FALSE(ridge.folds.empty());
     EXPECT_EQ(ridge.folds[0].along, Along::Beams);
     EXPECT_FALSE(ridge.folds[0].convex);             // |x| + z = 5 m: farthest in the middle
-    EXPECT_NEAR(ridge.folds[0].dihedralDeg, 90, 20); // smoothing and the cell beside the fold take some of it
+    EXPECT_NEAR(ridge.folds[0].dihedralDeg, 90, 20); // smoothing and the neighbouring cell reduce it
 }
 
 TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
@@ -206,14 +207,14 @@ TEST(DepthProbe, OtherMethodsSayUnitAndDirection) {
         EXPECT_EQ(why.unit, unit);
         EXPECT_NE(whyText(why, settings).find(unit), std::string::npos);
     }
-    // In percent of the range the threshold is the one that was typed.
+    // In percent of the range, the threshold is the typed value.
     Settings settings;
     settings.method = Method::LogRange;
     settings.stepPercent = 4;
     const Why why = whyCell(*detectEdges(scan, settings), scan->rangeMm.index(15, 15));
     EXPECT_NEAR(why.lower, 4, 1e-9);
     EXPECT_NEAR(why.upper, 100 * (std::pow(1.04, 3) - 1), 1e-9);
-    // Turned by a quarter: along the lines.
+    // Rotated by 90 degrees: along the lines.
     const auto turned =
         std::make_shared<const Scan>(test::makeScan(30, 30, [](int i, int) { return 9000.0F - 200.0F * static_cast<float>(i); }));
     for (const Method method : {Method::Roberts, Method::Sobel, Method::Kirsch, Method::Robinson}) {

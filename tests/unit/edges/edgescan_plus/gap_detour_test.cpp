@@ -1,4 +1,4 @@
-// Edges round lost ranges, and ranges that are hardly any.
+// Edges around lost ranges, and scans with hardly any ranges.
 #include "core/base/order_statistic.h"
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "tests/support/depth_edges.h"
@@ -14,7 +14,7 @@
 namespace edgescan::edges {
 namespace {
 
-// Each response of a filled cell, in order, to the measured cell without a response that fits best: sides before corners.
+// Moves each response of a filled cell, in order, to the best measured cell without a response: sides before corners.
 void goRoundPlainly(const InverseRange& inverse, Grid<float>& response, bool nearest) {
     for (int i = 0; i < response.lines; ++i) {
         for (int j = 0; j < response.beams; ++j) {

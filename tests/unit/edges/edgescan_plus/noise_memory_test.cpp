@@ -1,4 +1,4 @@
-// Noise by scale: white noise reads the same at every lag, steps that span cells do not, and folds follow what is there.
+// Noise by scale: white noise has the same value at every lag, steps that span cells do not, and folds use the measured noise.
 #include "core/edges/edgescan_plus/noise_memory.h"
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -36,7 +36,7 @@ AngularSteps cameraLike() {
 // A slanted plane, 0.8 m away in the middle.
 double planeM(int i, int j) { return 1.0 / (1.25 + 0.0004 * (i - 150) + 0.0003 * (j - 170)); }
 
-// Normal noise that neighbours share: the mean of `side` x `side` independent values, as large as one of them.
+// Normal noise with correlation between neighbours: the mean of `side` x `side` independent values, scaled to the size of one of them.
 Grid<double> sharedNoise(int side, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
@@ -50,7 +50,7 @@ Grid<double> sharedNoise(int side, unsigned seed) {
     return shared;
 }
 
-// Depth from a disparity that comes in whole steps, as a structured-light camera gives it.
+// Depth from a disparity with whole steps, as from a structured-light camera.
 InverseRange cameraWall() {
     const Grid<double> noise = sharedNoise(4, 5);
     return sweepOf([&](int i, int j) {
@@ -60,8 +60,8 @@ InverseRange cameraWall() {
     });
 }
 
-// Standard deviation of the differences of the slopes of both sides of `reach` cells, fitted by hand to ranges smoothed by hand,
-// as the white noise that would make them: what memoryNoise() must find.
+// Standard deviation of the differences of the slopes of both sides of `reach` cells, with direct fits and direct smoothing, as the
+// equivalent white noise: the value that memoryNoise() must find.
 double foldNoiseByHand(const InverseRange& inverse, int reach) {
     std::vector<double> folds;
     const auto smoothed = [&](int i, int j) {
@@ -96,18 +96,18 @@ TEST(NoiseMemory, WhiteNoiseReadsTheSameAtEveryLag) {
     EXPECT_NEAR(scales.rangeM, 0.8, 0.02);
     EXPECT_FALSE(scales.inSteps);
     EXPECT_FALSE(scales.remembered);
-    // Told to be a camera's all the same, it folds like the white noise that it is.
+    // Treated as a camera's, it nevertheless folds like white noise, which it is.
     EXPECT_NEAR(memoryNoise(inverse, cameraLike(), scales, 16).fold.at(0.8), foldNoiseByHand(inverse, 11), 0.4);
 }
 
 TEST(NoiseMemory, CoarseStepsOfWhiteNoiseHaveNone) {
     const Grid<double> noise = sharedNoise(1, 3);
-    // Whole centimetres, and noise of about as much.
+    // Ranges in whole centimetres, with noise of about the same size.
     const InverseRange inverse = sweepOf([&](int i, int j) { return std::round(100 * (planeM(i, j) + 0.006 * noise.at(i, j))) / 100; });
     EXPECT_FALSE(noiseScales(inverse, true).remembered);
 }
 
-TEST(NoiseMemory, StepsThatSpanCellsAreTold) {
+TEST(NoiseMemory, StepsThatSpanCellsAreDetected) {
     const InverseRange inverse = cameraWall();
     const NoiseScales scales = noiseScales(inverse, true);
     EXPECT_TRUE(scales.remembered);
@@ -119,7 +119,7 @@ TEST(NoiseMemory, StepsThatSpanCellsAreTold) {
     EXPECT_GT(noise.cells, 4);
 }
 
-// The sensor's own folds are no edges; a real one stays.
+// The sensor's own folds are not edges; a real fold remains.
 TEST(NoiseMemory, FoldsOfASteppedWallAreNoEdges) {
     const Grid<double> noise = sharedNoise(6, 8);
     const auto scan = [&](bool roof) {
@@ -135,7 +135,7 @@ TEST(NoiseMemory, FoldsOfASteppedWallAreNoEdges) {
         return made;
     };
     const auto folds = [&](const Scan& of, NoiseKind kind, int from, int to) {
-        DepthEdgeSettings settings;
+        Settings settings;
         settings.noiseKind = kind;
         const DepthEdges edges = test::depthEdges(of, settings);
         std::size_t count = 0;
@@ -149,12 +149,12 @@ TEST(NoiseMemory, FoldsOfASteppedWallAreNoEdges) {
     };
     const Scan wall = scan(false), roof = scan(true);
     const std::size_t asWhite = folds(wall, NoiseKind::Laser, 20, 320), asCamera = folds(wall, NoiseKind::Camera, 20, 320);
-    EXPECT_GT(asWhite, 300U); // what the white noise of neighbours promises is too little
+    EXPECT_GT(asWhite, 300U); // the white noise of neighbours underestimates it
     EXPECT_LT(10 * asCamera, asWhite);
     EXPECT_GT(folds(roof, NoiseKind::Camera, 167, 174), 200U); // of 260 lines
 }
 
-TEST(NoiseMemory, GrowthWithTheRangeOrItsSquareIsTold) {
+TEST(NoiseMemory, GrowthWithTheRangeOrItsSquareIsDetected) {
     const Grid<double> noise = sharedNoise(1, 9);
     for (const bool square : {false, true}) {
         const auto sigmaM = [square](double r) { return square ? 0.002 * r * r : 0.002 * r; };

@@ -1,4 +1,4 @@
-// Outlines before a void, told from missing data.
+// Outlines before a void, as distinguished from missing data.
 #include "core/edges/edgescan_plus/silhouettes.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLines = 90, kBeams = 120;
 
-// A box 1 m before a wall, lines 30 to 59 and beams 40 to 69, and beside it, at higher beams, a stripe of 12 cells without a return.
+// A box 1 m in front of a wall, lines 30 to 59 and beams 40 to 69; next to it, at higher beams, a stripe of 12 cells without a return.
 std::shared_ptr<const Scan> boxWithShadow(double boxMm = 4000) {
     const PolarGeometry polar = test::regularAngles(kLines, kBeams);
     return std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [&](int i, int j) {
@@ -35,7 +35,7 @@ TEST(Silhouettes, TheSideOfABoxBeforeItsShadowIsOneAndTheWallBehindIsNone) {
     EXPECT_TRUE(std::ranges::is_sorted(cells));
     EXPECT_EQ(std::set<std::uint32_t>(cells.begin(), cells.end()), wanted);
     for (const std::uint32_t k : wanted) EXPECT_EQ((*detection->mask)[k], 255);
-    EXPECT_GE(silhouettesOf(*detection), 26U); // corners are jumps as well
+    EXPECT_GE(silhouettesOf(*detection), 26U); // corners also count as jumps
     Settings without;
     without.classes = kClassRock & ~kClassSilhouette;
     EXPECT_EQ(silhouettesOf(*detectEdges(scan, without)), 0U);
@@ -69,17 +69,17 @@ TEST(Silhouettes, AGapThatIsFilledHidesNoOutline) {
     }
 }
 
-// The same hole with a step below the jump threshold: nobody can be sure.
+// The same hole with a step below the jump threshold: not certain.
 TEST(Silhouettes, AStepThatIsNoJumpIsNone) { EXPECT_TRUE(detectEdges(boxWithShadow(4970), Settings{})->responses->silhouettes.empty()); }
 
-TEST(Silhouettes, AVoidThatReachesTheBorderTellsNothing) {
+TEST(Silhouettes, AVoidThatReachesTheBorderHasNoOutline) {
     const PolarGeometry polar = test::regularAngles(kLines, kBeams);
     const auto scan = std::make_shared<const Scan>(
         test::makeScan(kLines, kBeams, [&](int i, int j) { return j >= 70 || i >= 60 ? 0.0 : test::wallRangeMm(polar, i, j, 4000.0); }));
     EXPECT_TRUE(detectEdges(scan, Settings{})->responses->silhouettes.empty());
 }
 
-// A floor that slants away by 75 degrees along the beams loses its returns, and a wall stands behind.
+// A floor that slants away by 75 degrees along the beams loses its returns, and there is a wall behind.
 TEST(Silhouettes, ASurfaceThatSlantsAwayIsNone) {
     const double slant = std::tan(75 * std::numbers::pi / 180), step = 0.25 * std::numbers::pi / 180;
     const auto scan = std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [&](int, int j) {

@@ -1,4 +1,4 @@
-// Points across a cell and the lines through either side.
+// The points on both sides of a cell, and the lines through them.
 #include "core/edges/explain/edge_profile.h"
 
 #include "tests/support/scans.h"
@@ -10,7 +10,7 @@
 namespace edgescan::edges {
 namespace {
 
-/// A wall 4 m in front, square to the beam in the middle; from beam `split` on `step` metres farther.
+/// A wall 4 m in front, at right angles to the middle beam; from beam `split` on `step` metres farther.
 Scan walls(int split, double step) {
     return test::makeScan(9, 61, [=](int, int beam) {
         const double deg = 60.0 + beam;

@@ -1,4 +1,4 @@
-// Why a cell is an edge: what is said must be what the method does.
+// Why a cell is an edge: the explanation must agree with the method.
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
@@ -33,10 +33,11 @@ std::vector<Settings> everyMethod() {
 TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
     std::mt19937 random(5);
+    int appear = 0, vanish = 0;
     for (const Settings& settings : everyMethod()) {
         const auto detection = detectEdges(scan, settings);
         for (int n = 0; n < 12; ++n) {
-            // Half of the cells from the edges, half from anywhere.
+            // Half of the cells are edges, half are random cells.
             const std::size_t k = n % 2 == 0 && !detection->edges->empty() ? (*detection->edges)[random() % detection->edges->size()]
                                                                            : random() % scan->cells();
             const Why why = whyCell(*detection, k);
@@ -44,19 +45,23 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
             EXPECT_EQ(why.probe.edge, (*detection->mask)[k] != 0);
             EXPECT_TRUE(!why.probe.edge || (why.appearsAt && *why.appearsAt >= parameter.get(settings))) << why.verdict;
             if (!why.appearsAt) continue;
+            ++appear;
             Settings at = settings;
             parameter.set(at, *why.appearsAt);
             EXPECT_NE((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
             const double beyond = *why.appearsAt + std::pow(10.0, -parameter.decimals) * 1.001;
             if (beyond > parameter.maximum) continue;
+            ++vanish;
             parameter.set(at, beyond);
             EXPECT_EQ((*detectEdges(scan, at)->mask)[k], 0) << why.verdict;
         }
     }
+    EXPECT_GT(appear, 0);
+    EXPECT_GT(vanish, 0);
 }
 
 TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
-    // A step in levels that fades out along a column: strong at the top, weak below.
+    // A step in levels that fades along a column: strong at the top, weak below.
     const Scan scan = test::makeScan(30, 20, [](int i, int j) { return j < 10 ? 5000.0F : 5000.0F + static_cast<float>(1200 - 36 * i); });
     Settings s = cannySettings();
     s.scaling = Scaling::Window;
@@ -78,7 +83,7 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
     }
     EXPECT_NE(why.verdict.find("its chain reaches"), std::string::npos) << why.verdict;
     EXPECT_NEAR(std::abs(*why.directionDeg), 0, 10);
-    // Beside it the same step is seen a little weaker: lost to the edge.
+    // At the next cell the same step is slightly weaker: the edge suppresses it.
     const Why beside = whyCell(*detection, detection->mask->index(5, beam == 9 ? 10 : 9));
     EXPECT_FALSE(beside.probe.edge);
     ASSERT_TRUE(beside.suppressedBy) << beside.verdict;
@@ -88,13 +93,16 @@ TEST(Why, AWeakCellShowsItsWayToAStrongOne) {
 
 TEST(Why, AHoleSaysThatItHasNoRange) {
     const auto scan = std::make_shared<Scan>(test::makeScan(20, 20, [](int i, int j) { return i == 10 && j == 10 ? 0.0F : 4000.0F; }));
+    int asked = 0;
     for (const Settings& settings : everyMethod()) {
         if (!settings.maskMissing && findParameter("mask-missing")->usedBy(settings)) continue;
         const Why why = whyCell(*detectEdges(scan, settings), scan->rangeMm.index(10, 10));
+        ++asked;
         EXPECT_FALSE(why.takesPart);
         EXPECT_EQ(why.verdict.find("No edge: it has no range"), 0U) << why.verdict;
         EXPECT_FALSE(why.appearsAt);
     }
+    EXPECT_GT(asked, 0);
 }
 
 TEST(Why, TheReportHoldsWhatTheCommandLineContractNames) {

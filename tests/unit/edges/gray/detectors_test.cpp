@@ -1,5 +1,4 @@
-// The detectors of the thesis's chapter 3 against sums written out with their masks, small examples worked out by hand, and what a hole
-// must not do.
+// The detectors of the thesis's chapter 3 compared with sums over their masks, small hand-computed examples, and the treatment of holes.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gradient_masks.h"
 #include "core/edges/gray/log_range.h"
@@ -34,7 +33,7 @@ Grid<std::uint8_t> someMissing(int lines, int beams, std::uint32_t seed, unsigne
     return missing;
 }
 
-// The sum of levels times mask, written out; a missing cell counts as the window's cell.
+// The sum of levels times mask, written out; a missing cell counts as the window's centre.
 double sumAt(const Grid<std::uint8_t>& image, const Grid<std::uint8_t>& missing, const Mask& mask, int line, int beam) {
     const int reach = static_cast<int>(mask.size()) / 2;
     double sum = 0;
@@ -49,7 +48,7 @@ double sumAt(const Grid<std::uint8_t>& image, const Grid<std::uint8_t>& missing,
     return sum;
 }
 
-// By 45 degrees, clockwise.
+// Rotated by 45 degrees, clockwise.
 Mask turned(const Mask& m) { return {{m[1][0], m[0][0], m[0][1]}, {m[2][0], m[1][1], m[0][2]}, {m[2][1], m[2][2], m[1][2]}}; }
 
 Mask transposed(const Mask& m) {
@@ -66,7 +65,7 @@ const Mask kKirsch{{-3, -3, 5}, {-3, 0, 5}, {-3, -3, 5}};
 const Mask kRobertsA{{0, 0, 0}, {0, 1, 0}, {0, 0, -1}};
 const Mask kRobertsB{{0, 0, 0}, {0, 0, 1}, {0, -1, 0}};
 
-// What the formula of each detector gives at a cell.
+// The value of each detector's formula at a cell.
 double expected(Method method, Norm norm, const Grid<std::uint8_t>& image, const Grid<std::uint8_t>& missing, int line, int beam) {
     const auto sum = [&](const Mask& mask) { return sumAt(image, missing, mask, line, beam); };
     const auto two = [&](double a, double b) { return norm == Norm::L1 ? std::abs(a) + std::abs(b) : std::hypot(a, b); };
@@ -126,7 +125,7 @@ TEST(Detectors, AStepOfTenByHand) {
         EXPECT_EQ(response.at(2, 1), 0.0F);
         EXPECT_EQ(response.at(2, 5), 0.0F);
     }
-    // 4-neighbour mask: -10 left of the step, +10 right of it; the change is 20 steep and belongs to the first of two alike.
+    // 4-neighbour mask: -10 left of the step, +10 right of it; the change is 20 and belongs to the first of the two equal cells.
     const Grid<float> log = rowOf(Method::Log).response(image, nullptr, s);
     EXPECT_EQ(log.at(2, 2), 20.0F);
     EXPECT_EQ(log.at(2, 3), 0.0F);
@@ -137,7 +136,7 @@ TEST(Detectors, AStepOfTenByHand) {
 }
 
 TEST(Detectors, TheEightDirectionsAnswerAlikeWhereverAStepPoints) {
-    // The eight turns of a step by 45 degrees round a cell.
+    // The eight rotations of a step by 45 degrees around a cell.
     std::array<std::uint8_t, 8> ring{90, 90, 90, 90, 10, 10, 10, 10};
     for (const Method method : {Method::Kirsch, Method::Robinson}) {
         std::vector<float> answers;
@@ -169,7 +168,7 @@ TEST(Detectors, LaplacianMasksWrittenOut) {
     }
 }
 
-// Gaussian without missing cells, then the Laplacian, in one double sum per cell.
+// Gaussian without missing cells, then the Laplacian, as one double sum per cell.
 double laplacianOfGaussianAt(const Grid<std::uint8_t>& image, const Grid<std::uint8_t>& missing, double sigma, int line, int beam) {
     const int reach = static_cast<int>(std::ceil(4 * sigma));
     const auto smooth = [&](int atLine, int atBeam) {
@@ -212,7 +211,7 @@ TEST(Detectors, ZeroCrossingsBelongToTheCellCloserToZero) {
     Grid<float> values(1, 9);
     values.cells = {3, 5, -1, -4, 0, 7, 7, 0, 0};
     const Grid<float> slope = zeroCrossingSlope(values, nullptr);
-    // 5 | -1: six steep, at the -1. -4 0 7: eleven steep, at the zero. 7 0 0 does not cross.
+    // 5 | -1: slope six, at the -1. -4 0 7: slope eleven, at the zero. 7 0 0 does not cross zero.
     EXPECT_EQ(slope.cells, (std::vector<float>{0, 0, 6, 0, 11, 0, 0, 0, 0}));
     Grid<std::uint8_t> missing(1, 9);
     missing[2] = missing[4] = 255;

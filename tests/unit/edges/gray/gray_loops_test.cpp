@@ -1,4 +1,4 @@
-// The gray path's own loops against OpenCV, for every instruction set of this machine.
+// The gray path's own loops compared with OpenCV, for every instruction set of this machine.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kPictures = 10000; // for each instruction set
 
-// Noise, blocks, ramps and all that lies between: ties, flat parts, and the strongest steps that eight bits hold.
+// Noise, blocks, ramps and mixtures of these: ties, flat parts, and the largest steps of eight bits.
 Grid<std::uint8_t> anyPicture(std::mt19937& random) {
-    const bool isWide = random() % 8 == 0; // several blocks of the loops, and what is left over
+    const bool isWide = random() % 8 == 0; // several blocks of the loops, and a remainder
     const int lines = 1 + static_cast<int>(random() % (random() % 3 == 0 ? 4U : 24U));
     const int beams = 1 + static_cast<int>(random() % (isWide ? 300U : random() % 3 == 0 ? 5U : 90U));
     Grid<std::uint8_t> picture(lines, beams);
@@ -82,7 +82,7 @@ TEST_P(EveryGrayLoop, EqualsOpenCvOnThousandsOfPictures) {
     EXPECT_GT(edges, 100000U) << "hardly a picture had an edge";
 }
 
-// Ranges of whole and of broken millimetres, and those that lie exactly in the middle between two levels or beside it.
+// Ranges of whole and fractional millimetres, and ranges exactly in the middle between two levels or next to it.
 TEST_P(EveryGrayLoop, LevelsAreThoseOfDoubles) {
     std::mt19937 random(5);
     std::size_t middles = 0;

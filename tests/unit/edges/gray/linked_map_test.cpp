@@ -1,4 +1,4 @@
-// The map of linked responses beside a search for each cell's threshold, and beside chains followed one by one.
+// The map of linked responses compared with a search for each cell's threshold, and with chains followed one by one.
 #include "core/edges/gray/threshold_map.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Grid<float> randomStrength(std::mt19937& random, int kind) {
     return strength;
 }
 
-// What is above the lower threshold and hangs together, where one of it is above the higher one and there are enough.
+// Connected cells above the lower threshold, if one of them is above the higher one and there are enough of them.
 Grid<std::uint8_t> chainsOneByOne(const Grid<float>& strength, float high, float share, int minimumLength) {
     Grid<std::uint8_t> mask(strength.lines, strength.beams), seen = mask;
     for (std::size_t start = 0; start < strength.size(); ++start) {

@@ -1,4 +1,4 @@
-// The range window that stays while a sweep grows.
+// The range window that is fixed while a sweep grows.
 #include "core/edges/gray/steady_window.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
@@ -14,7 +14,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// Rows of a nearer wall first, then of a farther one: an automatic window wants to move.
+/// Rows of a near wall first, then of a farther one: an automatic window would move.
 Scan recedingScan(int lines, int beams) {
     return makeScan(lines, beams,
                     [&](int i, int j) { return 2000 + (i > lines / 2 ? 40 * i : 0) + (j / 10 % 2) * 300 + (i * 7 + j * 3) % 11; });
@@ -49,7 +49,7 @@ TEST(SteadyWindow, OfTheWholeScanGivesTheEdgesOfTheWholeScan) {
     }
 }
 
-TEST(SteadyWindow, ASliderLeavesItAloneAndATypedLimitCounts) {
+TEST(SteadyWindow, ASliderKeepsItAndATypedLimitCounts) {
     const Scan whole = recedingScan(100, 50);
     SteadyWindow window;
     Settings settings = cannySettings();

@@ -1,4 +1,4 @@
-// The threshold map against the methods themselves, run at every threshold.
+// The threshold map compared with the methods themselves, run at every threshold.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/gray/smooth.h"
@@ -33,7 +33,7 @@ Grid<std::uint8_t> holes(int lines, int beams, std::uint32_t seed) {
     return missing;
 }
 
-// Thresholds between, at and one bit beside the values of the map.
+// Thresholds between, at and one bit beyond the values of the map.
 std::vector<double> thresholdsOf(const ThresholdMap& map, std::uint32_t seed) {
     std::mt19937 random(seed);
     std::vector<double> all{0.0, 0.1, 1.0, 2.5, 7.0, 10.0, 33.3, 100.0, 340.0, 5000.0, 20000.0};
@@ -107,7 +107,7 @@ TEST(ThresholdMap, EqualsTheDetectorsOfOneThreshold) {
     }
 }
 
-// Every cell looks at its neighbours until nothing changes any more.
+// Every cell reads its neighbours until no value changes.
 Grid<double> spreadSlowly(Grid<double> marker, const Grid<double>& mask) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -187,7 +187,7 @@ TEST(ThresholdMap, TheCurveCountsEdgesAndFindsThePlateau) {
     }
     EXPECT_EQ(curve.stableFrom, 2.0);
     EXPECT_EQ(curve.stableTo, 44.0);
-    // A picture that is full of edges is not stable, however far it stays so.
+    // An image full of edges is not stable, however long the count stays constant.
     for (std::size_t k = 0; k < 1000; ++k) map.highest[k] = 90.0 + static_cast<double>(k % 100) / 100.0;
     const EdgeCountCurve full = edgeCountCurve(map, wholeNumbers(101));
     EXPECT_EQ(full.stableFrom, full.stableTo);

@@ -1,6 +1,5 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
 #include "core/base/work_pool.h"
-#include "core/edges/edgescan_plus/plus_settings.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
@@ -91,7 +90,7 @@ std::vector<double> someValues(const Parameter& p) {
     return values;
 }
 
-// What a stage depends on is said by the table alone: whatever parameter is turned, of whatever method, nothing old may stay.
+// Only the table says what a stage depends on: after a change of any parameter of any method, no old result may remain.
 TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(30, 40, 4, 0.05));
     for (const MethodTraits& traits : methodTraits()) {
@@ -99,7 +98,7 @@ TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
             Pipeline pipeline;
             Settings settings = cannySettings();
             settings.method = traits.method;
-            settings.sigma = 1.1; // so that the kernel size alone does not decide
+            settings.sigma = 1.1; // so that the kernel size is not the only influence
             (void)pipeline.run(scan, settings);
             for (const double value : someValues(p)) {
                 SCOPED_TRACE(std::string(traits.key) + " --" + p.key + " " + formatValue(p, value));
@@ -111,7 +110,7 @@ TEST(Pipeline, TurningAnyParameterOfAnyMethodEqualsARunFromNothing) {
     }
 }
 
-TEST(Pipeline, EveryMethodIsTurnedByOneThreshold) {
+TEST(Pipeline, EveryMethodHasOneMainThreshold) {
     for (const MethodTraits& traits : methodTraits()) {
         Settings settings;
         settings.method = traits.method;
@@ -165,7 +164,7 @@ TEST(Pipeline, AHandOnAThresholdBuildsOneMapAndGetsWhatTheMethodGives) {
     }
 }
 
-TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {
+TEST(Pipeline, ChangingTheDecisionRepeatsNoMeasurement) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(60, 80, 1));
     Pipeline pipeline;
     Settings settings;
@@ -185,20 +184,6 @@ TEST(Pipeline, TurningTheDecisionMeasuresNothingAnew) {
     EXPECT_EQ(std::ranges::count(third->timings, "surface", &StageTime::stage), 0);
     settings.straighten = !settings.straighten;
     EXPECT_EQ(std::ranges::count(pipeline.run(scan, settings)->timings, "surface", &StageTime::stage), 1);
-}
-
-TEST(Pipeline, TheDefaultsOfTheSlidersAreThoseOfTheMethod) {
-    const DepthEdgeSettings sliders = depthEdgeSettings(Settings{});
-    const DepthEdgeSettings method;
-    EXPECT_EQ(sliders.jumpMm, method.jumpMm);
-    EXPECT_EQ(sliders.jumpGrowth, method.jumpGrowth);
-    EXPECT_EQ(sliders.creaseDeg, method.creaseDeg);
-    EXPECT_EQ(sliders.sensitivity, method.sensitivity);
-    EXPECT_EQ(sliders.hysteresisLow, method.hysteresisLow);
-    EXPECT_EQ(sliders.minimumLength, method.minimumLength);
-    EXPECT_EQ(sliders.grazing, method.grazing);
-    EXPECT_EQ(sliders.noiseAt5mMm, method.noiseAt5mMm);
-    EXPECT_TRUE(sliders.jumps && sliders.convex && sliders.concave);
 }
 
 TEST(Pipeline, OnALaneManySettingsEndWithTheLast) {

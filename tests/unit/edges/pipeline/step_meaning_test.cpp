@@ -1,4 +1,4 @@
-// What thresholds stand for, against scans of steps of known depth.
+// The meaning of thresholds, compared with scans of steps of known depth.
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/step_meaning.h"
@@ -35,7 +35,7 @@ std::size_t edgesOfStep(double stepMm, bool diagonal, const Settings& settings) 
         test::makeScan(60, 60, [&](int i, int j) { return static_cast<float>((diagonal ? j > i : j > 29) ? 5000.0 + stepMm : 5000.0); });
     const auto detection = detectEdges(std::make_shared<Scan>(scan), settings);
     std::size_t count = 0;
-    // Where a step leaves the picture the repeated border bends it.
+    // Where a step leaves the image, the repeated border bends it.
     for (int i = 20; i < 40; ++i) {
         for (int j = 20; j < 40; ++j) count += detection->mask->at(i, j) != 0 ? 1 : 0;
     }
@@ -127,7 +127,7 @@ TEST(StepMeaning, AnotherMethodKeepsTheStepInTheMiddleOfCannysTwo) {
         s.lower = lowerWithSameStep(canny, s);
         const double levels = s.lower / stepGain(s).straight;
         if (method == Method::Log)
-            EXPECT_EQ(s.lower, answerToRounding(s)); // it answers to rounding more than to a step of 4 levels
+            EXPECT_EQ(s.lower, answerToRounding(s)); // its response to rounding is larger than that to a step of 4 levels
         else
             EXPECT_NEAR(levels, method == Method::Canny ? 2.0 : 4.0, 0.1) << static_cast<int>(method);
         // And back again.
@@ -137,7 +137,7 @@ TEST(StepMeaning, AnotherMethodKeepsTheStepInTheMiddleOfCannysTwo) {
     }
     Settings depth;
     EXPECT_EQ(lowerWithSameStep(canny, depth), depth.lower);
-    Settings typed; // below rounding, but somebody chose it
+    Settings typed; // below the rounding, but the user chose it
     typed.method = Method::Log;
     typed.lower = 2.0;
     EXPECT_EQ(lowerWithSameStep(typed, typed), 2.0);
@@ -147,7 +147,7 @@ TEST(StepMeaning, AnotherMethodKeepsTheStepInTheMiddleOfCannysTwo) {
 }
 
 TEST(StepMeaning, NoUsualThresholdFindsEdgesOnRoundedPlanes) {
-    // Slants that answerToRounding() does not try itself.
+    // Slants that answerToRounding() itself does not try.
     for (const Method method : kGrayMethods) {
         for (const LogMask mask : {LogMask::FourNeighbours, LogMask::EightNeighbours, LogMask::FiveByFive}) {
             if (method == Method::Canny || (method != Method::Log && mask != LogMask::FourNeighbours)) continue;

@@ -1,8 +1,10 @@
-// The presets `thesis` and `window` against results computed independently with OpenCV on two real scans.
+// The presets `thesis` and `window` against results computed independently with OpenCV, on a scan of the project's own and on two real
+// ones.
 #include "core/base/sha256.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/files/open_save/open_scan.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,16 +16,10 @@
 namespace edgescan::edges {
 namespace {
 
-class Reference : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(Reference, EveryMaskIsIdentical) {
-    const std::filesystem::path shared = EDGESCAN_SHARED_DIR;
-    if (!std::filesystem::exists(shared)) GTEST_SKIP() << "../shared is absent: the reference masks cannot be compared";
-    const std::string file = GetParam();
-    const std::string stem = std::filesystem::path(file).stem();
-    const Result<Scan> scan = files::openScan(shared / "data/lms200_corridor" / file);
+void expectReference(const std::filesystem::path& file, const std::filesystem::path& referenceFile) {
+    const Result<Scan> scan = files::openScan(file);
     ASSERT_TRUE(scan) << scan.error().sentence();
-    const auto reference = nlohmann::json::parse(std::ifstream(shared / "reference/thesis" / (stem + ".json")));
+    const auto reference = nlohmann::json::parse(std::ifstream(referenceFile));
     EXPECT_EQ(countCells(*scan)[0], reference["valid"].get<std::size_t>());
     EXPECT_EQ(rangeLimits(*scan).minMm, reference["s_min_mm"].get<float>());
     EXPECT_EQ(rangeLimits(*scan).maxMm, reference["s_max_mm"].get<float>());
@@ -41,7 +37,19 @@ TEST_P(Reference, EveryMaskIsIdentical) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corridor, Reference, ::testing::Values("scan000.json", "scan001.json", "scan000.3d", "scan001.3d"));
+TEST(Reference, EveryMaskOfTheProjectsOwnScanIsIdentical) {
+    const std::filesystem::path thesis = test::ownData() / "thesis";
+    expectReference(thesis / "steps.json", thesis / "reference.json");
+}
+
+TEST(Reference, EveryMaskOfTwoRealScansIsIdentical) {
+    EDGESCAN_NEEDS_SHARED("reference/thesis");
+    for (const std::string stem : {"scan000", "scan001"}) {
+        for (const char* extension : {".json", ".3d"})
+            expectReference(test::sharedFolder() / "data/lms200_corridor" / (stem + extension),
+                            test::sharedFolder() / "reference/thesis" / (stem + ".json"));
+    }
+}
 
 } // namespace
 } // namespace edgescan::edges

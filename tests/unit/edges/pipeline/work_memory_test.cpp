@@ -1,4 +1,4 @@
-// Work on a scan is refused before it runs out of memory.
+// Work on a scan is refused before the memory runs out.
 #include "core/edges/pipeline/work_memory.h"
 
 #include "tests/support/point_lists.h"

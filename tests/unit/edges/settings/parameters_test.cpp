@@ -1,4 +1,4 @@
-// The table of parameters: every row can be typed, stored, snapped, and says no in one sentence.
+// The table of parameters: every row can be typed, stored and snapped, and gives one sentence for a fault.
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 
@@ -126,7 +126,7 @@ TEST(Presets, AFileComesBackAsItWas) {
     EXPECT_FALSE(findPreset("no-such-preset"));
 }
 
-// Records name the default settings by their version: whoever changes a default raises kDefaultSet.version and writes the new ones here.
+// Records name the default settings by their version: after a change of a default, raise kDefaultSet.version and enter the new ones here.
 TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
     EXPECT_EQ(kDefaultSet.version, 3);
     EXPECT_EQ(
@@ -136,7 +136,7 @@ TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
         R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);
     EXPECT_TRUE(changedFromDefault(Settings{}).empty());
-    // Of a parameter that the method does not read nobody need hear.
+    // Parameters that the method does not read are not listed.
     Settings turned;
     turned.jumpMm = 50;
     turned.kernel = 7;

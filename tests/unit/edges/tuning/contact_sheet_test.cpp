@@ -1,4 +1,4 @@
-// The contact sheet against single runs, and the steady run against every run there is.
+// The contact sheet compared with single runs, and the steady run with every possible run.
 #include "core/edges/tuning/contact_sheet.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -15,9 +15,9 @@ namespace edgescan::edges {
 
 TEST(ContactSheet, EachEntryIsWhatTheProgramShowsAtThatValue) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(80, 100, 3, 0.02));
-    for (const char* key : {"sensitivity", "crease", "min-edge"}) {
+    for (const char* key : {"sensitivity", "crease", "min-length"}) {
         const Parameter* parameter = findParameter(key);
-        if (parameter == nullptr) continue;
+        ASSERT_NE(parameter, nullptr) << key;
         const Settings settings;
         const auto values = sheetValues(*parameter, parameter->get(settings), 7);
         ASSERT_GE(values.size(), 2u) << key;
@@ -80,7 +80,7 @@ TEST(ContactSheet, TheSteadyRunIsTheLongestThatLosesNoMoreThanAFifth) {
     }
 }
 
-TEST(ContactSheet, ItEndsWhenItIsTold) {
+TEST(ContactSheet, ItEndsOnRequest) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(40, 50, 3, 0.02));
     const Parameter& parameter = *findParameter("sensitivity");
     int made = 0;

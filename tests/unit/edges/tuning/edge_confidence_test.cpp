@@ -1,5 +1,4 @@
-// Edge confidence against runs one by one, and against what a scan shows: a tall step holds at every setting, one near the threshold does
-// not.
+// Edge confidence compared with single runs, and with the scan: a high step is an edge at every setting, one near the threshold is not.
 #include "core/edges/tuning/confidence.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -19,7 +18,7 @@ namespace {
 
 std::shared_ptr<const Scan> boxes() { return std::make_shared<const Scan>(test::boxesScan(80, 100, 3, 0.02)); }
 
-// Cell by cell, every setting from nothing.
+// Cell by cell, every setting from scratch.
 int slowPercent(const std::vector<Grid<std::uint8_t>>& masks, int line, int beam) {
     int hits = 0;
     for (const auto& mask : masks) {
@@ -63,7 +62,7 @@ TEST(EdgeConfidence, IsTheShareOfNearbySettingsOfEveryMethod) {
 }
 
 TEST(EdgeConfidence, AStepNearTheThresholdIsLessSureThanATallOne) {
-    // A wall with two boards on it: one 800 mm thick, the other only just thick enough for an edge.
+    // A wall with two boards on it: one 800 mm thick, the other just thick enough for an edge.
     Settings settings;
     settings.method = Method::Jumps;
     Scan scan = test::boxesScan(60, 120, 3, 0.0);
@@ -112,7 +111,7 @@ TEST(EdgeConfidence, BandsHoldEveryPercentageOnce) {
     }
 }
 
-TEST(EdgeConfidence, StandsInAnExportAsAFieldAndOtherFormatsRefuse) {
+TEST(EdgeConfidence, IsAFieldOfAnExportAndOtherFormatsRefuse) {
     const test::TemporaryFolder folder;
     const auto scan = boxes();
     const auto detection = detectEdges(scan, Settings{});
@@ -146,7 +145,7 @@ TEST(EdgeConfidence, StandsInAnExportAsAFieldAndOtherFormatsRefuse) {
     }
     EXPECT_EQ(points, *written);
     EXPECT_EQ(points, detection->edges->size());
-    const auto again = files::openScan(folder / "edges.pcd"); // the field is no range and no intensity
+    const auto again = files::openScan(folder / "edges.pcd"); // the field is neither a range nor an intensity
     ASSERT_TRUE(again) << again.error().sentence();
     EXPECT_EQ(again->intensity.size(), scan->intensity.size());
     const auto refused = exports::exportWithProvenance(exports::ExportContent::EdgeCloud, *detection, folder / "edges.las", options);

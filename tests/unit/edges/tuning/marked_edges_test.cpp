@@ -1,4 +1,4 @@
-// Proposals: each does with the method itself what it says.
+// Proposals: each one gives, with the method itself, the result that it announces.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/tuning/marked_edges.h"
 #include "core/sim/simulate.h"
@@ -28,7 +28,7 @@ std::shared_ptr<const Scan> bell() {
     return std::make_shared<const Scan>(sim::simulate(settings)->scan);
 }
 
-/// What a run with the proposed settings gives is what the proposal counts.
+/// A run with the proposed settings gives what the proposal counts.
 void expectTrue(const std::shared_ptr<const Scan>& scan, const EdgeProposal& proposal, const EdgeMarks& marks) {
     const auto detection = detectEdges(scan, proposal.settings);
     int kept = 0, leftOut = 0;
@@ -47,7 +47,7 @@ TEST(MarkedEdges, ProposalsDoWhatTheySay) {
     Settings loose;
     loose.sensitivity = 0.4;
     const auto more = detectEdges(scan, loose);
-    // Wanted: edges of the usual settings. Unwanted: what only a loose one finds, away from them.
+    // Wanted: edges of the default settings. Unwanted: edges that only a low threshold finds, away from the others.
     EdgeMarks marks;
     for (std::size_t n = 100; n < usual->edges->size() && marks.wanted.size() < 4; n += usual->edges->size() / 5)
         marks.wanted.push_back((*usual->edges)[n]);
@@ -75,7 +75,7 @@ TEST(MarkedEdges, WhatNothingSeparatesIsSaid) {
     const auto scan = bell();
     const auto usual = detectEdges(scan, {});
     const std::uint32_t edge = (*usual->edges)[usual->edges->size() / 2];
-    const EdgeMarks marks{{edge}, {edge}}; // one place, both ways
+    const EdgeMarks marks{{edge}, {edge}}; // the same place marked both ways
     const auto proposals = edgeProposals(scan, {}, marks);
     for (const EdgeProposal& proposal : proposals) {
         EXPECT_FALSE(proposal.meetsAllMarks());

@@ -1,4 +1,4 @@
-// Every export carries its record inside and beside itself, and can be made again from it.
+// Every export carries its record inside and in its sidecar, and can be made again from it.
 #include "core/base/sha256.h"
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -33,7 +33,7 @@ namespace {
 struct Export {
     ExportContent content;
     const char* name;
-    bool inside = true; ///< the format has room for the record
+    bool inside = true; ///< the format can hold the record
 };
 constexpr Export kExports[]{{ExportContent::EdgeCloud, "edges.pcd"},
                             {ExportContent::EdgeCloud, "edges.ply"},
@@ -57,7 +57,7 @@ constexpr Export kExports[]{{ExportContent::EdgeCloud, "edges.pcd"},
                             {ExportContent::EdgeCloud, "edges.ptx", false},
                             {ExportContent::FullCloud, "cloud.ptx", false}};
 
-/// A scan in a file of `folder`, with or without a place in the mine, and its edges.
+/// A scan in a file of `folder`, with or without a placement in the mine, and its edges.
 std::shared_ptr<const edges::Detection> detectionIn(const Folder& folder, unsigned seed, bool placed) {
     Scan scan = makeScan({.axis = Axis::Sweep, .lines = 30, .beams = 40, .seed = seed});
     if (placed) scan.placement = randomPlacement(seed, seed % 2 == 0 ? 30 : 1, true);
@@ -77,7 +77,7 @@ std::string pngChunk(const std::string& kind, const std::string& content) {
     return bigEndian(static_cast<std::uint32_t>(content.size())) + body + bigEndian(static_cast<std::uint32_t>(crc));
 }
 
-/// A gray picture without filters, its rows stored instead of packed, and a record: made by hand.
+/// A gray picture without filters, its rows stored without compression, and a record.
 std::string storedPng(const Grid<std::uint16_t>& values, int depth, const std::string& record) {
     std::string rows;
     for (int line = 0; line < values.lines; ++line) {
@@ -103,7 +103,7 @@ Json sidecarOf(const std::filesystem::path& path) { return Json::parse(readText(
 
 } // namespace
 
-TEST(Provenance, EveryExportHasItsRecordInsideAndBesideIt) {
+TEST(Provenance, EveryExportHasItsRecordInsideAndInASidecar) {
     const Folder folder;
     const auto detection = detectionIn(folder, 3, true);
     ExportOptions options{CoordinateFrame::Mine, false, "R. Operator", "blasting engineer"};
@@ -216,7 +216,7 @@ TEST(Provenance, APicturePackedByAnotherZlibIsTheSamePicture) {
         SCOPED_TRACE(name);
         const auto path = folder / name;
         const auto content = name[0] == 'm' ? ExportContent::EdgeImage : ExportContent::RangeImage;
-        // As if it had been made elsewhere: the record names another zlib, and the pixels are packed not at all.
+        // As if it had been made on another machine: the record names another zlib, and the pixels are stored without compression.
         Json record = Json::parse(exportRecord(content, *detection, {}));
         record["program"]["libraries"]["zlib"] = "1.3.99";
         const auto repacked = [&](int change) {
@@ -267,7 +267,7 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::string cloud = "ply\nformat ascii 1.0\nelement vertex 6000\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
-    for (int n = 0; n < 6000; ++n) { // a plate before a wall, seen from the origin
+    for (int n = 0; n < 6000; ++n) { // a plate in front of a wall, seen from the origin
         const double y = unit(random), z = unit(random);
         const double x = std::abs(y) < 0.4 && std::abs(z) < 0.4 && n % 2 == 0 ? 3 : 5;
         cloud += numberText("%.6f ", x) + numberText("%.6f ", x * y) + numberText("%.6f\n", x * z);
@@ -298,7 +298,7 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     const auto ptx = exportWithProvenance(ExportContent::FullCloud, *detection, folder / "c.ptx", options);
     ASSERT_FALSE(ptx);
     EXPECT_NE(ptx.error().sentence().find("PTX holds one point per cell"), std::string::npos);
-    // Whole scans say what stays behind.
+    // Files of whole scans report what they leave out.
     const auto lost = files::lostOnSaving(*scan, "w.pcd");
     ASSERT_EQ(lost.size(), 1U);
     EXPECT_EQ(lost[0].find(std::to_string(scan->attached.size()) + " points behind the nearest"), 0U) << lost[0];
@@ -360,7 +360,7 @@ TEST(Provenance, AnAlteredRecordIsNoticed) {
     ASSERT_TRUE(verified) << verified.error().sentence();
     EXPECT_FALSE(verified->identical);
     EXPECT_NE(verificationText(*verified).find("The record beside the export is damaged or was altered"), std::string::npos);
-    // Inside and without a sidecar: nothing is left to trust.
+    // The record inside was altered and there is no sidecar: no record can be trusted.
     std::filesystem::remove(files::sidecarPath(path));
     std::string inside = readText(path);
     inside.replace(inside.find("\"input\":\"scan"), 13, "\"input\":\"scum");
@@ -370,11 +370,11 @@ TEST(Provenance, AnAlteredRecordIsNoticed) {
     EXPECT_NE(refused.error().sentence().find("no record of the export is left unaltered"), std::string::npos);
 }
 
-TEST(Provenance, WhatAFormatCannotTellIsNoFaultOfTheDiskAndLeavesWhatWasThere) {
+TEST(Provenance, ValuesThatAFormatCannotHoldAreRefusedAndTheOldFileStays) {
     const Folder folder;
     auto scan = std::make_shared<Scan>(makeScan({}));
     auto placement = std::make_shared<Placement>(*randomPlacement(3, 1, true));
-    placement->gridScale = 1e9; // a scan as wide as the sky: no whole millimetres of 32 bits
+    placement->gridScale = 1e9; // a scan with huge coordinates, which do not fit into whole millimetres of 32 bits
     scan->placement = placement;
     const auto detection = edges::detectEdges(scan, edges::Settings{});
     writeText(folder / "a.las", "what was here before");
@@ -400,7 +400,7 @@ TEST(Provenance, TheScanIsFoundByItsHashWhereverItIs) {
     EXPECT_TRUE(found->identical) << verificationText(*found);
     EXPECT_EQ(found->scan, far / "deep/er/renamed.u16");
     EXPECT_FALSE(verifyExport(path, folder / "nowhere"));
-    // The same counts described otherwise are another scan.
+    // The same counts with another description are another scan.
     std::string json = readText(far / "deep/er/renamed.json");
     json.replace(json.find("\"sweep\""), 7, "\"spin\"");
     writeText(far / "deep/er/renamed.json", json);

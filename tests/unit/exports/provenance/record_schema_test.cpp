@@ -1,4 +1,4 @@
-// Every export's record, inside and beside it, is what docs/export-record.schema.json says (docs/operator.md, "S7").
+// Every export's record, inside and in the sidecar, conforms to docs/export-record.schema.json (docs/operator.md, "S7").
 #include "core/base/sha256.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
@@ -43,7 +43,7 @@ Scan recordedScan(unsigned seed, bool placed) {
     return scan;
 }
 
-// Exports, and what of them is written: every format that there is, every content.
+// Exports and their files: every format, every content.
 struct Written {
     std::filesystem::path path;
     ExportContent content;
@@ -120,7 +120,7 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
     EXPECT_GT(inside, 60U);
 }
 
-// A schema that lets everything pass would be none.
+// A schema that accepts everything would be useless.
 TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
     const Folder folder;
     ASSERT_TRUE(files::saveScan(recordedScan(3, true), folder / "scan.json"));
@@ -130,7 +130,7 @@ TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
     ExportOptions selected;
     selected.selection = std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{3, 4, 9});
     EXPECT_EQ(schemaProblem(SchemaJson::parse(exportRecord(ExportContent::FullCloud, *detection, selected)), recordSchema(), schema()), "");
-    const std::set<std::string> free{"note", "reason", "boom"}; // of a whole record they may be missing
+    const std::set<std::string> free{"note", "reason", "boom"}; // these may be missing in the record of a whole scan
     const SchemaJson values = record.flatten();
     for (const auto& flat : values.items()) {
         SchemaJson bad = record;
@@ -153,7 +153,7 @@ TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
         bad[key]["unheard_of"] = 1;
         EXPECT_NE(schemaProblem(bad, recordSchema(), schema()), "") << key << " takes any member";
     }
-    // No pose, and no word why.
+    // No pose, and no reason for it.
     SchemaJson bad = record;
     bad["pose"] = nullptr;
     EXPECT_NE(schemaProblem(bad, recordSchema(), schema()), "");
@@ -161,7 +161,7 @@ TEST(RecordSchema, ItRefusesWhatIsMissingOrOfAnotherType) {
     EXPECT_EQ(schemaProblem(bad, recordSchema(), schema()), "");
 }
 
-// No table that the program writes is computed by a spreadsheet: of every cell, cut at commas, semicolons or tabs.
+// A spreadsheet computes no cell of any table that the program writes, split at commas, semicolons or tabs.
 TEST(RecordSchema, NoCellOfATableIsAFormula) {
     const Folder folder;
     ASSERT_TRUE(files::saveScan(recordedScan(2, false), folder / "scan.json"));
@@ -171,7 +171,7 @@ TEST(RecordSchema, NoCellOfATableIsAFormula) {
     ASSERT_TRUE(exportWithProvenance(ExportContent::WholeScan, *detection, folder / "w.csv", {.choices = {.comments = true}}));
     for (const char* name : {"e.csv", "w.csv"}) {
         const std::string text = readText(folder / name);
-        EXPECT_NE(text.find("calc"), std::string::npos) << name; // it is there
+        EXPECT_NE(text.find("calc"), std::string::npos) << name; // the text itself is there
         for (std::size_t at = 0, end = 0; end < text.size(); at = end + 1) {
             end = std::min(text.find_first_of(",;\t\r\n", at), text.size());
             std::string cell = text.substr(at, end - at);

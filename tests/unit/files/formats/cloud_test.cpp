@@ -2,6 +2,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <liblzf/lzf.h>
@@ -104,9 +105,9 @@ TEST(Pcd, OrganisedCloudOfACameraKeepsItsPointsAndViewpoint) {
 }
 
 TEST(Pcd, KinectCloudsOpenAsTheirGrid) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/mosd_kinect");
     for (const char* name : {"test16.pcd", "test55.pcd"}) {
-        const auto scan = openScan(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/mosd_kinect" / name);
+        const auto scan = openScan(edgescan::test::sharedFolder() / "data/mosd_kinect" / name);
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_EQ(scan->lines(), 480);
         EXPECT_EQ(scan->beams(), 640);
@@ -149,7 +150,7 @@ TEST(Pcd, DamagedCompressedPointsAreRefused) {
         const auto scan = openScan(folder / "cloud.pcd");
         return scan ? std::string() : scan.error().sentence();
     };
-    // Twelve bytes as they are, then 24 from twelve before, which overlap.
+    // Twelve literal bytes, then 24 copied from twelve before; the copy overlaps itself.
     const std::string run = "\x0b" + std::string(12, 'a');
     EXPECT_EQ(sentence(run + "\xe0\x0f\x0b").find("the compressed points are damaged"), std::string::npos);
     for (const std::string& bad :

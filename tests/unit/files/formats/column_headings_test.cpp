@@ -1,5 +1,5 @@
-// Headings as other programs write them: the same points come out whichever names and columns stand around them, a guess is told, and what
-// is no x, y and z is refused for what it is.
+// Headings of other programs: the same points result with all names and additional columns, a guess is reported, and columns that are not
+// x, y and z are refused with the right reason.
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/point_lists.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 struct Heading {
     const char* names;
-    const char* row; ///< x, y and z stand for coordinates, n for the row's number, i for a small whole number
+    const char* row; ///< x, y and z are replaced by coordinates, n by the row's number, i by a small integer
     double perMetre = 1;
 };
 
@@ -84,13 +84,13 @@ TEST_F(ColumnHeadings, OfOtherPrograms) {
 }
 
 TEST_F(ColumnHeadings, WhatIsNoneOfThemIsNoCoordinate) {
-    // Normals, origins and sizes end in x, y and z too.
+    // The names of normals, origins and sizes end in x, y and z, too.
     expectSame({"nx,ny,nz,x,y,z", "0.1,0.2,0.97,x,y,z"});
     expectSame({"ori_x,ori_y,ori_z,x,y,z", "i,i,i,x,y,z"});
     expectSame({"normal_x,normal_y,normal_z,Points:0,Points:1,Points:2", "0.1,0.2,0.97,x,y,z"});
 }
 
-TEST_F(ColumnHeadings, AGuessIsTold) {
+TEST_F(ColumnHeadings, AGuessIsReported) {
     for (const Heading& heading :
          std::initializer_list<Heading>{{"", "i x y z"}, {"temperature,humidity,pressure", "x,y,z"}, {"x,y,z", "x,y,z,0.5,0.5"}}) {
         SCOPED_TRACE(heading.names);

@@ -1,10 +1,11 @@
-// E57: files of other programs, and files of a writer that shares nothing with the reader.
+// E57: files of other programs, and files of a writer that shares no code with the reader.
 #include "core/containers/e57/columns.h"
 #include "core/files/formats/formats.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/e57_writer.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -69,7 +70,7 @@ std::vector<E57Column> e57Spherical(const std::vector<Eigen::Vector3d>& points, 
     return columns;
 }
 
-/// Read from a file whose rows are the scan's lines.
+/// Reads a file whose rows are the scan's lines.
 Result<Scan> readWithLinesAsRows(const Scan& scan, const std::string& grouping) {
     const E57Cells cells = e57CellsOf(scan, 9);
     E57Part part{e57Cartesian(cells.points), grouping};
@@ -78,7 +79,7 @@ Result<Scan> readWithLinesAsRows(const Scan& scan, const std::string& grouping) 
     return readBytes(e57Bytes({part}), ".e57");
 }
 
-std::string sharedE57(const std::string& name) { return readText(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/e57" / name); }
+std::string sharedE57(const std::string& name) { return readText(edgescan::test::sharedFolder() / "data/e57" / name); }
 
 } // namespace
 
@@ -101,7 +102,7 @@ TEST(E57, EveryWidthOfBitsIsUnpacked) {
         E57Part part;
         part.bytesPerPacket = packet;
         constexpr std::size_t kPoints = 203;
-        for (int bits = 0; bits <= 53; ++bits) { // what a double holds
+        for (int bits = 0; bits <= 53; ++bits) { // the integers that a double holds exactly
             E57Column column{"c" + std::to_string(bits), As::Integer, {}};
             column.minimum = bits % 3 == 0 ? 0 : -static_cast<std::int64_t>(random() % 1000);
             column.maximum = column.minimum + static_cast<std::int64_t>((std::uint64_t{1} << bits) - 1);
@@ -188,7 +189,7 @@ TEST(E57, SphericalGridsAreTheSameGrids) {
 }
 
 TEST(E57, GridsWithoutEvenAnglesKeepEveryCell) {
-    // Every point a little beside its beam, as a scanner on a walking robot has them: no angles fit, the cells stay.
+    // Every point slightly off its beam, as from a scanner on a walking robot: no angles fit, and the cells are unchanged.
     const Scan made = makeScan(ScanShape{.lines = 23, .beams = 31});
     E57Cells cells = e57CellsOf(made, 4);
     std::mt19937 random(8);
@@ -208,7 +209,7 @@ TEST(E57, GridsWithoutEvenAnglesKeepEveryCell) {
 }
 
 TEST(E57, LinesThatRepeatTheLineBeforeStayWhereTheFileCountsThem) {
-    // A list in order would lose them: here the file itself says that they are lines of their own.
+    // A list in order would lose them: here the file itself says that they are separate lines.
     Scan made = makeScan(ScanShape{.noReturns = 0});
     E57Cells cells = e57CellsOf(made, 0);
     const auto beams = static_cast<std::size_t>(made.beams());
@@ -230,7 +231,7 @@ TEST(E57, PointsMarkedAsInvalidAreNoReturns) {
     E57Cells with = cells;
     std::size_t marked = 0;
     for (std::size_t n = 0; n < marks.size(); n += 7, ++marked) {
-        marks[n] = 1 + static_cast<double>(marked % 2); // a direction, or nothing at all
+        marks[n] = 1 + static_cast<double>(marked % 2); // a direction, or no information
         with.points[n] = {1, 1, 1};
     }
     E57Part part{e57Cartesian(with.points), e57Bounds(expected)};
@@ -249,7 +250,7 @@ TEST(E57, PointsMarkedAsInvalidAreNoReturns) {
 TEST(E57, OfSeveralReturnsInACellTheNearestStaysAndTheRestIsCounted) {
     const Scan expected = makeScan(ScanShape{});
     E57Cells cells = e57CellsOf(expected, 2);
-    for (std::size_t n = 0; n < 25; ++n) { // as far again on the same beams
+    for (std::size_t n = 0; n < 25; ++n) { // a second return on the same beams, twice as far
         cells.points.push_back(cells.points[n] * 2);
         cells.lines.push_back(cells.lines[n]);
         cells.beams.push_back(cells.beams[n]);
@@ -318,9 +319,9 @@ TEST(E57, ListsGoTheWayOfOtherLists) {
     E57Cells cells = e57CellsOf(expected, 6);
     const auto scan = readBytes(e57Bytes({{e57Cartesian(cells.points), ""}}), ".e57");
     ASSERT_TRUE(scan) << scan.error().sentence();
-    EXPECT_LT(farthestFrom(expected, *scan), 1e-6); // in an order of its own
+    EXPECT_LT(farthestFrom(expected, *scan), 1e-6); // in another order
     EXPECT_EQ(scan->cells(), expected.cells());
-    // Indexes that make no grid are told and not believed.
+    // Indexes that do not form a grid are reported and ignored.
     E57Part wild{e57Cartesian(cells.points), ""};
     for (double& line : cells.lines) line *= 1e9;
     wild.columns.push_back(e57Whole("rowIndex", cells.beams));
@@ -358,7 +359,7 @@ TEST(E57, LiesAreRefusedBeforeAllocating) {
     EXPECT_NE(refusalOf(e57Bytes({part}), ".e57").find("promises 1152921504606846976 points"), std::string::npos);
     part.promised = 0;
     EXPECT_NE(refusalOf(e57Bytes({part}), ".e57").find("scan 1 of this E57 file holds no points"), std::string::npos);
-    // Numbers that are all the same take no byte at all.
+    // Equal numbers take no bytes at all.
     E57Part same{e57Cartesian({{1, 1, 1}}), ""};
     for (E57Column& column : same.columns) {
         column = e57Whole(column.name, {1});
@@ -374,14 +375,13 @@ TEST(E57, LiesAreRefusedBeforeAllocating) {
 }
 
 TEST(E57, FilesOfOtherPrograms) {
-    if (!std::filesystem::exists(std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/e57"))
-        GTEST_SKIP() << "../shared/data/e57 is not there";
+    EDGESCAN_NEEDS_SHARED("data/e57");
     const auto pointsOf = [](const std::string& name) {
         const std::string bytes = sharedE57(name);
         const ReadingOptions options;
         const Source source{name, std::as_bytes(std::span(bytes)), &options, true};
-        auto table = formatOfContent(source).points(source);
-        return table ? table->points : std::vector<Eigen::Vector3d>{};
+        auto reading = formatOfContent(source).read(source);
+        return reading ? pointsAsWritten(std::move(*reading)) : std::vector<Eigen::Vector3d>{};
     };
     const auto doubles = pointsOf("bunnyDouble.e57");
     const auto wholes = pointsOf("bunnyInt32.e57");
@@ -392,7 +392,7 @@ TEST(E57, FilesOfOtherPrograms) {
         EXPECT_LT((doubles[n] - wholes[n]).cwiseAbs().maxCoeff(), 0.51e-6) << n;
         box.extend(doubles[n]);
     }
-    // As the file's own XML part states them.
+    // As given in the file's own XML part.
     EXPECT_EQ(box.min(), Eigen::Vector3d(-0.094689, 0.040010999999999998, -0.061872999999999997));
     EXPECT_EQ(box.max(), Eigen::Vector3d(0.061008999999999994, 0.18732099999999999, 0.058798999999999997));
     const auto cube = pointsOf("ColouredCubeFloat.e57");

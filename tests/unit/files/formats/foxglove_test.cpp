@@ -1,4 +1,4 @@
-// Clouds for Foxglove: what stands in the messages, read here without the reader of the format.
+// Clouds for Foxglove: the content of the messages, read without the reader of the format.
 #include "core/base/base64.h"
 #include "core/containers/mcap/reader.h"
 #include "core/files/formats/formats.h"
@@ -136,7 +136,7 @@ TEST(Foxglove, PointsAndTransformsGiveTheMineCoordinates) {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 EXPECT_NEAR(there[static_cast<Eigen::Index>(axis)], std::get<std::vector<double>>(mine.columns[axis].values)[n], 1e-5);
         }
-        // The scanner's own place, through both transforms.
+        // The scanner's own position, through both transforms.
         const Eigen::Vector3d sensor = toMine * (Eigen::Isometry3d(transformOf(messages[1])) * Eigen::Vector3d::Zero());
         EXPECT_LT((sensor - mine.sensorM).norm(), 1e-6);
     }
@@ -150,7 +150,7 @@ TEST(Foxglove, DamageIsRefused) {
     std::string other = whole;
     const std::size_t at = other.find("width");
     ASSERT_NE(at, std::string::npos);
-    other[at + 9] = '9'; // the first digit of how many points there are
+    other[at + 9] = '9'; // the first digit of the number of points
     EXPECT_NE(refusalOf(other, ".mcap").find("promises"), std::string::npos) << refusalOf(other, ".mcap");
 }
 

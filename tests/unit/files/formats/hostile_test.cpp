@@ -1,4 +1,4 @@
-// Files that once crashed a reader, loaded garbage or lost something without a word.
+// Files that once crashed a reader, loaded garbage, or lost data without a warning.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
@@ -65,7 +65,7 @@ TEST_F(Hostile, ARangeThatIsNoRangeIsRefusedInOurOwnFiles) {
     ASSERT_TRUE(scan);
     std::ostringstream range;
     range << static_cast<int>(scan->rangeMm[7]);
-    // The last column but a few holds the range: turn every occurrence of that number over.
+    // The range is near the last column: invert every occurrence of that number.
     for (std::size_t at = text.find("," + range.str() + ","); at != std::string::npos; at = text.find("," + range.str() + ",", at + 1)) {
         text.insert(at + 1, "-");
     }
@@ -122,7 +122,7 @@ TEST_F(Hostile, RangesBetweenCountsAreNeverRoundedIntoARawGrid) {
     EXPECT_EQ(back->state[4], CellState::NoReturn);
 }
 
-TEST_F(Hostile, AMissingDataFileIsTold) {
+TEST_F(Hostile, AMissingDataFileIsReported) {
     ASSERT_TRUE(saveScan(test::boxesScan(6, 8, 2), folder / "first.json"));
     std::filesystem::rename(folder / "first.json", folder / "second.json");
     std::filesystem::rename(folder / "first.u16", folder / "second.u16");

@@ -1,4 +1,4 @@
-// LAS in and out, against a small reader of its own written from the ASPRS specification.
+// LAS input and output, compared with a small independent reader written from the ASPRS specification.
 #include "core/base/whole_file.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
@@ -16,7 +16,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// What any LAS 1.4 program sees.
+/// The values that any LAS 1.4 program reads.
 struct Seen {
     std::vector<Eigen::Vector3d> points;
     std::vector<std::string> extraNames;
@@ -32,7 +32,7 @@ Seen lookInto(const std::string& las) {
     EXPECT_EQ(las[25], 4);
     EXPECT_EQ(valueAt<std::uint16_t>(las, 94), 375);
     EXPECT_TRUE(las[104] == 6 || las[104] == 7);
-    const std::size_t own = las[104] == 7 ? 36 : 30; // bytes of the record itself
+    const std::size_t own = las[104] == 7 ? 36 : 30; // bytes of the standard record
     const auto record = valueAt<std::uint16_t>(las, 105);
     const auto count = valueAt<std::uint64_t>(las, 247);
     EXPECT_EQ(valueAt<std::uint64_t>(las, 255), count); // first returns
@@ -184,8 +184,8 @@ TEST(Las, EveryVersionAndPointFormatOpensAsItsGrid) {
     }
 }
 
-// Version 1.0 has no such bit: a class of 128 and more is somebody's own.
-TEST(Las, PointsMarkedAsDeletedAreNoReturnsAndTold) {
+// Version 1.0 has no such bit: classes of 128 and more are private.
+TEST(Las, PointsMarkedAsDeletedAreNoReturnsAndReported) {
     const Scan whole = makeScan({.noReturns = 0});
     const auto points = listOf(whole, {});
     for (const auto& [minor, format, bit] :
@@ -221,7 +221,7 @@ TEST(Las, SentencesSayWhatIsWrong) {
     refused(107, std::uint32_t{4000000000U}, "promises 4000000000 points of 31 bytes and the file holds");
     refused(107, std::uint32_t{0}, "no points");
 #ifdef EDGESCAN_WITH_LASZIP
-    refused(104, std::uint8_t{0x81}, "this LAZ file is damaged or cut off"); // it says so, but nothing in it is packed
+    refused(104, std::uint8_t{0x81}, "this LAZ file is damaged or cut off"); // the header says so, but the content is not compressed
 #else
     refused(104, std::uint8_t{0x81}, "compressed (LAZ)");
 #endif

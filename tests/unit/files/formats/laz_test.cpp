@@ -1,4 +1,4 @@
-// LAZ, packed by LASzip itself, opens as the LAS it was made of; without LASzip it is refused in words.
+// LAZ, compressed by LASzip itself, opens like the LAS it was made from; without LASzip it is refused with a sentence.
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
@@ -18,7 +18,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// Packs what a LAS file holds, point by point.
+/// Compresses a LAS file point by point.
 void pack(const std::filesystem::path& las, const std::filesystem::path& laz) {
     laszip_POINTER reader = nullptr;
     laszip_POINTER writer = nullptr;
@@ -50,7 +50,7 @@ void pack(const std::filesystem::path& las, const std::filesystem::path& laz) {
 TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
     const Folder folder;
     const Scan scan = makeScan({.lines = 60, .beams = 90});
-    ASSERT_TRUE(saveCloud(scan, folder / "cloud.las", nullptr)); // points only: nothing of ours tells the grid
+    ASSERT_TRUE(saveCloud(scan, folder / "cloud.las", nullptr)); // points only, without information about the grid
     pack(folder / "cloud.las", folder / "cloud.laz");
     EXPECT_LT(std::filesystem::file_size(folder / "cloud.laz"), std::filesystem::file_size(folder / "cloud.las"));
     const auto las = openScan(folder / "cloud.las");
@@ -61,7 +61,7 @@ TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
     EXPECT_EQ(laz->rangeMm, las->rangeMm);
     EXPECT_EQ(laz->state, las->state);
     EXPECT_EQ(las->rangeMm, scan.rangeMm); // by the columns line, beam and range_mm, which both hold as extra bytes
-    // Cut anywhere it is refused or, where only the table of chunks is gone, whole; never less.
+    // Truncated anywhere, it is refused; if only the table of chunks is missing, it opens completely.
     const std::string bytes = readText(folder / "cloud.laz");
     for (std::size_t cut = 10; cut < bytes.size(); cut += bytes.size() / 60) {
         const auto part = readBytes(bytes.substr(0, cut), ".laz");
@@ -75,7 +75,7 @@ TEST(Laz, WithoutLaszipItIsRefusedInWords) {
     const Folder folder;
     ASSERT_TRUE(saveCloud(makeScan({}), folder / "cloud.las", nullptr));
     std::string bytes = readText(folder / "cloud.las");
-    bytes[104] = static_cast<char>(bytes[104] | 0x80); // how LAZ marks its point format
+    bytes[104] = static_cast<char>(bytes[104] | 0x80); // LAZ marks its point format in this way
     EXPECT_NE(refusalOf(bytes, ".laz").find("was made without LASzip"), std::string::npos) << refusalOf(bytes, ".laz");
 }
 

@@ -1,5 +1,5 @@
-// Numbers whose thousands are set apart, as spreadsheets of several countries write them: each is refused for what it is, and no other text
-// is.
+// Numbers with grouped thousands, as spreadsheets of several countries write them: each is refused with the right reason, and no other text
+// is refused for this.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/point_tables/number_groups.h"
 #include "tests/support/point_lists.h"
@@ -12,7 +12,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// A number with so many decimals, its thousands set apart by `mark`, its decimals by `point`.
+/// A number with `decimals` decimals, its thousands separated by `mark`, its decimals by `point`.
 std::string groupedText(double value, const std::string& mark, const std::string& point, int decimals = 3) {
     std::string text = numberText(("%." + std::to_string(decimals) + "f").c_str(), value);
     const std::size_t dot = std::min(text.find('.'), text.size());
@@ -37,7 +37,7 @@ protected:
         const auto scan = openScan(folder_ / name);
         return scan ? "" : scan.error().sentence();
     }
-    /// Millimetres, most of them beyond a thousand.
+    /// Millimetres, most of them above a thousand.
     std::string list(const Country& country, const std::string& separator, bool quoted) const {
         const std::string quote = quoted ? "\"" : "";
         std::string text;
@@ -57,7 +57,7 @@ TEST_F(NumberGroups, AreRefusedForWhatTheyAreBetweenAnySeparators) {
     for (const Country& country : kCountries) {
         for (const std::string separator : {";", "\t", " ", ","}) {
             const bool inside = separator == country.mark || separator == country.point;
-            if (inside && separator == " ") continue; // nobody could tell
+            if (inside && separator == " ") continue; // ambiguous
             for (const char* heading : {"", "X?Y?Z\n"}) {
                 std::string text = heading;
                 std::ranges::replace(text, '?', separator[0]);
@@ -127,7 +127,7 @@ TEST_F(NumberGroups, ACellIsJudged) {
         EXPECT_EQ(groupsOf(cell), Grouped::No) << cell;
 }
 
-// Between other separators a blank among digits was once passed over, and the digit behind it with it.
+// A blank between digits must not be skipped together with the digit behind it.
 TEST_F(NumberGroups, TwoNumbersInACellAreNotOne) {
     std::string text = "x;y;z\n";
     for (int row = 0; row < 300; ++row) text += "1.5;2.5;" + std::to_string(row) + ".5\n";
@@ -143,7 +143,7 @@ TEST_F(NumberGroups, RowsWithoutEndAreNotCutUp) {
     EXPECT_TRUE(findGroupedNumber("1;2;3\n1 234,5;1;2\n" + text));
 }
 
-TEST_F(NumberGroups, WhatStandsInAColumnThatIsNotReadIsNoMatter) {
+TEST_F(NumberGroups, ColumnsThatAreNotReadDoNotMatter) {
     const ListStyle style{.separator = ";"};
     const Scan expected = makeScan({});
     std::string text = "id;x;y;z\n";

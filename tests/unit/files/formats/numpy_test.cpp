@@ -1,4 +1,4 @@
-// numpy arrays: ranges and points in every order of bytes and indexes, archives of them, and what is refused.
+// numpy arrays: ranges and points in every byte order and index order, archives of them, and refusals.
 #include "tests/support/bytes.h"
 #include "tests/support/packed_files.h"
 #include "tests/support/point_lists.h"

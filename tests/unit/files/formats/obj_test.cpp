@@ -1,4 +1,4 @@
-// OBJ vertices in and out.
+// OBJ vertices, written and read.
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"

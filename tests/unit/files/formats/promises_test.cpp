@@ -1,4 +1,4 @@
-// What headers promise and files hold, and numbers that nobody measures: refused or told, never half a scan in silence.
+// Contradictions between headers and content, and impossible numbers: refused or reported, never half a scan without a warning.
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/files/formats/formats.h"
@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// What was said on reading: the refusal, or all warnings.
+/// The text of a reading: the refusal, or all warnings.
 std::string saidOf(const std::string& bytes, const std::string& extension, const ReadingOptions& options = {}) {
     const auto scan = readBytes(bytes, extension, options);
     if (!scan) return scan.error().sentence();
@@ -107,7 +107,7 @@ TEST(Promises, ALastRowWithoutItsLineEndMayBeCut) {
     expectSaid(cut(vertices), ".obj", "may have been cut off there");
 }
 
-TEST(Promises, PointsOutOfReachAreTold) {
+TEST(Promises, PointsOutOfReachAreReported) {
     std::string far, oneWay;
     for (int n = 0; n < 200; ++n) {
         far += std::to_string(1200000 + n % 20 * 100000) + ".5 " + std::to_string(n / 20 * 100000) + ".5 300.5\n";
@@ -170,7 +170,7 @@ TEST(Promises, RawGridsOfNumbersThatNobodyMeasures) {
     expectSaid(grid(R"("beam_deg":[0,1,1e11],"line_deg":[0,1],"axis":"spin")"), ".json", "\"beam_deg\" is");
     expectSaid(grid(R"("beam_deg":[0,1,2],"line_deg":[0,1e11],"axis":"spin")"), ".json", "\"line_deg\" is");
     expectSaid(grid(angles + R"(,"line_skew_deg":[0,0,1e11])"), ".json", "\"line_skew_deg\" is");
-    expectSaid(grid(R"("beam_deg":[5],"line_deg":[0,0],"axis":"spin")", 2, 1), ".json", "opened"); // a stepper that stands still
+    expectSaid(grid(R"("beam_deg":[5],"line_deg":[0,0],"axis":"spin")", 2, 1), ".json", "opened"); // a stepper that does not move
     // A cell has one state.
     expectSaid(grid(angles + R"(,"state_runs":[["lost",0,6],["masked",5,1]])"), ".json", "names cell 5 twice");
     expectSaid(grid(angles + R"(,"state_runs":[["lost",4,2],["masked",0,4],["lost",2,0]])"), ".json", "opened");
@@ -201,7 +201,7 @@ TEST(Promises, OptionsAreWithinTheTable) {
 
 TEST(Promises, BombsAreNotUnpacked) {
     const ReadingOptions options = seedOptions();
-    // 16-bit gray, black, the larger the emptier.
+    // 16-bit gray, all black: very small for its size.
     const Grid<std::uint16_t> black(4000, 4000);
     const auto png = containers::png16Bytes(black, "x");
     ASSERT_TRUE(png);

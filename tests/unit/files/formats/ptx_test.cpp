@@ -1,4 +1,4 @@
-// PTX: the grid as it was scanned, several scans in one file, and what is wrong with a file.
+// PTX: the grid as scanned, several scans in one file, and faults of files.
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/bytes.h"
@@ -26,7 +26,7 @@ std::string ptxOf(const Scan& scan, const char* format = "%.6f", const std::stri
     return text;
 }
 
-/// Any program's reading of the numbers.
+/// A simple reading of the numbers.
 std::vector<Eigen::Vector3d> lookInto(const std::string& text, int& columns, int& rows) {
     std::istringstream in(text);
     double skipped = 0;
@@ -90,7 +90,7 @@ TEST(Ptx, EdgesAloneKeepTheGrid) {
     for (std::size_t k = 0; k < points.size(); ++k) EXPECT_EQ(points[k].isZero(0), !(mask[k] != 0 && scan.state[k] == CellState::Valid));
 }
 
-TEST(Ptx, OneOfSeveralScansIsOpenedAndTold) {
+TEST(Ptx, OneOfSeveralScansIsOpenedAndReported) {
     const Scan first = makeScan({.seed = 1});
     const Scan second = makeScan({.lines = 25, .beams = 33, .seed = 2});
     const std::string both = ptxOf(first) + ptxOf(second, "%.6f", "512000.25 6200000.5 300.125") + "\r\n";
@@ -110,7 +110,7 @@ TEST(Ptx, OneOfSeveralScansIsOpenedAndTold) {
     EXPECT_EQ(other->placement->originEnhM + other->placement->poses[0].translationM, Eigen::Vector3d(512000.25, 6200000.5, 300.125));
     options.scanIndex = 2;
     EXPECT_NE(refusalOf(both, ".ptx", options).find("holds 2 scans, and number 3 was asked for"), std::string::npos);
-    // A second scan that is cut off does not spoil the first.
+    // A truncated second scan does not affect the first.
     EXPECT_TRUE(readBytes(both.substr(0, both.size() - 500), ".ptx"));
     options.scanIndex = 1;
     EXPECT_NE(refusalOf(both.substr(0, both.size() - 500), ".ptx", options).find("scan 2 of this PTX file promises 25 columns"),

@@ -1,4 +1,4 @@
-// Range pictures: PNG through our own writer and libpng's rules, TIFF as libtiff writes it.
+// Range pictures: PNG by our own writer and by libpng's rules, TIFF as libtiff writes it.
 #include "core/containers/png/png.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/grid/range_picture.h"
@@ -92,7 +92,7 @@ TEST(RangePng, OtherPicturesAreNamed) {
     const std::string png = readText(folder / "range.png");
     EXPECT_NE(refusalOf(png.substr(0, png.size() / 2), ".png").find("cannot be read"), std::string::npos);
     std::string lies = png;
-    lies.replace(20, 4, std::string("\x7f\xff\xff\xff", 4)); // height; the checksum of the header is wrong now too
+    lies.replace(20, 4, std::string("\x7f\xff\xff\xff", 4)); // the height; the checksum of the header is wrong now, too
     EXPECT_FALSE(readBytes(lies, ".png"));
 }
 

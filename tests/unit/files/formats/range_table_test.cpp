@@ -1,4 +1,5 @@
-// Range tables as spreadsheets, pandas, R and numpy write them: header rows, index columns, empty cells, units; and files that are none.
+// Range tables as spreadsheets, pandas, R and numpy write them: header rows, index columns, empty cells, units; and files that are not
+// range tables.
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/point_lists.h"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr int kLines = 24;
 constexpr int kBeams = 1141;
 
-/// Whole millimetres with holes; the first line and the last beam saw nothing where asked for.
+/// Whole millimetres with holes; optionally the first line and the last beam have no returns.
 std::vector<double> measuredMm(bool emptyEdges = false) {
     std::vector<double> mm;
     for (int i = 0; i < kLines; ++i) {
@@ -28,7 +29,7 @@ std::vector<double> measuredMm(bool emptyEdges = false) {
     return mm;
 }
 
-/// How pandas.DataFrame.to_csv, numpy.savetxt and R's write.table put a table down.
+/// Table formats of pandas.DataFrame.to_csv, numpy.savetxt and R's write.table.
 struct TableStyle {
     bool index = true, header = true, headerOfIndex = true;
     double unitMm = 1;
@@ -136,7 +137,7 @@ TEST(RangeTable, EveryWayOfWritingGivesTheSameRanges) {
 TEST(RangeTable, TheLastBeamMayBeEmptyForLong) {
     const Folder folder;
     std::vector<double> mm = measuredMm(true);
-    mm.back() = 4000; // only the last line sees anything there, behind the rows that are looked at first
+    mm.back() = 4000; // only the last line has a value there, behind the rows that are examined first
     writeText(folder / "table.csv", tableText(mm, {.index = false, .header = false}));
     expectRanges(mm, openScan(folder / "table.csv"));
 }
@@ -154,13 +155,13 @@ TEST(RangeTable, HeaderAndIndexGiveTheAngles) {
     EXPECT_TRUE(isTold(*scan, "angles of the beams were taken from the header: 10 to 152.5 degrees"));
     EXPECT_TRUE(isTold(*scan, "angles of the lines were taken from the first column: -12 to -0.5 degrees"));
     ReadingOptions options;
-    options.beamStartDeg = 0; // what the user says goes before
+    options.beamStartDeg = 0; // the user's value has priority
     const auto said = openScan(folder / "table.csv", options);
     ASSERT_TRUE(said);
     EXPECT_NEAR(std::get<PolarGeometry>(said->geometry).beamDeg.back(), (kBeams - 1) / 6.0, 1e-9);
 }
 
-TEST(RangeTable, ColumnsThatAreNoRangesAreTold) {
+TEST(RangeTable, ColumnsWithoutRangesAreReported) {
     const Folder folder;
     std::string text = "time,temperature";
     for (int j = 0; j < kBeams; ++j) text += ",beam_" + std::to_string(j);
@@ -225,7 +226,7 @@ TEST(RangeTable, FilesThatAreNoneAreNamed) {
     refused(std::string("BM\x36\0\0\0", 6), "this is a BMP picture");
     refused(std::string("RIFF\x24\0\0\0WEBP", 12), "this is a picture, sound or film");
     refused("x,y,z\nBerlin,Rome,Paris\n", "\"Berlin\" stands below x, y or z and is no number");
-    refused("place,a,b\nBerlin,1,2\nRome,3,4\n", "text without a row of numbers"); // labels make no points without x, y and z
+    refused("place,a,b\nBerlin,1,2\nRome,3,4\n", "text without a row of numbers"); // labels without x, y and z do not make points
     refused("\"3,5\",\"3,6\",\"3,7\"\n\"3,5\",\"3,6\",\"3,7\"\n", "decimal commas in quotes between commas");
     std::string turned; // a beam per row
     for (int j = 0; j < kBeams; ++j) {

@@ -1,4 +1,4 @@
-// Rows and columns of a grid, called so or not called at all: whichever of them counts the lines, the same cells come out.
+// Rows and columns of a grid, with these names or without names: whichever of them counts the lines, the same cells result.
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/point_lists.h"
 
@@ -17,7 +17,7 @@ struct CellPoint {
     Eigen::Vector3d point;
 };
 
-/// The valid cells, some left out, shuffled where asked for.
+/// The valid cells, some left out, optionally shuffled.
 std::vector<CellPoint> cellsOf(const Scan& scan, double leftOut, bool shuffled) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -25,7 +25,7 @@ std::vector<CellPoint> cellsOf(const Scan& scan, double leftOut, bool shuffled) 
     std::vector<CellPoint> cells;
     for (int i = 0; i < scan.lines(); ++i) {
         for (int j = 0; j < scan.beams(); ++j) {
-            const bool corner = (i == 0 && j == 0) || (i == scan.lines() - 1 && j == scan.beams() - 1); // they keep the shape
+            const bool corner = (i == 0 && j == 0) || (i == scan.lines() - 1 && j == scan.beams() - 1); // these preserve the shape
             if (scan.state.at(i, j) == CellState::Valid && (corner || unit(random) >= leftOut)) cells.push_back({i, j, tables.point(i, j)});
         }
     }
@@ -94,7 +94,7 @@ TEST_F(RowAndColumn, CalledSoTheyAreTheGridEitherWay) {
 }
 
 TEST_F(RowAndColumn, LinesAndBeamsAreNeverExchanged) {
-    std::string text = "beam,line,x,y,z\n"; // on purpose the wrong way round
+    std::string text = "beam,line,x,y,z\n"; // in the opposite order on purpose
     for (const CellPoint& cell : cellsOf(expected_, 0, false))
         text += std::to_string(cell.line) + "," + std::to_string(cell.beam) + "," + pointText(cell.point, ",") + "\n";
     const auto scan = opened(text);
@@ -129,8 +129,8 @@ TEST_F(RowAndColumn, NumbersClassesAndColoursAreNoCells) {
     }
 }
 
-// The row's number counts from 1, as an index does, and is taken off before: what is left is a class and the point.
-TEST_F(RowAndColumn, BehindAnIndexTheWholeNumbersAreCountedAnew) {
+// The row's number counts from 1, like an index, and is removed first: a class and the point remain.
+TEST_F(RowAndColumn, BehindAnIndexTheWholeNumbersAreCountedAgain) {
     for (const int wholes : {1, 3, 4}) {
         std::string text;
         int n = 0;

@@ -1,4 +1,4 @@
-// Surpac string files: northing before easting, ends of strings are no points; and numbers as Fortran writes them.
+// Surpac string files: northing before easting, ends of strings are not points; and numbers in Fortran notation.
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
 
@@ -44,7 +44,7 @@ TEST(Surpac, StringsOpenAsTheirGrid) {
     }
 }
 
-TEST(Surpac, WhatIsNotReadIsTold) {
+TEST(Surpac, SkippedLinesAreReported) {
     const auto described = readBytes(stringsOf(makeScan({}), ", ore, 12.5"), ".str");
     ASSERT_TRUE(described) << described.error().sentence();
     EXPECT_TRUE(says(*described, "Descriptions of points (D1 and further) are not read."));
@@ -67,7 +67,7 @@ TEST(Surpac, DamageIsNamedByLine) {
 }
 
 TEST(Surpac, ATableIsNone) {
-    // A header with names and a first row of zeros: easting stands first.
+    // A header with names and a first row of zeros: easting is first.
     std::string text = "x,y,z,i\n0,0,0,2\n";
     for (const auto& p : listOf(makeScan({}), {}))
         text += numberText("%.6f", p[0]) + "," + numberText("%.6f", p[1]) + "," + numberText("%.6f", p[2]) + ",2\n";

@@ -1,4 +1,4 @@
-// Text of every make: separators, commas, comments, headers, line ends; and the range table of the thesis.
+// Text of every kind: separators, commas, comments, headers, line ends; and the range table of the thesis.
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/point_lists.h"
 
@@ -107,10 +107,10 @@ TEST(PointText, ColumnsAreFoundByName) {
     const auto scan = openScan(folder / "list.csv");
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, expected.rangeMm);
-    EXPECT_TRUE(scan->warnings.empty()) << scan->warnings.front(); // the header told the unit
+    EXPECT_TRUE(scan->warnings.empty()) << scan->warnings.front(); // the header gave the unit
 }
 
-// Survey and spreadsheet programs put names, codes and dates wherever they like.
+// Survey and spreadsheet programs write names, codes and dates in any column.
 TEST(PointText, ColumnsOfWordsAreNoneOfThePoint) {
     const Folder folder;
     const Scan expected = makeScan({});
@@ -158,7 +158,7 @@ TEST(PointText, LocaleChangesNothing) {
     EXPECT_EQ(scan->rangeMm, makeScan({}).rangeMm);
 }
 
-TEST(PointText, LeftHandedFilesAreMirroredAndTold) {
+TEST(PointText, LeftHandedFilesAreMirroredAndReported) {
     const Folder folder;
     const ListStyle style{.perMetre = 100};
     const Scan expected = makeScan({});

@@ -5,6 +5,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// Random directions over a window; a ball before a wall.
+/// Random directions over a window; a ball in front of a wall.
 std::vector<Eigen::Vector3d> ballBeforeWall(std::size_t count, const Eigen::Vector3d& sensor, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -50,7 +51,7 @@ bool anyHolds(const std::vector<std::string>& sentences, const std::string& part
     return std::any_of(sentences.begin(), sentences.end(), [&](const auto& s) { return s.find(part) != std::string::npos; });
 }
 
-std::filesystem::path shared(const char* name) { return std::filesystem::path(EDGESCAN_SHARED_DIR) / "data" / name; }
+std::filesystem::path shared(const char* name) { return edgescan::test::sharedFolder() / "data" / name; }
 
 } // namespace
 
@@ -86,11 +87,11 @@ TEST(Regrid, TheStepFollowsTheSpacingNotTheCountOrTheBounds) {
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     auto points = ballBeforeWall(30000, origin, 4);
     const auto one = regrid({points, origin, {}, {}});
-    // Twice the same directions farther away: as many more points, the same spacing.
+    // The same directions a second time, farther away: twice the points, the same spacing.
     auto doubled = points;
     for (const auto& p : points) doubled.push_back(p * 1.5);
     const auto two = regrid({doubled, origin, {}, {}});
-    // A few strays all around: a window ten times as large.
+    // A few stray points in all directions: a window ten times as large.
     auto strays = points;
     for (int i = 0; i < 6; ++i) strays.push_back(5 * Eigen::Vector3d(-1, 0.1 * i, 0.5 - 0.2 * i).normalized());
     const auto three = regrid({strays, origin, {}, {}});
@@ -127,7 +128,7 @@ TEST(Regrid, ASpinningScannersRingsStayItsLines) {
     EXPECT_EQ(grid->filled + grid->hidden.size(), points.size());
 }
 
-TEST(Regrid, WrongPlacesAreToldByNumbers) {
+TEST(Regrid, WrongPlacesAreFoundByNumbers) {
     const Eigen::Vector3d sensor = Eigen::Vector3d::Zero();
     const auto points = ballBeforeWall(5000, sensor, 6);
     const auto far = regrid({points, Eigen::Vector3d(5000, 0, 0), {}, {}});
@@ -144,7 +145,7 @@ TEST(Regrid, WrongPlacesAreToldByNumbers) {
     EXPECT_FALSE(regrid({same, same[0], {}, {}}));
 }
 
-TEST(Regrid, OpenedCloudsKeepTheirPointsAndTellTheNumbers) {
+TEST(Regrid, OpenedCloudsKeepTheirPointsAndReportTheNumbers) {
     const Eigen::Vector3d sensor(620100.5, 6200050.25, 300);
     const auto points = ballBeforeWall(20000, sensor, 7);
     ReadingOptions options;
@@ -189,7 +190,7 @@ TEST(Regrid, ExportsCanCarryTheAttachedPoints) {
     EXPECT_EQ(rows(cloudBytes(*scan, "cloud.csv", &mask)), countCells(*scan)[0]);
 }
 
-TEST(Regrid, LinesStoredTwiceAndShuffledAreRecoveredAndTold) {
+TEST(Regrid, LinesStoredTwiceAndShuffledAreRecoveredAndReported) {
     ScanShape shape;
     shape.motorJitter = 0.5;
     shape.beamStart = 20;
@@ -208,9 +209,9 @@ TEST(Regrid, LinesStoredTwiceAndShuffledAreRecoveredAndTold) {
 }
 
 TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/otira_rocks");
     ReadingOptions options;
-    options.sensorM = Eigen::Vector3d(23.5, 10, -6); // five metres above and six before the river bed
+    options.sensorM = Eigen::Vector3d(23.5, 10, -6); // five metres above and six in front of the river bed
     auto scan = openScan(shared("otira_rocks/Otira_1cm_grains.ply"), options);
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_GT(countCells(*scan)[0], 15000U);
@@ -218,12 +219,12 @@ TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {
     EXPECT_TRUE(anyHolds(scan->warnings, "100769 points in"));
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), edges::cannySettings());
     const double share = static_cast<double>(detection->edges->size()) / static_cast<double>(countCells(*detection->scan)[0]);
-    EXPECT_GT(share, 0.02); // outlines, neither nothing nor speckle
+    EXPECT_GT(share, 0.02); // outlines: neither empty nor speckle
     EXPECT_LT(share, 0.15);
 }
 
 TEST(Regrid, ASensorFarAwayIsInMetresWhateverTheNumbersOfTheFileAre) {
-    // A quarry from the air: farther than a scanner's reach, with numbers of a survey grid, in metres and in millimetres.
+    // A quarry from the air: farther than a scanner's reach, with coordinates of a survey grid, in metres and in millimetres.
     const Eigen::Vector3d sensor(512766, 5403705, 1900);
     auto points = ballBeforeWall(20000, Eigen::Vector3d::Zero(), 9);
     for (Eigen::Vector3d& p : points) p = sensor + 180 * Eigen::Vector3d(p.z(), p.y(), -p.x());
@@ -241,7 +242,7 @@ TEST(Regrid, ASensorFarAwayIsInMetresWhateverTheNumbersOfTheFileAre) {
 }
 
 TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
-    if (!std::filesystem::exists(EDGESCAN_SHARED_DIR)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/traps");
     const auto livox = openScan(shared("traps/livox_bin_unorganized.pcd"));
     ASSERT_TRUE(livox) << livox.error().sentence();
     EXPECT_EQ(countCells(*livox)[0] + livox->attached.size(), 227143U);
@@ -254,7 +255,7 @@ TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
     const auto fromAbove = openScan(shared("traps/airborne_utm_float32.pcd"), above);
     ASSERT_TRUE(fromAbove) << fromAbove.error().sentence();
     EXPECT_TRUE(anyHolds(fromAbove->warnings, "can only be told apart by about 0.5"));
-    above.sensorM = Eigen::Vector3d(512766, 5403705, 2600); // farther than a scanner's reach: metres all the same
+    above.sensorM = Eigen::Vector3d(512766, 5403705, 2600); // farther than a scanner's reach: nevertheless metres
     const auto fromHigh = openScan(shared("traps/airborne_utm_float32.pcd"), above);
     ASSERT_TRUE(fromHigh) << fromHigh.error().sentence();
     EXPECT_LT(rangeLimits(*fromHigh).maxMm, 5e6F);

@@ -1,5 +1,5 @@
-// Bare lists of rounded points give back the grid they were measured on: in order or shuffled, with points left out, where the motor stands
-// or turns on and on; and columns that name line and beam are the grid. The files are written here by hand.
+// The grid is recovered from bare lists of rounded points: in order or shuffled, with points left out, with a motor that stops or rotates
+// continuously; and columns that name line and beam are the grid. The files are written without the program's own writers.
 #include "tests/support/point_lists.h"
 #include "tests/support/point_round_trip.h"
 
@@ -13,7 +13,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// Boxes before a wall, ranges in whole millimetres with a little noise.
+/// Boxes in front of a wall, ranges in whole millimetres with a little noise.
 Scan boxesBeforeWall(Axis axis, int lines, int beams, double beamStart, double beamStep, double lineStart, double lineStep,
                      unsigned seed = 3) {
     ScanShape shape{.axis = axis,
@@ -78,7 +78,7 @@ TEST(RoundedLists, NoPointIsLostAndTheMaskStays) {
                         EXPECT_EQ(back.lines, scan.lines());
                         EXPECT_EQ(back.beams, scan.beams());
                         EXPECT_EQ(back.lost, 0U);
-                        EXPECT_EQ(back.movedClear, 0U); // what came into another cell had nothing to tell its line
+                        EXPECT_EQ(back.movedClear, 0U); // points in another cell had an undefined line
                         if (!shuffled) {
                             EXPECT_EQ(back.moved, 0U);
                         }
@@ -94,7 +94,7 @@ TEST(RoundedLists, NoPointIsLostAndTheMaskStays) {
     }
 }
 
-TEST(RoundedLists, LinesOfAMotorThatStandsStayLines) {
+TEST(RoundedLists, LinesOfAStoppedMotorStayLines) {
     Scan scan = boxesBeforeWall(Axis::Spin, 318, 181, -45, 0.5, 0, 1.2); // past 360 degrees
     auto& polar = std::get<PolarGeometry>(scan.geometry);
     for (const std::size_t stands : {100U, 101U, 200U}) polar.lineDeg[stands] = polar.lineDeg[stands - 1];
@@ -171,7 +171,7 @@ TEST(RoundedLists, ColumnsOfLinesAndBeamsAreTheGrid) {
 TEST(RoundedLists, ColumnsOfAnotherFrameGiveTheSameMask) {
     const Scan scan = boxesBeforeWall(Axis::Sweep, 50, 60, 30, 1, -25, 1);
     const auto beams = static_cast<std::size_t>(scan.beams());
-    Eigen::Matrix3d turn; // no axis of the scanner stays an axis of the frame
+    Eigen::Matrix3d turn; // no axis of the scanner is parallel to an axis of the frame
     turn << 0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6;
     const Eigen::Vector3d place(498765.25, 5150123.5, 287.625);
     const std::string text =

@@ -1,4 +1,4 @@
-// What the operator is told of a live scan, and what a recording holds that is begun late.
+// The operator's status of a live scan, and the content of a recording that is started late.
 #include "core/files/live_feed/live_health.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/live_session.h"
@@ -20,7 +20,7 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     status.lines = 12;
     EXPECT_EQ(healthOf(status).badge, "LIVE");
     EXPECT_FALSE(healthOf(status).stale());
-    // S4: two seconds at the latest, whatever the session thinks.
+    // S4: two seconds at the latest, whatever the state of the session.
     status.secondsSinceLine = 1.99;
     EXPECT_EQ(healthOf(status).liveness, Liveness::Live);
     status.secondsSinceLine = 2.0;
@@ -52,13 +52,13 @@ TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
     shown.newestNs -= 1'800'000'000;
     EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "LIVE");
     EXPECT_EQ(healthOf(status, nullptr, &shown).lines, "280/280 lines");
-    status.secondsSinceLine = 0.3; // nothing else came meanwhile: the picture is 2.1 s old, the newest line is not
+    status.secondsSinceLine = 0.3; // no other line came meanwhile: the picture is 2.1 s old, the newest line is not
     EXPECT_EQ(healthOf(status).badge, "LIVE");
     EXPECT_EQ(healthOf(status, nullptr, &shown).badge, "STALE 2 s");
     EXPECT_TRUE(healthOf(status, nullptr, &shown).stale());
 }
 
-TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
+TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     LiveStatus status;
     status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 0.0;
@@ -75,7 +75,7 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
     EXPECT_EQ(health.end, "ends in 28 s");
-    status.session.phase = scanner::SessionPhase::Lost; // no line comes: nobody knows when the last one will
+    status.session.phase = scanner::SessionPhase::Lost; // no lines arrive: the time of the last one is unknown
     EXPECT_EQ(healthOf(status).end, "");
     status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 5.0;
@@ -84,7 +84,7 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(health.contamination, "window clean");
     EXPECT_EQ(health.pose, "no pose");
     EXPECT_TRUE(health.recording.empty());
-    // S5: kept for the sweep even when it clears.
+    // S5: stored for the sweep even after it is cleared.
     status.sweep.device.contaminationWarning = status.sweep.deviceEver.contaminationWarning = true;
     EXPECT_EQ(healthOf(status).contamination, "WINDOW DIRTY");
     EXPECT_EQ(healthOf(status).window, Condition::OutOfSpec);
@@ -112,7 +112,7 @@ TEST(LiveHealth, TellsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(healthOf(status).lines, "1000/1000 lines");
 }
 
-TEST(LiveHealth, TellsWhatIsWrongWithTheTelegrams) {
+TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     LiveStatus status;
     status.session.phase = scanner::SessionPhase::Live;
     status.secondsSinceLine = 0.0;

@@ -1,5 +1,5 @@
-// Twenty minutes of a scanner's life with random faults, as fast as the machine goes: every line is received or said to be lost, memory
-// stays flat, every reconnect is counted.
+// Twenty minutes of a scanner with random faults, as fast as the machine allows: every line is received or reported as lost, memory is
+// constant, every reconnect is counted.
 #include "core/files/live_feed/live_feed.h"
 #include "tests/support/live_session.h"
 #include "tests/support/point_lists.h"
@@ -26,7 +26,7 @@ double residentMb() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// The ranges of the first two beams tell the line.
+/// The ranges of the first two beams identify the line.
 Scan numberedScan(int lines) {
     return makeScan(lines, kBeams, [](int i, int j) { return 1000 + (j == 0 ? i / 500 : j == 1 ? i % 500 : (i * 7 + j) % 3000); });
 }
@@ -34,7 +34,7 @@ int numberOf(const Scan& scan, int row) {
     return 500 * (static_cast<int>(scan.rangeMm.at(row, 0)) - 1000) + static_cast<int>(scan.rangeMm.at(row, 1)) - 1000;
 }
 
-/// What came out of a feed, sweep by sweep.
+/// The output of a feed, sweep by sweep.
 struct Collected {
     std::int64_t rows = 0, received = 0, lost = 0;
     int sweeps = 0;
@@ -82,11 +82,11 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     settings.faults.stallS = 0.6;
     const auto scanner = served(numberedScan(kLines), settings);
     LiveFeed feed(
-        settingsFor(*scanner), soakSweep(), [] {}, kKeptBytes);
+        settingsFor(*scanner, hasty()), soakSweep(), [] {}, kKeptBytes);
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
-    for (std::int64_t before = -1, quiet = 0; quiet < 60 && std::chrono::steady_clock::now() - start < 45s;) {
+    for (std::int64_t before = -1, quiet = 0; quiet < 60 && std::chrono::steady_clock::now() - start < kPatience;) {
         all.take(feed.takeFinished(), true);
         const std::int64_t lines = feed.status().lines;
         if (early == 0.0 && lines > kLines / 4) early = residentMb();
@@ -103,7 +103,7 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     EXPECT_EQ(sent.lines, static_cast<std::uint64_t>(kLines));
     EXPECT_GT(sent.drops, 5U);
     EXPECT_GT(sent.stalls, 1U);
-    // Every row stands where the scanner measured it, received or lost; only the very first and last may be missing.
+    // Every row is where the scanner measured it, received or lost; only the very first and last may be missing.
     EXPECT_TRUE(all.inPlace);
     EXPECT_EQ(all.received + all.lost, all.rows);
     EXPECT_GE(all.rows, kLines - 20);
@@ -153,7 +153,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
-    while (feed.status().lines < kLines && std::chrono::steady_clock::now() - start < 40s) {
+    while (feed.status().lines < kLines && std::chrono::steady_clock::now() - start < kPatience) {
         all.take(feed.takeFinished(), false);
         if (early == 0.0 && feed.status().lines > kLines / 4) early = residentMb();
         std::this_thread::sleep_for(5ms);
@@ -163,7 +163,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     all.take(feed.takeFinished(), false);
     const LiveStatus status = feed.status();
     ASSERT_GE(status.lines, kLines) << status.session.sentence;
-    // The mock counts anew at every connection: what is lost between two of them nobody can know, within one all is told.
+    // The mock restarts its counters at every connection: losses between two connections are unknown, all others are reported.
     EXPECT_EQ(all.received + all.lost, all.rows);
     EXPECT_EQ(all.received + status.sweep.duplicates + status.sweep.misfits, status.lines);
     EXPECT_EQ(status.statistics.scans, static_cast<std::uint64_t>(status.lines));

@@ -1,4 +1,4 @@
-// Intensities: each stays with its point, through every format that holds them and whatever finds the grid.
+// Intensities: each stays with its point, in every format that holds them and with every method that finds the grid.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/cloud_columns.h"
@@ -16,7 +16,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// Whole numbers that tell cells apart; NaN where there is no return.
+/// Integers that identify cells; NaN where there is no return.
 Scan brightScan(float perStep = 1.0F) {
     Scan scan = makeScan(ScanShape{.lines = 24, .beams = 40});
     scan.intensity = Grid<float>(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
@@ -93,7 +93,7 @@ TEST(Intensity, LasStretchesWhatIsNoWholeNumberOf16Bits) {
     EXPECT_EQ(before, 65535);
 }
 
-// Rows of another program in any order: the number beside the point tells which cell it must come to.
+// Rows of another program in any order: the number of the point identifies its cell.
 TEST(Intensity, FollowsItsPointThroughRecognitionAndProjection) {
     const Folder folder;
     const Scan scan = makeScan(ScanShape{.lines = 30, .beams = 50, .noReturns = 0.1});

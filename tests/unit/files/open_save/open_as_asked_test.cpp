@@ -1,5 +1,5 @@
-// What is done on opening a scan only because it was asked for.
-#include "core/files/open_save/open_as_asked.h"
+// Actions on opening a scan that happen only on request.
+#include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/angle_correction/straighten_scan.h"
 #include "core/sim/simulate.h"

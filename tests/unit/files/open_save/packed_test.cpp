@@ -1,4 +1,4 @@
-// Scans that are packed with gzip, come out of pipes, or are files of other programs.
+// Scans compressed with gzip, scans from pipes, and files of other programs.
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
 #include "core/containers/compression/gunzip.h"
@@ -29,7 +29,7 @@ ReadingOptions packedOptions(const SeedFile& seed) {
 
 TEST(Packed, EveryFormatOpensAsIfItWereNot) {
     for (const SeedFile& seed : seedFiles()) {
-        if (seed.reader == "packed") continue; // packed twice it is refused
+        if (seed.reader == "packed") continue; // compressed twice it is refused
         SCOPED_TRACE(seed.reader + seed.extension);
         const auto plain = readBytes(seed.bytes, seed.extension, packedOptions(seed));
         const std::string packed = gzipBytes(seed.bytes);
@@ -42,10 +42,10 @@ TEST(Packed, EveryFormatOpensAsIfItWereNot) {
         EXPECT_EQ(scan->rangeMm, plain->rangeMm);
         EXPECT_EQ(scan->state, plain->state);
         EXPECT_EQ(scan->format, plain->format);
-        if (seed.reader != "raw_grid") { // its sum is that of the counts
+        if (seed.reader != "raw_grid") { // its hash is that of the counts
             EXPECT_EQ(scan->sha256, sha256Hex(std::as_bytes(std::span(packed)))) << "of the file as it lies there";
         }
-        if (seed.extension != ".3d" && seed.reader != "range_csv") { // what it is, the content tells
+        if (seed.extension != ".3d" && seed.reader != "range_csv") { // the content decides the format
             EXPECT_TRUE(readBytes(packed, ".whatever", packedOptions(seed)));
         }
     }
@@ -76,7 +76,7 @@ TEST(Packed, DamageAndBombsAreRefused) {
     EXPECT_NE(refusalOf(packed + "trailing", ".xyz.gz").find("something else stands behind the packed data"), std::string::npos);
     EXPECT_NE(refusalOf(gzipBytes(packed), ".xyz.gz").find("a gzip archive in another one"), std::string::npos);
     EXPECT_NE(refusalOf(gzipBytes("1 2 3\n4 x 6\n"), ".xyz.gz").find("memory.xyz.gz (unpacked): line 2"), std::string::npos);
-    // 64 MB of zeros in 64 kB: what may come out is bounded by what went in.
+    // 64 MB of zeros in 64 kB: the output is limited by the size of the input.
     const std::string bomb = gzipBytes(std::string(std::size_t{64} << 20U, '\0'));
     ASSERT_LT(bomb.size(), 100'000U);
     EXPECT_NE(refusalOf(bomb, ".gz").find("far more than a scan of its size can be"), std::string::npos);

@@ -1,4 +1,4 @@
-// Mine coordinates survive being written and read in every format; where there is no pose they are refused.
+// Mine coordinates are preserved in every format; without a pose they are refused.
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
@@ -40,7 +40,7 @@ Scan asPoints(const Scan& scan) {
     return cloud;
 }
 
-/// Rows of numbers of a text file of ours, without comments and names.
+/// Rows of numbers of one of our text files, without comments and names.
 std::vector<std::vector<double>> rowsOf(const std::string& text) {
     std::vector<std::vector<double>> rows;
     std::istringstream lines(text);
@@ -59,7 +59,7 @@ std::vector<std::vector<double>> rowsOf(const std::string& text) {
 TEST(MineExport, APlacedScanComesBackTheSameFromEveryFormatAndFrame) {
     const Folder folder;
     for (unsigned round = 0; round < 120; ++round) {
-        // Every combination of the first four, each with a place of its own.
+        // Every combination of the first four, each with its own placement.
         const char* extension = std::array{".pcd", ".ply", ".xyz", ".csv", ".foxglove.mcap"}[round % 5];
         const auto frame = std::array{CoordinateFrame::Scanner, CoordinateFrame::MineLocal, CoordinateFrame::Mine}[round / 5 % 3];
         const bool ascii = round / 15 % 2 == 0;
@@ -125,7 +125,7 @@ TEST(MineExport, MineCoordinatesAreNeverFourByteFloats) {
     const auto pcd = writtenFormat("cloud.pcd")->write(asked, "cloud.pcd", false);
     ASSERT_TRUE(pcd);
     EXPECT_NE(pcd->find("SIZE 8 8 8 4 4 4 1 4\nTYPE F F F U U F U F\n"), std::string::npos);
-    // PCL reads floats only: metres from the origin, which the header tells twice.
+    // PCL reads only floats: metres from the origin, which the header gives twice.
     const auto floats = writtenFormat("cloud.pcd")->write(validPoints(scan, nullptr, CoordinateFrame::Mine), "cloud.pcd", false);
     ASSERT_TRUE(floats);
     EXPECT_NE(floats->find("SIZE 4 4 4 4 4 4 1 4\nTYPE F F F U U F U F\n"), std::string::npos);
@@ -135,7 +135,7 @@ TEST(MineExport, MineCoordinatesAreNeverFourByteFloats) {
     ASSERT_TRUE(ply);
     EXPECT_NE(ply->find("property double x\nproperty double y\nproperty double z\n"), std::string::npos);
     EXPECT_NE(ply->find("comment EdgeScan, mine grid in metres: x Easting, y Northing, z Elevation\n"), std::string::npos);
-    // Large numbers that a file of floats brought along are not written as floats again.
+    // Large numbers from a file of floats are not written as floats again.
     Scan far = asPoints(placedScan(3));
     for (Eigen::Vector3d& p : std::get<PointGeometry>(far.geometry).pointsM.cells) p += Eigen::Vector3d(500000, 5000000, 0);
     for (Eigen::Vector3d& p : std::get<PointGeometry>(far.geometry).pointsM.cells) p = p.cast<float>().cast<double>();
@@ -179,7 +179,7 @@ TEST(MineExport, FormatsOfSurveyAndCadHoldAMillimetreToo) {
                 ASSERT_TRUE(bytes) << bytes.error().sentence();
                 const ReadingOptions options;
                 const Source source{name, std::as_bytes(std::span(*bytes)), &options};
-                const std::vector<Eigen::Vector3d> found = writtenFormat(name)->points(source)->points;
+                const std::vector<Eigen::Vector3d> found = pointsAsWritten(*writtenFormat(name)->read(source));
                 ASSERT_EQ(found.size(), expected.size());
                 for (std::size_t n = 0; n < found.size(); ++n) EXPECT_LT((found[n] - expected[n]).cwiseAbs().maxCoeff(), 0.00051) << n;
             }

@@ -1,4 +1,4 @@
-// What is saved comes back: same ranges, same states, same angles, whatever the format.
+// A saved scan opens again with the same ranges, states and angles, in every format.
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "core/containers/png/png.h"

@@ -1,4 +1,4 @@
-// Every reader, fed in memory: its seeds open, and damaged seeds are a sound scan or one sentence.
+// Every reader with data from memory: its seeds open, and damaged seeds give a valid scan or one sentence.
 #include "tests/support/damage.h"
 #include "tests/support/seed_files.h"
 

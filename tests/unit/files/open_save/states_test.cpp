@@ -1,4 +1,4 @@
-// Whatever drops out of a scan, every cell stays accounted for in every format that carries cells, and no index moves.
+// With any losses in a scan, every cell is accounted for in every format that stores cells, and no index changes.
 #include "core/containers/png/png.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/grid/range_picture.h"
@@ -17,7 +17,7 @@ namespace {
 
 enum class Loss { NoReturn, Isolated, Lines, EveryState };
 
-/// Takes cells out: at random, all but single ones, whole lines and beams, or into every state there is.
+/// Removes cells: random ones, all but single ones, whole lines and beams, or into every state.
 Scan withLoss(Loss loss, unsigned seed) {
     ScanShape shape;
     shape.lines = 24 + static_cast<int>(seed % 5);

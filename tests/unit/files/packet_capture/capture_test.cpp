@@ -1,4 +1,4 @@
-// Captures: whatever way packets come, the sweep is that of the recording with the same telegrams.
+// Captures: in whatever way packets arrive, the sweep is that of the recording with the same telegrams.
 #include "core/files/packet_capture/tcp_streams.h"
 #include "core/files/recording/replay.h"
 #include "core/scan/grid/acquisition.h"
@@ -24,14 +24,14 @@ std::string telegramBytes(int line, scanner::Dialect dialect) {
     return {frame.begin(), frame.end()};
 }
 
-/// The telegrams of a sweep one behind the other.
+/// The telegrams of a sweep, concatenated.
 std::string telegramStream(scanner::Dialect dialect = scanner::Dialect::B, int lines = kCapturedLines) {
     std::string bytes;
     for (int line = 0; line < lines; ++line) bytes += telegramBytes(line, dialect);
     return bytes;
 }
 
-/// The same telegrams as a recording that says no more than a capture does.
+/// The same telegrams as a recording that contains no more than a capture does.
 Scan recordedSweep(scanner::Dialect dialect = scanner::Dialect::B) {
     std::vector<RecordingMessagePtr> messages;
     for (int line = 0; line < kCapturedLines; ++line) messages.push_back(lineMessage(line, {}, dialect));
@@ -39,7 +39,7 @@ Scan recordedSweep(scanner::Dialect dialect = scanner::Dialect::B) {
     return *scanOf(*recording, "recording");
 }
 
-/// A stream cut into segments of any length, with the times of its lines.
+/// A stream split into segments of any length, with the times of its lines.
 std::vector<TcpPart> segmentsOf(const std::string& stream, unsigned seed, std::uint32_t first = 4'294'960'000U,
                                 std::size_t longest = 1448) {
     std::mt19937 random(seed);
@@ -47,7 +47,7 @@ std::vector<TcpPart> segmentsOf(const std::string& stream, unsigned seed, std::u
     for (std::size_t at = 0; at < stream.size();) {
         const std::size_t length = std::min(stream.size() - at, 1 + random() % longest);
         const std::int64_t time = kEpochNs + static_cast<std::int64_t>(at) * 250'000;
-        parts.push_back({first + static_cast<std::uint32_t>(at), stream.substr(at, length), false, time}); // the numbers wrap on the way
+        parts.push_back({first + static_cast<std::uint32_t>(at), stream.substr(at, length), false, time}); // the sequence numbers wrap
         at += length;
     }
     return parts;
@@ -63,7 +63,7 @@ std::string joined(const TcpStream& stream) {
     return text;
 }
 
-/// Packets made by packetOf() as the reader has them.
+/// Packets made by packetOf(), as the reader returns them.
 struct MadePackets {
     std::vector<std::string> bytes;
     std::vector<Packet> packets;
@@ -118,7 +118,7 @@ TEST(Capture, PacketsOutOfOrderTwiceAndOverlappingArePutInOrder) {
             const std::size_t at = parts[n].sequence - parts[1].sequence;
             parts.push_back(
                 {parts[n].sequence, stream.substr(at, parts[n].payload.size() + random() % 900), false, parts[n].timeNs}); // longer
-            parts.push_back({parts[n].sequence - 1, "x", false, parts[n].timeNs});                                         // alive?
+            parts.push_back({parts[n].sequence - 1, "x", false, parts[n].timeNs});                                         // a keep-alive
         }
         for (std::size_t n = 1; n + 8 < parts.size(); n += 4)
             std::shuffle(parts.begin() + static_cast<std::ptrdiff_t>(n), parts.begin() + static_cast<std::ptrdiff_t>(n + 8), random);
@@ -139,7 +139,7 @@ TEST(Capture, LostSegmentsAreCountedAndTheirLinesAreLost) {
     const std::string stream = telegramStream();
     const std::size_t frame = telegramBytes(0, scanner::Dialect::B).size();
     std::vector<TcpPart> parts = segmentsOf(stream, 3, 1000, 60);
-    // All that touches the telegrams 7 and 20 to 22 but for some bytes.
+    // Damages the telegrams 7 and 20 to 22 except for some bytes.
     std::uint64_t lost = 0;
     std::erase_if(parts, [&](const TcpPart& part) {
         const std::size_t at = part.sequence - 1000;
@@ -176,7 +176,7 @@ TEST(Capture, TheConnectionWithScansIsTakenAndAReconnectedScannerIsOne) {
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_TRUE(captureTold(*scan, "3 streams; that of 192.168.0.1:2112 with 40 scan telegrams was opened."));
     for (int line = 0; line < kCapturedLines; ++line) EXPECT_TRUE(rowHolds(*scan, line, line)) << line;
-    // Two programs that listen to one scanner: each telegram counts once.
+    // Two programs are connected to one scanner: each telegram counts once.
     std::vector<TcpPart> twice = segmentsOf(stream, 8, 100);
     std::vector<TcpPart> other = segmentsOf(stream, 9, 200);
     for (TcpPart& part : other) part.toPort = 50001;
@@ -198,7 +198,7 @@ TEST(Capture, StreamsAsTheyCameInEitherDialect) {
         EXPECT_EQ(scan->acquisition->serial, "18110550");
         EXPECT_EQ(scan->acquisition->startUtc, "") << "the stream says no time";
         EXPECT_TRUE(captureTold(*scan, "ASSUMED: the axis (spin), the step from line to line (0.18 degrees"));
-        // Begun in the middle of a telegram and cut off in another one.
+        // Begins in the middle of a telegram and ends in the middle of another.
         const auto part = readBytes(stream.substr(20, stream.size() - 30), ".bin");
         ASSERT_TRUE(part) << part.error().sentence();
         EXPECT_EQ(part->lines(), kCapturedLines - 2);
@@ -250,7 +250,7 @@ TEST(Capture, RealTelegramsHoldWhatAnotherProgramFoundInThem) {
     for (const auto& [stream, table] :
          {std::pair("lms511_a_d2h.bin", "lms511_a_scans.csv"), std::pair("lms511_a_colaa.bin", "lms511_a_colaa_scans.csv")}) {
         const Bytes bytes = fileBytes(vectorsFolder() / stream);
-        // As they are, and cut into packets.
+        // Unchanged, and split into packets.
         const std::string text(bytes.begin(), bytes.end());
         for (const bool packets : {false, true}) {
             const auto scan = readBytes(packets ? captureOf(segmentsOf(text, 1), {.pcapng = true}) : text, ".bin");

@@ -1,5 +1,5 @@
-// A scanner of several layers (MRS1000) sends a telegram per layer: those of a tilted fan are no lines of the motor. They are left out and
-// told, whichever way the telegrams come.
+// A scanner of several layers (MRS1000) sends a telegram per layer: those of a tilted fan are not lines of the motor. They are left out and
+// reported, in whatever way the telegrams arrive.
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/recording/replay.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr int kLayeredLines = 30;
 constexpr std::array<std::int16_t, 4> kLayers{0, 250, -250, 500}; // 1/100 degree
 
-/// Four telegrams per turn of the mirror, counted one by one; the layers see other ranges.
+/// Four telegrams per rotation of the mirror, each counted; the layers see different ranges.
 std::vector<scanner::ScanTelegram> layeredTelegrams() {
     std::vector<scanner::ScanTelegram> telegrams;
     for (int n = 0; n < kLayeredLines; ++n) {
@@ -34,7 +34,7 @@ std::vector<scanner::ScanTelegram> layeredTelegrams() {
     return telegrams;
 }
 
-/// The layer without an angle is the sweep, line by line, with nothing lost and nothing of the others in it; how many these were is told.
+/// The layer without an angle is the sweep, line by line, without losses and without the others; the number of the others is reported.
 void expectTheLevelLayer(const Scan& scan) {
     ASSERT_EQ(scan.lines(), kLayeredLines);
     for (int n = 0; n < kLayeredLines; ++n) EXPECT_TRUE(rowHolds(scan, n, n)) << n;

@@ -1,9 +1,10 @@
-// What speaks against a reading: rooms seen with wrong mounting, angles and units, and a room read as it is.
+// Evidence against a reading: rooms seen with wrong mounting, angles and units, and a room read correctly.
 #include "core/files/plausibility/opening_check.h"
 
-#include "core/files/open_save/open_as_asked.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/grid/cartesian.h"
+#include "tests/support/shared_folder.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -15,7 +16,8 @@
 namespace edgescan::files {
 namespace {
 
-/// A room of 8 x 6 x 5 m with flat walls, aslant to the scanner (a wall across the axis looks alike at any step): each beam to the nearest.
+/// A room of 8 x 6 x 5 m with flat walls, oblique to the scanner (a wall across the axis looks the same for every step); each beam ends on
+/// the nearest wall.
 Scan room(Axis axis, double lineStepDeg) {
     Scan scan;
     PolarGeometry polar;
@@ -99,8 +101,8 @@ TEST(OpeningCheck, AnUnitThatMakesARoomOfMillimetresIsDoubted) {
 }
 
 TEST(OpeningCheck, ARealCorridorSaysHowItsScannerWasMounted) {
-    const std::filesystem::path path = std::filesystem::path(EDGESCAN_SHARED_DIR) / "data/lms200_corridor/scan000.json";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared is absent";
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    const std::filesystem::path path = test::sharedFolder() / "data/lms200_corridor/scan000.json";
     ReadingOptions options;
     EXPECT_TRUE(pointOf(openingCheck(*openAsAsked(path, options), options), "Mounting").against.empty());
     options.axis = Axis::Spin;

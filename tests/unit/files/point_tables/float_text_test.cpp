@@ -1,4 +1,4 @@
-// Floats as text: to the last byte what the standard library writes.
+// Floats as text: identical to the standard library.
 #include "core/files/point_tables/float_text.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(FloatText, IsThatOfTheLibraryAtBorders) {
 TEST(FloatText, IsThatOfTheLibraryOfEverySize) {
     std::mt19937_64 random(16);
     for (int n = 0; n < 2000000; ++n) {
-        // From 2^-12 to 2^18: all where it does it itself, and what lies about.
+        // From 2^-12 to 2^18: the whole range of the fast path, and its surroundings.
         const auto power = static_cast<std::uint32_t>(115 + random() % 31);
         const float value = std::bit_cast<float>(power << 23U | static_cast<std::uint32_t>(random() & 0x807FFFFFU));
         ASSERT_EQ(ours(value), library(value)) << n;

@@ -73,7 +73,7 @@ TEST(PlainNumbers, AreReadAsFromCharsReadsThemWhateverTheirDigits) {
     expectReadAsFromChars(words);
 }
 
-// Long texts are read by rows once it is known how numbers are printed, short ones cell by cell: each row must be the same by both.
+// Long texts are read by rows after the number format is known, short ones cell by cell: each row must be the same in both cases.
 struct ReadRows {
     std::vector<std::vector<std::uint64_t>> rows;
     std::string problem;
@@ -116,7 +116,7 @@ std::string randomRow(std::mt19937_64& random, char separator) {
 
 TEST(PlainNumbers, RowsOfLongTextsAreReadAsThoseOfShortOnes) {
     std::string before;
-    for (int n = 0; n < 20001; ++n) before += "0.5 1.5 2.5\n"; // enough to know how numbers are printed
+    for (int n = 0; n < 20001; ++n) before += "0.5 1.5 2.5\n"; // enough rows to learn the number format
     std::mt19937_64 random(1611);
     for (int n = 0; n < 300; ++n) {
         TextLayout layout;

@@ -1,4 +1,4 @@
-// Runs of states in a description, against a look at every cell.
+// Runs of states in a description, compared with a check of every cell.
 #include "core/files/point_tables/description.h"
 #include "core/scan/grid/scan.h"
 
@@ -34,7 +34,7 @@ TEST(StateRuns, AreThoseOfALookAtEveryCell) {
             Scan scan;
             scan.state = Grid<CellState>(1, cells, CellState::Valid);
             scan.rangeMm = Grid<float>(1, cells);
-            for (int n = static_cast<int>(random() % 6); n > 0 && cells > 0; --n) { // runs that begin and end anywhere
+            for (int n = static_cast<int>(random() % 6); n > 0 && cells > 0; --n) { // runs with random begin and end
                 const std::size_t first = random() % static_cast<unsigned>(cells);
                 const std::size_t end = std::min<std::size_t>(first + 1 + random() % 700, static_cast<std::size_t>(cells));
                 std::fill(scan.state.cells.begin() + static_cast<std::ptrdiff_t>(first),

@@ -1,4 +1,4 @@
-// Numbers of text are read as std::from_chars reads them, whatever row they stand in.
+// Numbers of text are read as std::from_chars reads them, in every kind of row.
 #include "core/files/point_tables/text_layout.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Words {
     std::string text;
 };
 
-// Rows of four numbers of all kinds of lengths.
+// Rows of four numbers of all lengths.
 Words randomRows(const char* lineEnd, unsigned seed) {
     std::mt19937 random(seed);
     const auto below = [&random](unsigned n) { return static_cast<unsigned>(random() % n); };

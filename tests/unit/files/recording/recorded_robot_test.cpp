@@ -1,4 +1,4 @@
-// Where a scan stands: by --pose and --calibration, by what a recording holds, by the matrix of a PTX file.
+// The placement of a scan: by --pose and --calibration, by the data of a recording, by the matrix of a PTX file.
 #include "core/base/utc_time.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
@@ -13,6 +13,7 @@
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -53,7 +54,7 @@ json talin(double east, int status = 0) {
             {"roll_deg", -2.1},  {"heading_ref", "true"},     {"zone", "17N"},          {"datum", "WGS84"},     {"status", status}};
 }
 
-/// Thirty lines at 25 Hz; readings as given: seconds after the start, and easting.
+/// Thirty lines at 25 Hz; the given readings are seconds after the start, and easting.
 Result<Scan> recorded(const scanner::SweepMetadata& metadata, const std::vector<std::pair<double, double>>& eastAt,
                       const ReadingOptions& options = {}, int status = 0) {
     std::vector<RecordingMessagePtr> messages;
@@ -73,13 +74,13 @@ bool told(const std::vector<std::string>& sentences, const std::string& part) {
 
 } // namespace
 
-TEST(RecordedPlace, TheDemoStandsWhereTheReferenceSays) {
-    const auto path = std::filesystem::path(EDGESCAN_SHARED_DIR) / "protocol/vectors/sweep_demo.mcap";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared is absent: the demo recording cannot be opened";
+TEST(RecordedPlace, TheDemoIsWhereTheReferenceSays) {
+    EDGESCAN_NEEDS_SHARED("protocol/vectors");
+    const auto path = edgescan::test::sharedFolder() / "protocol/vectors/sweep_demo.mcap";
     const auto scan = openScan(path);
     ASSERT_TRUE(scan) << scan.error().sentence();
     ASSERT_TRUE(scan->placement);
-    // By shared/protocol/tools/frames.py with the line angle that the beam was measured at.
+    // By shared/protocol/tools/frames.py, with the line angle at which the beam was measured.
     const std::tuple<int, int, double, double, double> kExpected[]{{0, 7, 498762.130024861544, 5150118.998931737617, 289.658622703694},
                                                                    {10, 400, 498762.930146205530, 5150118.058185938746, 289.818699892100},
                                                                    {23, 1000, 498765.647867999098, 5150117.905405015685, 289.831753657317}};
@@ -102,7 +103,7 @@ TEST(RecordedPlace, ReadingsAndRobotOfARecordingPlaceItsSweep) {
     EXPECT_EQ(scan->placement->poses.size(), 1U);
     EXPECT_EQ(scan->placement->timeUtc, utcText(static_cast<double>(kEpochNs) * 1e-9 + 0.5));
     EXPECT_FALSE(scan->placement->outOfSpec);
-    // The same numbers as files give the same place.
+    // The same numbers as files give the same placement.
     const Folder folder;
     writeText(folder / "robot.json", calibrationText(exampleCalibration()));
     writeText(folder / "pose.json", kPoseText);
@@ -125,7 +126,7 @@ TEST(RecordedPlace, ABaseThatMovesGetsAPosePerLine) {
     EXPECT_TRUE(told(late->placement->warnings, "lines were measured before the first or after the last pose"));
 }
 
-TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsTold) {
+TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsReported) {
     const auto old = recorded(robotMetadata(), {{-60.0, 498765.0}});
     ASSERT_TRUE(old->placement);
     EXPECT_TRUE(old->placement->outOfSpec);

@@ -1,4 +1,4 @@
-// A recording scrubbed by several threads at once, as the timeline does while views still hold what it showed before.
+// Several threads scrub one recording, as the timeline does while views still hold what it showed before.
 #include "core/files/recording/replay.h"
 #include "tests/support/live_lines.h"
 
@@ -21,7 +21,7 @@ TEST(Replay, CopiesOnSeveralThreadsShareTheRecordingAndWhatTheyShow) {
     Replay first(*recording);
     first.seek(kLines / 2);
     std::mutex mutex;
-    std::shared_ptr<const Scan> shown; // by whoever came last; let go of by the next
+    std::shared_ptr<const Scan> shown; // set by the last thread; released by the next
     std::vector<int> wrong(kThreads, 0);
     std::vector<std::thread> threads;
     threads.reserve(kThreads);

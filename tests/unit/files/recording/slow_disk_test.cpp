@@ -1,4 +1,4 @@
-// Recording on disks that are slow, hang or break: what arrives is written at once, and stopping ends in time with a word.
+// Recording on slow, hanging or broken disks: arriving data are written at once, and stopping ends in time with a message.
 #include "core/files/live_feed/live_health.h"
 #include "core/files/recording/recording.h"
 #include "core/files/recording/writer.h"
@@ -20,13 +20,13 @@ using namespace edgescan::test;
 
 namespace {
 
-/// A disk that answers when it is told to. Threads of a writer may outlive the test: they share it.
+/// A disk that answers on command. Threads of a writer may outlive the test, so they share it.
 struct SlowDisk {
     std::mutex mutex;
     std::condition_variable changed;
     bool syncs = false; ///< answers syncs
     bool writes = true; ///< answers writes
-    int syncError = 0;  ///< what a sync answers
+    int syncError = 0;  ///< the result of a sync
     std::atomic<int> asked{0};
 
     void allow(bool sync, bool write) {
@@ -83,7 +83,7 @@ TEST(SlowDisk, EverythingIsWrittenWhileASyncHangs) {
     EXPECT_LE(disk->asked, 6) << "what was written meanwhile was one request";
 }
 
-TEST(SlowDisk, TheLagIsTold) {
+TEST(SlowDisk, TheLagIsReported) {
     const Folder folder;
     const auto disk = std::make_shared<SlowDisk>();
     auto writer = RecordingWriter::start(folder / "a.mcap", {}, onto(disk));
@@ -107,6 +107,7 @@ TEST(SlowDisk, StoppingDoesNotWaitForASyncThatHangs) {
     auto writer = RecordingWriter::start(folder / "a.mcap", {}, onto(disk));
     ASSERT_TRUE(writer);
     for (int n = 0; n < 100; ++n) (*writer)->post(lineMessage(n));
+    ASSERT_TRUE(waitUntil([&] { return (*writer)->state().messages == 100; }));
     EXPECT_TRUE((*writer)->close()) << "all is written";
     EXPECT_GT((*writer)->state().unsynced(), 0U);
     writer->reset(); // does not wait again

@@ -1,4 +1,4 @@
-// Backlash from two passes, against a zero of the stepper that the simulator moved.
+// Backlash from two passes, compared with the shift of the stepper's zero in the simulator.
 #include "core/inspect/calibration/backlash.h"
 
 #include "core/sim/simulate.h"
@@ -12,7 +12,7 @@
 namespace edgescan::inspect {
 namespace {
 
-// The second half of a turn, whose stepper stands `aheadDeg` ahead of what its angles say.
+// The second half of a turn, with the stepper `aheadDeg` ahead of its recorded angles.
 Scan passOf(double aheadDeg, std::uint64_t seed, int repeat, Axis axis) {
     sim::SimulationSettings settings;
     settings.axis = axis;
@@ -28,7 +28,7 @@ Scan passOf(double aheadDeg, std::uint64_t seed, int repeat, Axis axis) {
     return scan;
 }
 
-// As the stepper measures them on its way back: last line first.
+// As the stepper measures on its way back: last line first.
 Scan turnedRound(const Scan& scan) {
     Scan back = scan;
     auto& polar = std::get<PolarGeometry>(back.geometry);

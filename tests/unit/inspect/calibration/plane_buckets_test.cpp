@@ -1,4 +1,4 @@
-// The nearest points of a plane, against sorting all of them.
+// The nearest points of a plane, compared with sorting all of them.
 #include "core/inspect/calibration/plane_buckets.h"
 
 #include <gtest/gtest.h>

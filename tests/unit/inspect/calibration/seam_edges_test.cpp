@@ -1,4 +1,4 @@
-// Edges of the early view brought over into the late one, against the rays of docs/coordinates.md, "Step 1", all of them tried.
+// Edges of the early view transformed to the late one, compared with a search through all rays of docs/coordinates.md, "Step 1".
 #include "core/inspect/calibration/seam_edges.h"
 
 #include "core/base/angles.h"
@@ -111,7 +111,7 @@ TEST(SeamEdges, OfASweepLieAtTheEndsOfItsAxis) {
         const double deg = polar.beamDeg[static_cast<std::size_t>(beam)];
         EXPECT_LE(std::min(std::abs(deg), std::abs(180 - deg)), 5.001);
     }
-    // An edge of one cell: its mirror image half a turn later, of an ideal assembly.
+    // An edge of one cell: its mirror image half a turn later, for an ideal assembly.
     const int line = 100, beam = 4;
     edges = Grid<std::uint8_t>(scan->lines(), scan->beams());
     edges.at(line, beam) = 1;

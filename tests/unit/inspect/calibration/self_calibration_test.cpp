@@ -1,4 +1,4 @@
-// The assembly found from one turn, against errors that were built into every ray.
+// The assembly estimated from one turn, compared with the errors simulated for every ray.
 #include "core/inspect/calibration/calibration_file.h"
 #include "core/inspect/calibration/self_calibration.h"
 #include "core/inspect/calibration/views_picture.h"
@@ -73,7 +73,7 @@ TEST(TwiceSeen, TheOtherViewMeasuresTheSamePoint) {
                 const SeenCell cell{0, 0, 193.0, {6.0 * std::cos(radians(a)), 0, 6.0 * std::sin(radians(a))}};
                 const auto seen = otherViewOf(cell, View::Late, mounting);
                 ASSERT_TRUE(seen);
-                // Both through the chain of docs/coordinates.md, "Step 1".
+                // Both by the chain of docs/coordinates.md, "Step 1".
                 const auto inBase = [&](double lineDeg, const Eigen::Vector3d& inSensor) {
                     const double turned = radians(lineDeg * errors.turnFactor() * way);
                     return Eigen::Vector3d((axis == Axis::Spin ? rotationZ(turned) : rotationX(turned)) *
@@ -95,7 +95,7 @@ TEST(SelfCalibration, SlopesAreThoseOfTheResiduals) {
     const auto cells = cellsSeenTwice(polar, sweep.inverse, View::Late, 300);
     ASSERT_GT(cells.size(), 200U);
     for (std::size_t q = 0; q < AssemblyErrors::kCount; ++q) {
-        // Small enough that hardly any cell gets another neighbour.
+        // So small that hardly any cell gets another neighbour.
         const double step = q < 2 ? 0.01 : 0.0005;
         AssemblyErrors more;
         more.values[q] = step;
@@ -141,7 +141,7 @@ TEST(SelfCalibration, KnowsThatTheStepperMovesOnWhileTheMirrorSweeps) {
         EXPECT_LT(std::abs(found->errors.values[q] - someErrors().values[q]), limits[q]) << q;
 }
 
-TEST(SelfCalibration, ASweepTellsAllButTheTurnFromTheEndsOfItsAxis) {
+TEST(SelfCalibration, ASweepDeterminesAllButTheTurnFromTheEndsOfItsAxis) {
     const auto found = calibrated(swept(360, someErrors()));
     ASSERT_TRUE(found) << found.error().sentence();
     const std::array<double, 4> limits{1.0, 1.0, 0.03, 0.02};
@@ -175,7 +175,7 @@ TEST(SelfCalibration, SeveralScansOfOneAssemblyCountTogether) {
     EXPECT_LT(std::abs(both->errors.t2Mm() - someErrors().t2Mm()), 1.5);
 }
 
-TEST(SelfCalibration, RefusesWhatCannotTellIt) {
+TEST(SelfCalibration, RefusesScansThatDoNotDetermineIt) {
     const auto half = calibrated(spun(180, someErrors()));
     ASSERT_FALSE(half);
     EXPECT_NE(half.error().sentence().find("turn 200 degrees"), std::string::npos) << half.error().sentence();

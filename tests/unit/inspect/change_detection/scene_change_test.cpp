@@ -1,4 +1,4 @@
-// What changed: against slow versions, and on the simulator's bell before and after a blast.
+// Changes between scans: compared with slow versions, and on the simulator's bell before and after a blast.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/scan/georef/rotations.h"
@@ -85,7 +85,7 @@ TEST(SceneChange, OfTwoSweepsOfOneSceneIsNextToNothing) {
     EXPECT_GT(change->edges.unchanged, 5 * (change->edges.gained + change->edges.lost) / 2);
 }
 
-/// The cells whose true range changed by more than a rock's relief are the ones that are told.
+/// The reported cells are those whose true range changed by more than a rock's relief.
 TEST(SceneChange, AfterABlastIsThatOfTheTruth) {
     sim::SimulationSettings settings;
     settings.lines = 150;
@@ -98,7 +98,7 @@ TEST(SceneChange, AfterABlastIsThatOfTheTruth) {
     const auto change = sceneChange(edgesOf(b), edgesOf(a));
     ASSERT_TRUE(change) << change.error().sentence();
     const auto trueChange = [&](int line, int beam) { return after.truth->cleanMm.at(line, beam) - before.truth->cleanMm.at(line, beam); };
-    // A cell whose neighbours all changed by more than any relief, in the same way.
+    // A cell whose neighbours all changed by more than any relief, in the same direction.
     const auto isInside = [&](int line, int beam) {
         for (int i = std::max(0, line - 1); i <= std::min(a->lines() - 1, line + 1); ++i) {
             for (int j = std::max(0, beam - 1); j <= std::min(a->beams() - 1, beam + 1); ++j) {
@@ -152,12 +152,12 @@ TEST(SceneChange, OfOneScanComparesEdgesCellByCell) {
     EXPECT_FALSE(change->earlier.how.outOfSpec);
 }
 
-/// The same scene seen by a scan that was turned and has other steps: what its pose says brings it back onto the cells.
+/// The same scene in a rotated scan with other steps: its pose brings it back onto the cells.
 TEST(LineUp, ByPosesBringsAnotherGridOntoThisOne) {
     const auto later = bell(0, false, 150, 190);
     auto turned = std::make_shared<Scan>(*bell(1, false, 180, 220));
     const double turn = 0.05;
-    // Its frame is turned about x against that of the other: the angle of the stepper counts from elsewhere.
+    // Its frame is rotated about x relative to that of the other: the stepper's angle has another zero.
     auto& polar = std::get<PolarGeometry>(turned->geometry);
     for (double& angle : polar.lineDeg) angle -= turn * 180.0 / 3.14159265358979323846;
     const RigidTransform back{rotationX(turn), Eigen::Vector3d::Zero()};
@@ -180,7 +180,7 @@ TEST(LineUp, ByPosesBringsAnotherGridOntoThisOne) {
     ASSERT_TRUE(change);
     EXPECT_GT(change->edges.unchanged, change->edges.gained);
     EXPECT_LT(change->ranges.nearer + change->ranges.farther, both / 50);
-    // With a wrong pose the surfaces say so.
+    // With a wrong pose the surfaces show the error.
     wish.poses = std::array{RigidTransform{}, RigidTransform{}};
     const auto wrong = earlierOnGridOf(later, turned, edges.mask, wish);
     ASSERT_TRUE(wrong);
@@ -200,7 +200,7 @@ TEST(LineUp, RefusesWhereOnlyOneScanHasAPlace) {
     const auto on = earlierOnGridOf(later, placed, edges.mask, wish);
     ASSERT_TRUE(on) << on.error().sentence();
     EXPECT_TRUE(on->how.outOfSpec);
-    // Both in one place: their own cells.
+    // Both in one place: each has its own cells.
     auto first = std::make_shared<Scan>(*later);
     first->placement = placed->placement;
     const auto same = earlierOnGridOf(first, placed, edges.mask);

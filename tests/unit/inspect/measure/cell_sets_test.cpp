@@ -1,4 +1,4 @@
-// Sets of cells against slow versions that anybody can read.
+// Sets of cells compared with slow, simple versions.
 #include "core/inspect/measure/cell_sets.h"
 #include "core/scan/grid/cartesian.h"
 #include "tests/support/scans.h"
@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::vector<Eigen::Vector2d>;
 
-// By the turns of the polygon about the point: odd means inside.
+// By the winding of the polygon around the point: odd means inside.
 bool isInside(const Corners& corners, double x, double y) {
     bool inside = false;
     for (std::size_t n = 0; n < corners.size(); ++n) {

@@ -1,4 +1,4 @@
-// What is said of a picked cell: what is resolved there, and the plane of its surface against planes that are known.
+// The values of a picked cell: the resolution there, and the plane of its surface, compared with known planes.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/inspect/measure/cell_target.h"
 #include "core/scan/georef/placed_points.h"
@@ -17,7 +17,7 @@
 namespace edgescan::inspect {
 namespace {
 
-// A sweep with the LMS511's steps, of what `rangeM` says of a direction; `sigmaM` of noise.
+// A sweep with the LMS511's steps; `rangeM` gives the range in a direction; with noise `sigmaM`.
 Scan sweepOfSurface(const std::function<double(const Eigen::Vector3d&)>& rangeM, double sigmaM, std::uint32_t seed = 1, int lines = 61,
                     int beams = 81) {
     Scan scan = test::makeScan(lines, beams, [](int, int) { return 1000.0F; });
@@ -35,7 +35,7 @@ Scan sweepOfSurface(const std::function<double(const Eigen::Vector3d&)>& rangeM,
     return scan;
 }
 
-// The plane with that unit normal (towards the sensor) that the middle beam, along z, meets at `distanceM`.
+// The plane with this unit normal (towards the sensor) that the middle beam, along z, meets at `distanceM`.
 std::function<double(const Eigen::Vector3d&)> planeAt(const Eigen::Vector3d& normal, double distanceM) {
     return [normal, distanceM](const Eigen::Vector3d& way) { return normal.z() * distanceM / normal.dot(way); };
 }
@@ -62,7 +62,7 @@ TEST(Resolution, IsTheWayToTheNextBeamPlusTheWidthOfTheBeam) {
     for (double& deg : polar.lineDeg) deg *= 0.1667 / 0.18;
     EXPECT_NEAR(resolutionAt(scan, CartesianTables(scan), middleOf(scan))->smallestM(), 0.088, 5e-4);
     EXPECT_NEAR(resolutionAt(scan, CartesianTables(scan), middleOf(scan), {0.013, 0.011})->smallestM(), 0.152, 5e-4);
-    // In the corner there is one neighbour each way.
+    // In the corner there is one neighbour in each direction.
     EXPECT_NEAR(resolutionAt(scan, CartesianTables(scan), 0)->smallestM(), 0.088, 2e-3);
     scan.state[0] = CellState::NoReturn;
     EXPECT_FALSE(resolutionAt(scan, CartesianTables(scan), 0));
@@ -93,7 +93,7 @@ TEST(SurfaceAt, IsThePlaneThatIsThere) {
                 told += surface->sigmaDeg / 40;
                 EXPECT_NEAR(surface->reliefM, sigma, 0.5 * sigma);
             }
-            // Two standard deviations of the worse of two directions: 86 of 100 where both are alike, 95 where one is much worse.
+            // Two standard deviations in the worse of two directions: 86 of 100 if both are equal, 95 if one is much worse.
             EXPECT_GE(within, 30) << off << ' ' << turn;
             EXPECT_LT(told, 1.5);
         }
@@ -122,7 +122,7 @@ TEST(SurfaceAt, IsNoneWhereNothingIsFlatEnough) {
 }
 
 TEST(Dip, FallsTheWayOfItsSteepestLine) {
-    // A roof that falls to the east by 30 degrees: its upper side looks up and to the east.
+    // A roof that falls to the east by 30 degrees: its upper side faces up and to the east.
     const auto roof = [](double dipDeg, double toDeg) {
         const double dip = dipDeg * std::numbers::pi / 180, to = toDeg * std::numbers::pi / 180;
         return Eigen::Vector3d(std::sin(dip) * std::sin(to), std::sin(dip) * std::cos(to), std::cos(dip));
@@ -150,7 +150,7 @@ TEST(TargetAt, SaysWhatTheDetectionAndThePlaneSay) {
     EXPECT_NEAR(target.toleranceM, 0.012, 0.004);
     ASSERT_TRUE(target.surface && target.resolution);
     EXPECT_FALSE(target.dip) << "without a pose nothing is known of the horizon";
-    // With one the dip is that of the plane, turned into the mine.
+    // With a pose the dip is that of the plane, transformed to the mine grid.
     const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
     Placement placement;
     placement.poses = {RigidTransform{turn.toRotationMatrix(), {10, 20, 30}}};
@@ -159,14 +159,14 @@ TEST(TargetAt, SaysWhatTheDetectionAndThePlaneSay) {
     ASSERT_TRUE(placed.dip);
     EXPECT_NEAR(placed.dip->dipDeg, dipOf(turn * placed.surface->normal).dipDeg, 1e-6);
     EXPECT_NEAR(placed.dip->directionDeg, dipOf(turn * placed.surface->normal).directionDeg, 1e-6);
-    // A cell without a range has none of it.
+    // A cell without a range has no such values.
     scan->state[k] = CellState::NoReturn;
     const CellTarget hole = targetAt(*detection, noise, k);
     EXPECT_FALSE(hole.surface || hole.resolution || hole.dip);
     EXPECT_EQ(hole.probe.state, CellState::NoReturn);
 }
 
-TEST(TargetAt, TellsTheStrengthOfAnEdgeAsItWasDecidedOn) {
+TEST(TargetAt, ReportsTheStrengthOfAnEdgeAsItWasDecidedOn) {
     const auto scan = std::make_shared<const Scan>(test::boxesScan(120, 160, 3));
     const auto detection = edges::detectEdges(scan, edges::Settings{});
     const RangeNoise noise = noiseOf(*detection);
@@ -180,7 +180,7 @@ TEST(TargetAt, TellsTheStrengthOfAnEdgeAsItWasDecidedOn) {
     }
     EXPECT_GT(edges, 100);
     int told = 0;
-    for (std::size_t k = 0; k < scan->cells(); k += 7) { // 0 would be that of a cell which a neighbour outdid
+    for (std::size_t k = 0; k < scan->cells(); k += 7) { // 0 would mean a cell suppressed by a neighbour
         const auto strength = targetAt(*detection, noise, k).strength;
         EXPECT_TRUE(!strength || *strength > 0) << k;
         told += strength ? 1 : 0;
@@ -193,7 +193,7 @@ TEST(TargetAt, TellsTheStrengthOfAnEdgeAsItWasDecidedOn) {
     EXPECT_DOUBLE_EQ(noiseOf(*gray).at(5), noise.at(5)) << "the noise is the scan's, not the method's";
 }
 
-// The boom's ends by the chain of frames itself: in local metres, from a head that is put where they are.
+// The ends of the boom by the chain of frames itself: in local metres, from a head placed there.
 TEST(BoomAt, IsWhereTheChainOfFramesPutsIt) {
     std::mt19937 random(5);
     const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
@@ -216,7 +216,7 @@ TEST(BoomAt, IsWhereTheChainOfFramesPutsIt) {
         const auto endAt = [&](const Eigen::Vector3d& arm) {
             Calibration end = c;
             end.armM = arm;
-            end.inclinometerM.setZero(); // the origin of the axis base then is the head
+            end.inclinometerM.setZero(); // then the origin of the axis base is the head
             const auto there = placeScan(scan, end, poses);
             return (*there)->originEnhM - scan.placement->originEnhM + (*there)->poses.front().translationM;
         };
@@ -253,7 +253,7 @@ TEST(BoomAt, NothingIsSaidWhereNoBoomIsKnown) {
     PoseTrack poses;
     poses.inclinometer = {{0.0, 0, 0}};
     poses.talin = {{0.0, {620000, 6200000, 250}, 0, false, 0, 0}};
-    poses.headInRobotM = {4, 1, 2}; // the pose knows where the head was, and not where the boom is
+    poses.headInRobotM = {4, 1, 2}; // the pose gives the position of the head, but not that of the boom
     const auto placed = placeScan(scan, c, poses);
     ASSERT_TRUE(placed) << placed.error().sentence();
     EXPECT_FALSE((*placed)->boom);

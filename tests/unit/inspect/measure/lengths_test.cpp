@@ -1,4 +1,4 @@
-// Lengths and angles: values against plain geometry, errors against chance, and no number below what is resolved.
+// Lengths and angles: values compared with plain geometry, errors compared with random trials, and no number below the resolution.
 #include "core/inspect/measure/lengths.h"
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
@@ -15,7 +15,8 @@ namespace {
 
 constexpr RangeNoise kUsualNoise{5.5, 0.25};
 
-// A wall at 10.3 m with a plate of that side before it at 10 m; steps of 1/6 degree both ways, so that a plate of 50 mm has two cells.
+// A wall at 10.3 m with a plate of side `sideM` in front of it at 10 m; steps of 1/6 degree in both directions, so that a plate of 50 mm
+// has two cells.
 Scan plateScan(double sideM) {
     Scan scan = test::makeScan(41, 41, [](int, int) { return 1000.0F; });
     auto& polar = std::get<PolarGeometry>(scan.geometry);
@@ -58,7 +59,7 @@ TEST(Lengths, ARockOf50MmAt10MIsNoNumber) {
     const auto wide = measureCells(large, kUsualNoise, MeasureKind::Distance, endsOfPlate(large));
     EXPECT_FALSE(wide->lengths.front().isBelow);
     EXPECT_NEAR(wide->lengths.front().valueM, 0.40, 2 * 0.0291);
-    // One of two spans may be below.
+    // One of two spans may be below the resolution.
     const auto both = endsOfPlate(large);
     const std::vector<std::uint32_t> four{both[0], both[1], both[0], both[0] + 1};
     EXPECT_NE(measureText(*measureCells(large, kUsualNoise, MeasureKind::Spans, four)).find(" × < 89 mm"), std::string::npos);
@@ -86,7 +87,7 @@ TEST(Lengths, AreThoseOfTheirPoints) {
     EXPECT_FALSE(measureCells(scan, kUsualNoise, MeasureKind::Angle, std::vector{cells[0], cells[0], cells[1]}));
 }
 
-// The tolerance against so many readings of points that lie anywhere in what the model says.
+// The tolerance compared with many readings of points distributed as the model assumes.
 TEST(Lengths, TolerancesAreTwiceTheSpreadOfChance) {
     const Scan scan = test::boxesScan(120, 160, 9);
     const CartesianTables tables(scan);
@@ -127,8 +128,8 @@ TEST(Lengths, TolerancesAreTwiceTheSpreadOfChance) {
 }
 
 TEST(Lengths, HoldOnASimulatedWall) {
-    // Between cells of a wall as it is and as the scanner measured it: 95 of 100 lie within what is told, or more, since the beam's width
-    // moves none of these points.
+    // Between cells of the true wall and the measured one: at least 95 of 100 are within the reported tolerance, because the beam's width
+    // does not move these points.
     sim::SimulationSettings settings;
     settings.scene = "wall";
     settings.lines = 120;

@@ -1,4 +1,4 @@
-// The tape and the throat: against plain geometry, against a slow version, and against chance.
+// The path along the surface and the throat: compared with plain geometry, with a slow version, and with random trials.
 #include "core/inspect/measure/lengths.h"
 #include "core/inspect/measure/surface_path.h"
 #include "core/inspect/measure/throat.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr RangeNoise kQuietNoise{0.5, 0.0};
 
-/// Steps of 1/4 degree round straight up; the range of each cell from its direction.
+/// Steps of 1/4 degree around the vertical; the range of each cell from its direction.
 template <class Range>
 Scan fineScan(int lines, int beams, Range rangeM) {
     Scan scan = test::makeScan(lines, beams, [](int, int) { return 1000.0F; });
@@ -52,7 +52,7 @@ TEST(SurfacePath, OnAFlatWallIsTheDistance) {
 }
 
 TEST(SurfacePath, FollowsARoof) {
-    // Two flat sides that meet over the middle: 1 m up over 1 m across, on each side.
+    // Two flat sides that meet above the middle: 1 m up per 1 m across, on each side.
     const auto roof = [](const Eigen::Vector3d& d) { return 6.0 / (d.z() + std::abs(d.x())); };
     const Scan scan = fineScan(41, 161, roof);
     const CartesianTables tables(scan);
@@ -64,7 +64,7 @@ TEST(SurfacePath, FollowsARoof) {
     EXPECT_GT(path->lengthM, path->straightM + 0.2);
 }
 
-TEST(SurfacePath, TellsOfJumpsAndGaps) {
+TEST(SurfacePath, ReportsJumpsAndGaps) {
     Scan step = fineScan(21, 161, [](const Eigen::Vector3d& d) { return (d.x() < 0 ? 5.0 : 6.0) / d.z(); });
     const CartesianTables tables(step);
     const auto from = cellOf(step, 10, 30), to = cellOf(step, 10, 130);
@@ -99,14 +99,14 @@ TEST(SurfacePath, LiesWithinItsToleranceUnderNoise) {
 }
 
 TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
-    // A plate at 5 m with a slanting slot through which a wall is seen at 9 m.
+    // A plate at 5 m with an oblique slot, behind it a wall at 9 m.
     const auto slot = [](const Eigen::Vector3d& d) {
         const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
         return (x > -0.4 + 0.2 * y && x < 0.5 - 0.15 * y ? 9.0 : 5.0) / d.z();
     };
     for (const bool open : {false, true}) {
         Scan scan = fineScan(61, 101, slot);
-        if (open) { // nothing comes back through the slot
+        if (open) { // no return through the slot
             const CartesianTables aim(scan);
             for (std::size_t k = 0; k < scan.cells(); ++k) {
                 if (scan.rangeMm[k] * static_cast<float>(aim.direction(static_cast<int>(k) / 101, static_cast<int>(k) % 101).z()) > 7000.0F)
@@ -137,7 +137,7 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
         EXPECT_NEAR(told, narrowest, 1e-9) << open;
         const auto length = measureCells(scan, kQuietNoise, MeasureKind::Throat, *found);
         EXPECT_NEAR(length->lengths.front().valueM, told, 1e-12);
-        // A block in the slot leaves no free way at its height, and one of the wall none at all.
+        // A block along the slot blocks every path, and so does a whole wall.
         Scan blocked = scan;
         for (int i = 0; i < 61; ++i) {
             blocked.rangeMm.at(i, (left + right) / 2) = 4000.0F;

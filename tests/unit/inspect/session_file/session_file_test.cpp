@@ -1,4 +1,4 @@
-// Sessions: what is written is read back, and nothing that was damaged is taken by halves.
+// Session files: a written session is read back unchanged, and a damaged one is never partly loaded.
 #include "core/inspect/session_file/session_file.h"
 
 #include "core/base/whole_file.h"

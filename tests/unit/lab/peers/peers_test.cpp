@@ -1,4 +1,4 @@
-// The PCL peers find the edges of a box before a wall, each in the cells where they are.
+// The PCL methods find the edges of a box in front of a wall, each in the right cells.
 #include "core/lab/peers/peers.h"
 #include "tests/support/scans.h"
 
@@ -10,7 +10,7 @@
 namespace edgescan::lab {
 namespace {
 
-// A box 1 m before a wall at 5 m: lines 30..59, beams 40..79.
+// A box 1 m in front of a wall at 5 m: lines 30..59, beams 40..79.
 Scan boxBeforeWall() {
     const PolarGeometry polar = test::regularAngles(90, 120);
     std::mt19937 random(3);
@@ -39,7 +39,7 @@ double outlineFound(const Grid<std::uint8_t>& mask, int reach) {
     return static_cast<double>(found) / all;
 }
 
-// Edge cells at the height of the box between two beams, both included.
+// Edge cells at the height of the box between two beams, including both.
 int cellsOn(const Grid<std::uint8_t>& mask, int firstBeam, int lastBeam) {
     int count = 0;
     for (int i = 33; i < 57; ++i) {
@@ -78,12 +78,12 @@ TEST_F(Peers, EachFindsTheOutlineOfABoxInItsCells) {
     }
 }
 
-TEST_F(Peers, BordersAreToldApart) {
+TEST_F(Peers, BordersAreDistinguished) {
     const PclScan seen = pclScan(boxBeforeWall());
     const Result<PclEdges> borders = runPclMethod(PclMethod::RangeImageBorder, seen, {});
     ASSERT_TRUE(borders);
     ASSERT_EQ(borders->classes.size(), 3U);
-    // The object border lies on the box, the shadow border on the wall beside it.
+    // The object border is on the box, the shadow border on the wall next to it.
     EXPECT_GT(cellsOn(borders->classes[0].mask, 40, 42), 15);
     EXPECT_EQ(cellsOn(borders->classes[0].mask, 37, 39), 0);
     EXPECT_GT(cellsOn(borders->classes[1].mask, 37, 39), 15);
@@ -108,7 +108,7 @@ TEST_F(Peers, TooLittleIsRefusedInOneSentence) {
     for (int n = 0; n < kPclEdgeMethods; ++n) EXPECT_FALSE(runPclMethod(static_cast<PclMethod>(n), nothing, {}));
 }
 
-// PCL's normals crashed on grids of 8 and 9 lines: whatever the grid, there are edges or one sentence, and never a crash.
+// PCL's normals crashed on grids of 8 and 9 lines: every grid gives edges or one sentence, and never a crash.
 TEST_F(Peers, SmallGridsGiveEdgesOrASentence) {
     for (const auto& [lines, beams] : {std::pair{8, 60}, {9, 60}, {10, 60}, {60, 9}, {7, 200}}) {
         const PolarGeometry polar = test::regularAngles(lines, beams);
@@ -124,7 +124,7 @@ TEST_F(Peers, SmallGridsGiveEdgesOrASentence) {
     }
 }
 
-TEST_F(Peers, OneThatRunsOutOfMemoryIsTold) {
+TEST_F(Peers, OneThatRunsOutOfMemoryIsReported) {
     PclLimits limits;
     limits.memoryBytes = 300U << 20U; // enough for PCL's libraries, not for the scan
     const PclScan large = pclScan(test::makeScan(1000, 1000, [](int, int) { return 5000.0F; }));
@@ -133,9 +133,10 @@ TEST_F(Peers, OneThatRunsOutOfMemoryIsTold) {
     EXPECT_NE(edges.error().sentence().find("needed more than 314.6 MB of memory"), std::string::npos) << edges.error().sentence();
 }
 
-TEST_F(Peers, OneThatCrashesIsTold) {
+TEST_F(Peers, OneThatCrashesIsReported) {
     PclScan broken = pclScan(boxBeforeWall());
-    broken.unrolledM = Grid<Eigen::Vector3f>(1, 1, Eigen::Vector3f::Zero()); // the guard looks at pointsM; PCL takes "1 - 10" for a size
+    // the guard checks pointsM; PCL computes "1 - 10" in an unsigned type
+    broken.unrolledM = Grid<Eigen::Vector3f>(1, 1, Eigen::Vector3f::Zero());
     const Result<PclEdges> edges = runPclMethod(PclMethod::OrganizedEdgeUnrolled, broken, {});
     ASSERT_FALSE(edges);
     EXPECT_NE(edges.error().sentence().find("PCL crashed"), std::string::npos) << edges.error().sentence();

@@ -1,4 +1,4 @@
-// Watershed of the distance to edges, and PCL's segments in the cells that they belong to.
+// Watershed of the distance to edges, and PCL's segments in their cells.
 #include "core/lab/peers/watershed_rocks.h"
 
 #include "core/lab/peers/peers.h"
@@ -21,7 +21,7 @@ TEST(WatershedRocks, AFrameOfEdgesPartsItsInsideFromItsOutside) {
     EXPECT_NE(piece.at(20, 25), piece.at(3, 50));
     for (int i = 12; i < 29; ++i)
         for (int j = 17; j < 34; ++j) EXPECT_EQ(piece.at(i, j), piece.at(20, 25)) << i << " " << j;
-    // A gap of a quarter of one side does not open the frame, and without edges all is one piece.
+    // A gap of a quarter of one side does not open the frame, and without edges everything is one piece.
     for (int n = 18; n < 23; ++n) edges.at(n, 35) = 0;
     const Grid<std::uint32_t> gap = watershedRocks(edges, solid);
     EXPECT_NE(gap.at(20, 25), gap.at(20, 50));
@@ -29,7 +29,7 @@ TEST(WatershedRocks, AFrameOfEdgesPartsItsInsideFromItsOutside) {
     for (std::size_t k = 0; k < none.size(); ++k) EXPECT_EQ(none[k], solid[k] == 0 ? 0U : 1U);
 }
 
-// A wall 5 m away, and a box 1.5 m before it.
+// A wall 5 m away, and a box 1.5 m in front of it.
 TEST(RockPeers, SegmentsKeepABoxApartFromTheWall) {
     if (const Result<Done> present = checkPclIsAvailable(); !present) GTEST_SKIP() << present.error().sentence();
     Scan scan;

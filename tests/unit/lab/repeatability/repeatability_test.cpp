@@ -1,4 +1,4 @@
-// Edges matched between two scans of one place: against a search through everything, with something in the way, and with rough poses.
+// Edges matched between two scans of one place: compared with an exhaustive search, with an object in front, and with approximate poses.
 #include "core/inspect/registration/scan_alignment.h"
 #include "core/lab/repeatability/repeatability.h"
 #include "core/sim/simulate.h"
@@ -37,7 +37,7 @@ Grid<std::uint8_t> someCells(const Scan& scan, double share, unsigned seed) {
     return mask;
 }
 
-/// The same by looking at every pair.
+/// The same by comparing every pair.
 RepeatCount byForce(const inspect::PlacedScan& a, const Grid<std::uint8_t>& maskA, const inspect::PlacedScan& b,
                     const Grid<std::uint8_t>& maskB, double radiusM) {
     RepeatCount count;
@@ -89,7 +89,7 @@ TEST(Repeat, CountsAsASearchThroughEverythingDoes) {
 }
 
 TEST(Repeat, WhatIsHiddenFromTheOtherIsNotHeldAgainstAnybody) {
-    // A far wall; the other scan has a near board before its left half.
+    // A far wall; in the other scan there is a near board in front of its left half.
     const auto scanOf = [](bool board) {
         return std::make_shared<const Scan>([&] {
             Scan scan = makeScan(ScanShape{.lines = 30, .beams = 40, .noReturns = 0});
@@ -108,7 +108,7 @@ TEST(Repeat, WhatIsHiddenFromTheOtherIsNotHeldAgainstAnybody) {
     EXPECT_EQ(count.found, 0U);
 }
 
-TEST(Repeat, RoughPosesAreRefinedAndTheResidualTold) {
+TEST(Repeat, RoughPosesAreRefinedAndTheResidualReported) {
     const auto scan = bell(160, 200, 7);
     const RigidTransform off = moved(1.0, {3, -1, 2}, {0.08, -0.05, 0.06});
     const inspect::PlacedScan fixed = inspect::placedBy(scan, {});
@@ -118,11 +118,11 @@ TEST(Repeat, RoughPosesAreRefinedAndTheResidualTold) {
     EXPECT_LT(aligned->residualM, 0.2 * aligned->residualBeforeM);
     const RigidTransform left = aligned->correction * off;
     EXPECT_LT(Eigen::AngleAxisd(left.rotation).angle() * 180 / std::numbers::pi, 0.05);
-    EXPECT_LT((left * Eigen::Vector3d(0, 0, 5) - Eigen::Vector3d(0, 0, 5)).norm(), 0.005); // where the rocks are
+    EXPECT_LT((left * Eigen::Vector3d(0, 0, 5) - Eigen::Vector3d(0, 0, 5)).norm(), 0.005); // at the rocks
 }
 
 TEST(Repeat, SurfacesLieAsFarApartAsTheirNoise) {
-    // Dense scans: the nearest points in space are those with the same noise, and would tell far less than it.
+    // Dense scans: the nearest points in space are those with the same noise, and their distance would be far less than the noise.
     for (const double noise : {1.0}) {
         std::array<inspect::PlacedScan, 2> scans;
         for (int n = 0; n < 2; ++n) {
@@ -138,7 +138,7 @@ TEST(Repeat, SurfacesLieAsFarApartAsTheirNoise) {
         }
         const auto aligned = inspect::alignScans(scans[0], scans[1], 0.5);
         ASSERT_TRUE(aligned) << aligned.error().sentence();
-        // Median of |N(0, sigma)| is 0.67 sigma; a slanted surface shows less of it.
+        // Median of |N(0, sigma)| is 0.67 sigma; on a slanted surface it is less.
         const double sigmaM = 0.001 * noise * 7;
         EXPECT_GT(aligned->residualM, 0.35 * sigmaM) << noise;
         EXPECT_LT(aligned->residualM, 1.5 * 0.67 * sigmaM) << noise;

@@ -1,4 +1,4 @@
-// Ground truth, score, and the detector that measures surfaces against straight lines in inverse range.
+// Ground truth, score, and EdgeScan+, which measures surfaces relative to straight lines in inverse range.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/scan/angle_correction/interlace.h"
@@ -21,39 +21,41 @@ sim::Simulation simulated(const char* scene, std::uint64_t seed, int lines = 250
     return test::scoredScene(scene, seed, lines, beams);
 }
 
-std::size_t countOf(const EdgeTruth& truth, EdgeClass wanted) {
+std::size_t countOf(const sim::EdgeTruth& truth, sim::EdgeClass wanted) {
     return static_cast<std::size_t>(
         std::count(truth.edgeClass.cells.begin(), truth.edgeClass.cells.end(), static_cast<std::uint8_t>(wanted)));
 }
 
 TEST(EdgeTruth, AWallHasNoEdgeAndABellHasAllKinds) {
     const sim::Simulation wall = simulated("wall", 3);
-    const EdgeTruth none = edgeTruth(*wall.truth);
-    for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_EQ(countOf(none, c), 0U);
+    const sim::EdgeTruth none = sim::edgeTruth(*wall.truth);
+    for (const sim::EdgeClass c : {sim::EdgeClass::Occluding, sim::EdgeClass::Contact, sim::EdgeClass::Crease})
+        EXPECT_EQ(countOf(none, c), 0U);
     const sim::Simulation bell = simulated("hangup", 3);
-    const EdgeTruth all = edgeTruth(*bell.truth);
-    for (const EdgeClass c : {EdgeClass::Occluding, EdgeClass::Contact, EdgeClass::Crease}) EXPECT_GT(countOf(all, c), 100U);
+    const sim::EdgeTruth all = sim::edgeTruth(*bell.truth);
+    for (const sim::EdgeClass c : {sim::EdgeClass::Occluding, sim::EdgeClass::Contact, sim::EdgeClass::Crease})
+        EXPECT_GT(countOf(all, c), 100U);
 }
 
 TEST(EdgeScore, TheTruthItselfIsPerfectAndNothingFindsNothing) {
     const sim::Simulation bell = simulated("hangup", 4);
-    const EdgeTruth truth = edgeTruth(*bell.truth);
+    const sim::EdgeTruth truth = sim::edgeTruth(*bell.truth);
     Grid<std::uint8_t> mask(bell.scan.lines(), bell.scan.beams());
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = truth.edgeClass[k] != 0 ? 255 : 0;
     const EdgeScore perfect = test::scoreEdges(mask, truth, 2);
     EXPECT_EQ(perfect.all.f(), 1.0);
     EXPECT_EQ(perfect.crease.f(), 1.0);
-    EXPECT_LT(perfect.strictOutline.precision(), 1.0); // creases are no outline
+    EXPECT_LT(perfect.strictOutline.precision(), 1.0); // creases do not belong to the outline
     const EdgeScore nothing = test::scoreEdges(Grid<std::uint8_t>(mask.lines, mask.beams), truth, 2);
     EXPECT_EQ(nothing.all.recall(), 0.0);
     EXPECT_EQ(nothing.all.f(), 0.0);
 }
 
 TEST(EdgeScore, FalseAlarmsCountOnlyWhereTheyAreScored) {
-    EdgeTruth truth{Grid<std::uint8_t>(20, 20), Grid<std::uint8_t>(20, 20)};
-    for (int j = 2; j < 18; ++j) truth.edgeClass.at(5, j) = static_cast<std::uint8_t>(EdgeClass::Occluding);
+    sim::EdgeTruth truth{Grid<std::uint8_t>(20, 20), Grid<std::uint8_t>(20, 20)};
+    for (int j = 2; j < 18; ++j) truth.edgeClass.at(5, j) = static_cast<std::uint8_t>(sim::EdgeClass::Occluding);
     Grid<std::uint8_t> mask(20, 20);
-    for (int j = 2; j < 18; ++j) mask.at(6, j) = 255; // one line beside the truth
+    for (int j = 2; j < 18; ++j) mask.at(6, j) = 255; // one line next to the truth
     mask.at(15, 3) = mask.at(15, 10) = 255;
     truth.ignore.at(15, 10) = 255;
     const EdgeScore score = test::scoreEdges(mask, truth, 2);
@@ -67,7 +69,7 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     EdgeScore gray;
     for (const char* scene : {"hangup", "pile"}) {
         const sim::Simulation bell = simulated(scene, 21);
-        const EdgeTruth truth = edgeTruth(*bell.truth);
+        const sim::EdgeTruth truth = sim::edgeTruth(*bell.truth);
         depth += test::scoreEdges(test::depthEdges(bell.scan, {}).mask, truth, 2);
         gray += test::scoreEdges(*edges::detectEdges(std::make_shared<Scan>(bell.scan), edges::cannySettings())->mask, truth, 2);
     }
@@ -89,7 +91,7 @@ TEST(DepthEdges, AFlatWallWithHolesHasNone) {
 }
 
 TEST(DepthEdges, GoRoundALostRangeByItsNeighbours) {
-    // A plate before a wall; one range of its edge is lost.
+    // A plate in front of a wall; one range of its edge is lost.
     Scan scan = test::makeScan(30, 40, [&](int, int j) { return j < 20 ? 3000.0 : 5000.0; });
     EXPECT_EQ(test::depthEdges(scan, {}).mask.at(10, 19), 255);
     scan.state.at(10, 19) = CellState::NoReturn;
@@ -115,20 +117,20 @@ TEST(DepthEdges, RandomDropOutsCostLittle) {
     for (const double dropouts : {0.002, 0.15}) {
         settings.dropouts = dropouts;
         const sim::Simulation bell = *sim::simulate(settings);
-        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(test::depthEdges(bell.scan, {}).mask, edgeTruth(*bell.truth), 2).all.f();
+        f[dropouts > 0.1 ? 1 : 0] = test::scoreEdges(test::depthEdges(bell.scan, {}).mask, sim::edgeTruth(*bell.truth), 2).all.f();
     }
     std::printf("all edges, 286 x 250: F %.3f, with 15 %% drop-outs %.3f\n", f[0], f[1]);
     EXPECT_GT(f[1], f[0] - 0.03);
 }
 
-TEST(DepthEdges, DecidingAnewGivesWhatMeasuringAnewWould) {
+TEST(DepthEdges, DecidingAgainGivesTheResultOfMeasuringAgain) {
     const sim::Simulation bell = simulated("pile", 23, 120, 150);
-    edges::DepthEdgeSettings settings;
+    edges::Settings settings;
     const edges::DepthResponses responses = test::depthResponses(bell.scan, settings);
     settings.sensitivity = 1.4;
-    settings.hysteresisLow = 0.5;
+    settings.hysteresisPercent = 50;
     settings.minimumLength = 7;
-    settings.convex = false;
+    settings.classes &= ~edges::kClassConvex;
     const edges::DepthEdges decided = edges::decideDepthEdges(responses, settings);
     const edges::DepthEdges whole = test::depthEdges(bell.scan, settings);
     EXPECT_EQ(decided.mask, whole.mask);
@@ -137,7 +139,7 @@ TEST(DepthEdges, DecidingAnewGivesWhatMeasuringAnewWould) {
 }
 
 TEST(DepthEdges, DustCloseToAWallIsNone) {
-    // Single echoes up to 150 mm before a wall or behind it; and a post two cells wide, which stays.
+    // Single echoes up to 150 mm in front of a wall or behind it; and a post two cells wide, which remains.
     const PolarGeometry polar = test::regularAngles(200, 320);
     std::mt19937 random(7);
     std::normal_distribution<double> noise(0.0, 5.0);
@@ -158,7 +160,7 @@ TEST(DepthEdges, DustCloseToAWallIsNone) {
     }
 }
 
-// A floor seen at a grazing angle, measured with odd beams half a line ahead, and with one step of the stepper three times as long.
+// A floor seen at a grazing angle, measured with odd beams half a line ahead, and with one stepper step of three times the length.
 Scan slopedFloor(double parityDeg, int longStepAfter) {
     constexpr int kLines = 80;
     const PolarGeometry polar = test::regularAngles(kLines, 160);
@@ -173,7 +175,7 @@ Scan slopedFloor(double parityDeg, int longStepAfter) {
     });
 }
 
-TEST(Interlace, BeamsFromTwoPassesAreToldAndStraightened) {
+TEST(Interlace, BeamsFromTwoPassesAreDetectedAndStraightened) {
     InverseRange even = inverseRange(slopedFloor(0.0, -1));
     const SweepSlips nothing = straighten(even);
     EXPECT_FALSE(nothing.interlaced);
@@ -199,7 +201,7 @@ TEST(Interlace, ASlipOfTheStepperIsNoEdge) {
 }
 
 TEST(Interlace, AStallAndTheLeapAfterItAreNoEdges) {
-    // Three lines at one angle; then the stepper makes up for it, or for more than it.
+    // Three lines at one angle; then the stepper makes up for it, exactly or with an excess.
     const Scan floor = slopedFloor(0.0, -1);
     for (const int made : {3, 6}) {
         Scan stalled = floor;
@@ -234,7 +236,7 @@ TEST(DepthEdges, NoiseIsFoundFromTheScanItself) {
     }
 }
 
-// A board before a wall, ranges without noise.
+// A board in front of a wall, ranges without noise.
 Scan boardBeforeWall(double distanceMm, double thicknessMm) {
     const PolarGeometry polar = test::regularAngles(100, 120);
     return test::makeScan(100, 120, [&](int i, int j) {
@@ -245,7 +247,7 @@ Scan boardBeforeWall(double distanceMm, double thicknessMm) {
     });
 }
 
-TEST(DepthEdges, QuietScansTellSmallerJumpsWherePointsLieCloser) {
+TEST(DepthEdges, QuietScansFindSmallerJumpsWherePointsAreCloser) {
     // One step of 0.25 degrees is 4.4 mm at 1 m, 21.8 mm at 5 m.
     const Scan near = boardBeforeWall(1000.0, 25.0);
     const Scan far = boardBeforeWall(5000.0, 25.0);

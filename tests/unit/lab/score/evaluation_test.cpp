@@ -1,4 +1,4 @@
-// Figures of masks and sweeps, and the truth as files.
+// Figures of masks and threshold sweeps, and the truth as files.
 #include "core/lab/score/evaluation.h"
 
 #include "core/containers/png/png.h"
@@ -24,7 +24,7 @@ sim::Simulation smallBell(sim::SimulationSettings& settings) {
     return *sim::simulate(settings);
 }
 
-Grid<std::uint8_t> perfectMask(const TruthSet& truth) {
+Grid<std::uint8_t> perfectMask(const sim::TruthSet& truth) {
     Grid<std::uint8_t> mask(truth.edges.edgeClass.lines, truth.edges.edgeClass.beams);
     for (std::size_t k = 0; k < mask.size(); ++k) mask[k] = truth.edges.edgeClass[k] != 0 ? 255 : 0;
     return mask;
@@ -35,24 +35,24 @@ TEST(Truth, SurvivesItsFiles) {
     settings.rockRounding = 0.25;
     const sim::Simulation bell = smallBell(settings);
     const fs::path folder = fs::path(testing::TempDir()) / "truth-of-a-bell";
-    ASSERT_TRUE(writeTruth(bell, settings, folder));
+    ASSERT_TRUE(sim::writeTruth(bell, settings, folder));
     for (const char* name : {"gt_class.png", "gt_ignore.png", "object.png", "face.png", "range_clean.png", "tear_beam.png", "tear_line.png",
                              "rocks.json", "scene.json"})
         EXPECT_TRUE(fs::exists(folder / name)) << name;
     const auto scene = nlohmann::json::parse(std::ifstream(folder / "scene.json"));
     EXPECT_EQ(scene["seed"], 9);
     EXPECT_EQ(scene["rock_rounding"], 0.25);
-    const Result<TruthSet> read = readTruth(folder);
+    const Result<sim::TruthSet> read = sim::readTruth(folder);
     ASSERT_TRUE(read) << read.error().sentence();
-    const TruthSet made = truthSetOf(bell);
+    const sim::TruthSet made = sim::truthSetOf(bell);
     EXPECT_EQ(read->edges.edgeClass, made.edges.edgeClass);
     EXPECT_EQ(read->edges.ignore, made.edges.ignore);
     EXPECT_EQ(read->object, made.object);
     EXPECT_EQ(read->cleanMm, made.cleanMm);
     ASSERT_TRUE(containers::savePng8(Grid<std::uint8_t>(3, 4), folder / "gt_ignore.png"));
-    EXPECT_FALSE(readTruth(folder));
+    EXPECT_FALSE(sim::readTruth(folder));
     fs::remove_all(folder);
-    EXPECT_FALSE(readTruth(folder));
+    EXPECT_FALSE(sim::readTruth(folder));
 }
 
 TEST(Evaluation, TheTruthItselfIsPerfectInEveryFigure) {
@@ -60,20 +60,20 @@ TEST(Evaluation, TheTruthItselfIsPerfectInEveryFigure) {
     settings.noise = 0;
     settings.footprint = false;
     const sim::Simulation bell = smallBell(settings);
-    const TruthSet truth = truthSetOf(bell);
+    const sim::TruthSet truth = sim::truthSetOf(bell);
     const Evaluation perfect = evaluateMask(perfectMask(truth), truth, &bell.scan, 2);
     EXPECT_EQ(perfect.score.all.f(), 1.0);
     EXPECT_DOUBLE_EQ(perfect.pratt, 1.0);
     ASSERT_GE(perfect.rocks.size(), 1U);
     for (const ScoredOutline& rock : perfect.rocks) EXPECT_EQ(rock.share(), 1.0);
     const auto json = evaluationJson(perfect);
-    EXPECT_LT(json["error_mm"]["p50"].get<double>(), 1.0); // ranges come in whole millimetres
+    EXPECT_LT(json["error_mm"]["p50"].get<double>(), 1.0); // ranges are whole millimetres
     EXPECT_EQ(json["rocks"]["at_least_90_percent"].get<double>(), 1.0);
 }
 
 TEST(Evaluation, PrattAgreesWithItsFormulaByBruteForce) {
     std::mt19937 random(3);
-    EdgeTruth truth{Grid<std::uint8_t>(25, 30), Grid<std::uint8_t>(25, 30)};
+    sim::EdgeTruth truth{Grid<std::uint8_t>(25, 30), Grid<std::uint8_t>(25, 30)};
     Grid<std::uint8_t> mask(25, 30);
     for (std::size_t k = 0; k < mask.size(); ++k) {
         truth.edgeClass[k] = random() % 20 == 0 ? 1 : 0;

@@ -1,6 +1,6 @@
-// Matching and thinning against brute force.
+// Matching and thinning compared with exhaustive search.
 #include "core/lab/score/match.h"
-#include "core/lab/score/thin.h"
+#include "core/sim/truth/thin.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ double distance(std::uint32_t a, std::uint32_t b, int beams) {
     return std::hypot(n / beams - m / beams, n % beams - m % beams);
 }
 
-// Every choice: the largest number of pairs there can be.
+// Tries every choice: the largest possible number of pairs.
 std::size_t mostPairs(const std::vector<std::uint32_t>& detected, std::size_t at, std::vector<std::uint32_t>& truth, double tolerance,
                       int beams) {
     if (at == detected.size()) return 0;
@@ -125,9 +125,9 @@ TEST(Thin, KeepsConnectionsAndLeavesLinesOneCellWide) {
                 }
             }
         }
-        const Grid<std::uint8_t> thin = thinned(mask);
+        const Grid<std::uint8_t> thin = sim::thinned(mask);
         EXPECT_EQ(components(thin), components(mask));
-        EXPECT_EQ(thinned(thin), thin);
+        EXPECT_EQ(sim::thinned(thin), thin);
         for (std::size_t k = 0; k < mask.size(); ++k) EXPECT_LE(thin[k], mask[k]);
         for (int i = 1; i + 1 < 30; ++i) {
             for (int j = 1; j + 1 < 40; ++j) {
@@ -141,7 +141,7 @@ TEST(Thin, KeepsConnectionsAndLeavesLinesOneCellWide) {
     }
 }
 
-/// The paper's two passes over all cells, until neither takes one away.
+/// The paper's two passes over all cells, until both remove no cell.
 Grid<std::uint8_t> thinnedCellByCell(Grid<std::uint8_t> mask) {
     for (int idle = 0, pass = 0; idle < 2; ++pass) {
         const Grid<std::uint8_t> before = mask;
@@ -168,7 +168,7 @@ TEST(Thin, LooksOnlyWhereSomethingChangedAndMissesNothing) {
         Grid<std::uint8_t> mask(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 40));
         const unsigned filled = 5 + static_cast<unsigned>(random() % 95); // per cent: from dust to a full picture with holes
         for (std::uint8_t& cell : mask.cells) cell = random() % 100 < filled ? 255 : 0;
-        EXPECT_EQ(thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
+        EXPECT_EQ(sim::thinned(mask), thinnedCellByCell(mask)) << mask.lines << " x " << mask.beams << ", " << filled << " %";
     }
 }
 

@@ -1,6 +1,7 @@
-// Regions against true rocks: by hand, and against a slow second reading of the rules (docs/method.md, "Truth and score").
+// Regions compared with true rocks: by hand-made examples, and by a slow second implementation of the rules (docs/method.md, "Truth and
+// score").
 #include "core/lab/score/rock_evaluation.h"
-#include "core/lab/score/truth_files.h"
+#include "core/sim/truth/truth_files.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -56,13 +57,13 @@ TEST(RockScore, HalfIsNotEnoughAndMoreThanHalfIs) {
     EXPECT_DOUBLE_EQ(match.counts.pq(), 101.0 / 200.0);
 }
 
-TEST(RockScore, MissesAreToldApart) {
+TEST(RockScore, MissesAreDistinguished) {
     Labels rock(60, 100);
     fill(rock, 0, 10, 0, 20, 1); // merged with 2
     fill(rock, 0, 10, 20, 45, 2);
     fill(rock, 20, 30, 0, 20, 3);  // part of a large region of wall
     fill(rock, 20, 40, 60, 80, 4); // split into four
-    fill(rock, 45, 55, 0, 20, 5);  // nobody labelled it
+    fill(rock, 45, 55, 0, 20, 5);  // no region there
     Labels region(60, 100);
     fill(region, 0, 10, 0, 45, 1);
     fill(region, 18, 40, 0, 50, 2);
@@ -78,7 +79,7 @@ TEST(RockScore, MissesAreToldApart) {
     EXPECT_EQ(miss(2), RockMiss::Wall);
     EXPECT_EQ(miss(3), RockMiss::Split);
     EXPECT_EQ(miss(4), RockMiss::Other);
-    // The wall's region is no matter leniently; the four pieces are false.
+    // The wall's region is ignored in lenient mode; the four pieces are false.
     EXPECT_EQ(match.falseRegions, (std::vector<std::uint32_t>{3, 4, 5, 6}));
     EXPECT_EQ(matched(rock, region, {100, true}).falseRegions, (std::vector<std::uint32_t>{2, 3, 4, 5, 6}));
     const std::vector<std::uint8_t> isRock{0, 0, 0, 1, 1, 1, 1};
@@ -92,13 +93,13 @@ TEST(RockScore, MissesAreToldApart) {
 TEST(RockScore, SmallRocksAreNeitherMissedNorMakeARegionFalse) {
     Labels rock(60, 60);
     fill(rock, 0, 9, 0, 11, 1);   // 99 cells
-    fill(rock, 20, 29, 0, 11, 2); // four of 99 under one region
+    fill(rock, 20, 29, 0, 11, 2); // four rocks of 99 cells below one region
     fill(rock, 20, 29, 11, 22, 3);
     fill(rock, 29, 38, 0, 11, 4);
     fill(rock, 29, 38, 11, 22, 5);
     Labels region(60, 60);
     fill(region, 0, 10, 0, 11, 1);  // matches the small one
-    fill(region, 20, 38, 0, 22, 2); // lies on small ones
+    fill(region, 20, 38, 0, 22, 2); // is on small ones
     fill(region, 50, 60, 0, 9, 3);  // 90 cells of background: too small to be false
     for (const bool strict : {false, true}) {
         const RockMatch match = matched(rock, region, {100, strict});
@@ -122,7 +123,7 @@ TEST(RockScore, CellsThatDoNotCountAreNobodys) {
     EXPECT_EQ(match.rocks.at(0).cells, 200U);
 }
 
-/// The rules once more, a pair at a time, every count by a walk over all cells.
+/// The rules again, one pair at a time; every count is a loop over all cells.
 struct Slow {
     const Grid<std::uint8_t>& counts;
     const Labels& rock;
@@ -252,7 +253,7 @@ TEST(RockTruth, PartsOfARockBehindAnotherAreTwo) {
 }
 
 TEST(RockTruth, SpansAreThoseOfTheCalipers) {
-    // A sheet of 0.6 x 0.25 m at right angles to the line of sight, turned in its plane, 7 m away in an odd direction.
+    // A sheet of 0.6 x 0.25 m at right angles to the line of sight, rotated in its plane, 7 m away in an oblique direction.
     const Eigen::Vector3d sight = Eigen::Vector3d(0.3, -0.8, 0.5).normalized();
     const Eigen::Vector3d right = sight.unitOrthogonal();
     const Eigen::Vector3d up = sight.cross(right);
@@ -278,7 +279,7 @@ TEST(RockTruth, SurvivesItsFilesAndScoresItselfPerfect) {
     settings.truth = true;
     const sim::Simulation bell = *sim::simulate(settings);
     const auto folder = std::filesystem::path(testing::TempDir()) / "truth-of-rocks";
-    ASSERT_TRUE(writeTruth(bell, settings, folder));
+    ASSERT_TRUE(sim::writeTruth(bell, settings, folder));
     const Result<TrueRocks> read = readTrueRocks(folder);
     ASSERT_TRUE(read) << read.error().sentence();
     const TrueRocks made = trueRocksOf(bell);
@@ -317,7 +318,7 @@ TEST(RockTruth, SurvivesItsFilesAndScoresItselfPerfect) {
     std::filesystem::remove_all(folder);
 }
 
-/// Two rocks side by side over 10 lines, the left one nearer.
+/// Two rocks next to each other over 10 lines, the left one nearer.
 TrueRocks sideBySide(int torn) {
     TrueRocks truth;
     truth.rock = Labels(10, 10);
@@ -351,7 +352,7 @@ TEST(RockPairs, OrderAndContactFollowTheCracksBetweenTwoRocks) {
     EXPECT_EQ(truePairs(crossed).front().front, 2U);
 }
 
-TEST(RockPairs, WhatIsToldIsComparedByTheRocksThatRegionsAre) {
+TEST(RockPairs, StatementsAreComparedByTheRocksOfTheRegions) {
     RockMatch match;
     for (std::uint32_t n = 1; n <= 3; ++n) match.rocks.push_back({.rock = n, .cells = 100, .found = true, .region = 10 - n, .iou = 1.0});
     match.rocks.push_back({.rock = 4, .cells = 100, .found = false});

@@ -1,4 +1,4 @@
-// What is said of rocks whose size and place are known: balls before a wall, and slow versions of calipers, outlines and hulls.
+// Attributes of rocks of known size and place: balls in front of a wall; and slow versions of calipers, outlines and hulls.
 #include "core/rocks/attributes/attributes.h"
 #include "core/rocks/attributes/hulls.h"
 #include "core/rocks/attributes/outlines.h"
@@ -25,7 +25,7 @@ struct Ball {
     double radiusM;
 };
 
-// Balls before a wall 8 m above the scanner.
+// Balls in front of a wall 8 m above the scanner.
 Scan ballsScan(const std::vector<Ball>& balls, int lines = 200, int beams = 260) {
     Scan scan = test::makeScan(lines, beams, [](int, int) { return 1.0F; });
     const CartesianTables tables(scan);
@@ -63,14 +63,14 @@ TEST(RockRows, ABallHasItsSizePlaceAndDistance) {
     for (std::size_t n = 0; n < 2; ++n) {
         const Rock& rock = f.rocks[n];
         const double away = centres[n].norm();
-        const double seen = 2 * radii[n] * std::sqrt(1 - std::pow(radii[n] / away, 2)); // the widest circle that is seen
+        const double seen = 2 * radii[n] * std::sqrt(1 - std::pow(radii[n] / away, 2)); // the widest visible circle
         EXPECT_NEAR(rock.longestCaliperM, seen, rock.toleranceM);
         EXPECT_NEAR(rock.shortestCaliperM, seen, rock.toleranceM);
         EXPECT_LE(rock.shortestCaliperM, rock.longestCaliperM);
         EXPECT_LT(rock.toleranceM, 0.16);
         EXPECT_GT(rock.distanceM, away - radii[n]);
         EXPECT_LT(rock.distanceM, away);
-        const double nearer = rock.distanceM / away; // what is seen lies before the widest circle
+        const double nearer = rock.distanceM / away; // the visible part is in front of the widest circle
         EXPECT_NEAR(rock.areaM2, std::numbers::pi * seen * seen / 4 * nearer * nearer, 0.1 * rock.areaM2);
         EXPECT_LT((rock.centreM.normalized() - centres[n].normalized()).norm(), 0.01);
         EXPECT_GT(rock.unoccluded, 0.9);
@@ -93,19 +93,19 @@ TEST(RockRows, TheNearerOfTwoThatOverlapLiesBefore) {
     EXPECT_LT(far.unoccluded, near.unoccluded);
 }
 
-TEST(RockRows, FreeHeightBelowEndsWhereSomethingStandsOrNothingCameBack) {
-    // Up is the scanner's z axis: the way down from the ball leads towards the scanner's level, and out of the fan after some metres.
+TEST(RockRows, FreeHeightBelowEndsAtAnObjectOrAVoid) {
+    // Up is the scanner's z axis: the path down from the ball leads towards the scanner's level, and leaves the fan after some metres.
     const Scan open = ballsScan({{{1.0, 0.0, 5.0}, 0.4}});
     const FoundBalls f = found(open);
     ASSERT_EQ(f.rocks.size(), 1U);
     EXPECT_GT(f.rocks[0].freeHeightM, 0.5);
     EXPECT_LT(f.rocks[0].freeHeightM, 4.6);
-    // Another ball stands half a metre below it.
+    // Another ball is half a metre below it.
     const FoundBalls two = found(ballsScan({{{1.0, 0.0, 5.0}, 0.4}, {{1.0, 0.0, 3.9}, 0.2}}));
     ASSERT_EQ(two.rocks.size(), 2U);
     const Rock& upper = two.rocks[0].distanceM > two.rocks[1].distanceM ? two.rocks[0] : two.rocks[1];
     EXPECT_LE(upper.freeHeightM, 0.6);
-    // Nothing came back from below it.
+    // There was no return from below it.
     Scan silent = open;
     const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
     for (std::size_t k = 0; k < silent.cells(); ++k) {
@@ -115,7 +115,7 @@ TEST(RockRows, FreeHeightBelowEndsWhereSomethingStandsOrNothingCameBack) {
     }
     const FoundBalls alone = found(silent);
     ASSERT_EQ(alone.rocks.size(), 1U);
-    // Only what the beams to the ball itself passed through is free.
+    // Only the space that the beams to the ball itself crossed is free.
     EXPECT_LT(alone.rocks[0].freeHeightM, f.rocks[0].freeHeightM - 0.5);
 }
 
@@ -194,7 +194,7 @@ TEST(Calipers, AreThoseOfAllDirections) {
     EXPECT_EQ(calipersOf(planePoints({{1, 1}, {2, 2}, {4, 4}})).shortest, 0.0);
 }
 
-// Cells whose middle lies in the rings by the even-odd rule.
+// Cells whose middle is inside the rings by the even-odd rule.
 bool isWithin(const std::vector<OutlineRing>& rings, int line, int beam) {
     bool inside = false;
     for (const OutlineRing& ring : rings) {

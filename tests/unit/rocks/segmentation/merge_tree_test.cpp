@@ -1,4 +1,4 @@
-// The tree against one that adds up all borders anew before each merge.
+// The tree compared with a version that adds up all borders again before each merge.
 #include "core/rocks/segmentation/merge_tree.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::vector<SegmentBorder> randomBorders(std::mt19937& random, std::uint32_t lea
     return list;
 }
 
-// `apart`: pairs of leaves that must never be in one group. `joined` come first.
+// `apart`: pairs of segments that must never be in one group. `joined` come first.
 MergeTree slowTree(std::uint32_t leaves, const std::vector<SegmentBorder>& borders, const std::vector<SegmentPair>& pairs) {
     std::vector<std::uint32_t> group(leaves + 1);
     for (std::uint32_t n = 0; n <= leaves; ++n) group[n] = n;
@@ -86,7 +86,7 @@ TEST(MergeTree, PairsAreJoinedFirstAndKeptApartForGood) {
     for (int round = 0; round < 60; ++round) {
         const std::uint32_t leaves = 8 + static_cast<std::uint32_t>(random()) % 30;
         const std::vector<SegmentBorder> borders = randomBorders(random, leaves, 50);
-        // Leaves 1 and 2 with some others to be apart from, and joins among the rest: no contradiction.
+        // Segments 1 and 2 with some others to be separated from, and joins among the rest: no contradiction.
         const std::vector<SegmentPair> pairs{{1, 2, false}, {3, 4, true}, {1, 3, false}, {5, 6, true}};
         const MergeTree tree = mergeTree(leaves, borders, pairs);
         expectSame(tree, slowTree(leaves, borders, pairs));
@@ -105,7 +105,7 @@ TEST(MergeTree, OfTwoWordsThatContradictTheLaterHolds) {
     };
     EXPECT_TRUE(together({{1, 2, false}, {1, 2, true}}, 1, 2));
     EXPECT_FALSE(together({{1, 2, true}, {1, 2, false}}, 1, 2));
-    // 1 and 3 were joined by way of 2; then they are to be apart.
+    // 1 and 3 were joined through 2; then they must be separate.
     EXPECT_FALSE(together({{1, 2, true}, {2, 3, true}, {1, 3, false}}, 1, 3));
     EXPECT_TRUE(together({{1, 2, true}, {2, 3, true}, {1, 3, false}}, 2, 3));
     EXPECT_TRUE(together({{1, 3, false}, {1, 2, true}, {2, 3, true}}, 1, 3));

@@ -1,4 +1,4 @@
-// Leaves against slow versions that anybody can read, on scans of boxes and on random surfaces.
+// Segments compared with slow, simple versions, on scans of boxes and on random surfaces.
 #include "core/rocks/segmentation/barrier.h"
 #include "core/rocks/segmentation/basins.h"
 #include "core/rocks/segmentation/borders.h"
@@ -50,7 +50,7 @@ TEST(RockBarrier, DistanceIsThatToTheNearestBarrierOfAll) {
     }
 }
 
-TEST(RockBarrier, ASurfaceWithoutBarriersIsOneLeaf) {
+TEST(RockBarrier, ASurfaceWithoutBarriersIsOneSegment) {
     const Inputs inputs = rockInputs(*edges::detectEdges(std::make_shared<Scan>(test::boxesScan(30, 30, 1, 0)), edges::Settings{}));
     Inputs flat = inputs;
     auto surface = std::make_shared<edges::DepthSurface>(*inputs.surface);
@@ -66,7 +66,7 @@ TEST(RockBarrier, ASurfaceWithoutBarriersIsOneLeaf) {
     EXPECT_TRUE(std::all_of(leaves.segment.cells.begin(), leaves.segment.cells.end(), [](std::uint32_t l) { return l == 1; }));
 }
 
-// Joins basins one after the other, looking through all cracks each time for the highest saddle that joins two.
+// Joins basins one after the other. Each time it searches all cracks for the highest saddle that joins two.
 Grid<std::uint32_t> slowBasins(const Grid<float>& distance, const CellLinks& links) {
     const auto beams = static_cast<std::size_t>(distance.beams);
     Grid<std::uint32_t> basin(distance.lines, distance.beams);
@@ -134,8 +134,8 @@ TEST(RockLeaves, BasinsAreThoseOfTheSlowWay) {
     }
 }
 
-// How deep the crack between (i, j) and the next cell lies under the line through the cells that are up to `lengthM` away on both sides, in
-// the same leaves, mm.
+// Depth of the crack between (i, j) and the next cell below the line through the cells up to `lengthM` away on both sides, in the same
+// segments, mm.
 double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& leaf, int i, int j, edges::Along along, double lengthM, double most) {
     const int dy = along == edges::Along::Lines ? 1 : 0;
     const int dx = 1 - dy;
@@ -156,7 +156,7 @@ double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& leaf, int i,
     return 1000 * std::max(chord(0) - u(0), chord(1) - u(1)) / (nearest * nearest);
 }
 
-TEST(RockLeaves, BordersHoldEachCrackBetweenTwoLeavesOnce) {
+TEST(RockLeaves, BordersHoldEachCrackBetweenTwoSegmentsOnce) {
     const Inputs inputs = rockInputs(*boxes(2));
     const Grid<std::uint32_t> leaf = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
     const std::vector<SegmentBorder> borders = segmentBorders(inputs, leaf);
@@ -216,8 +216,8 @@ TEST(RockLeaves, SumsAreThoseOfTheCells) {
                           static_cast<std::size_t>(std::count(leaves.segment.cells.begin(), leaves.segment.cells.end(), kNoSegment)));
 }
 
-TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndLeavesTheRestAlone) {
-    // Two planes at 4 m and 5 m with the border in a zigzag of three cells about the step.
+TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndNothingElse) {
+    // Two planes at 4 m and 5 m; the border is a zigzag of three cells about the step.
     InverseRange inverse{Grid<float>(40, 40, 0.2F), Grid<Support>(40, 40, Support::Measured)};
     Grid<std::uint32_t> leaf(40, 40);
     Grid<std::uint32_t> wanted(40, 40);
@@ -233,7 +233,7 @@ TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndLeavesTheRestAlone) {
     EXPECT_EQ(leaf, wanted);
 }
 
-// One pass of the refinement as docs/rocks-method.md says it, from the leaves before it. 0 where a cell may not choose.
+// One pass of the refinement as docs/rocks-method.md describes it, from the segments before it. 0 where a cell may not choose.
 class SlowPass {
 public:
     SlowPass(const Inputs& inputs, double most, const Grid<std::uint32_t>& leaf)
@@ -249,7 +249,7 @@ public:
         return other && inverse_.support.at(i, j) != Support::Void;
     }
     [[nodiscard]] std::uint32_t choice(int i, int j) const {
-        std::map<std::uint32_t, double> nearby; // leaves and how much their neighbours count
+        std::map<std::uint32_t, double> nearby; // segments and the weighted numbers of neighbours in them
         for (int n = 0; n < 9; ++n) {
             const int y = i + n / 3 - 1;
             const int x = j + n % 3 - 1;
@@ -270,7 +270,7 @@ public:
 private:
     [[nodiscard]] double edge(int i, int j, int y, int x) const {
         const edges::DepthCracks& c = *in_.cracks;
-        const auto step = [&](int a, int b, int d, int e) { // of neighbours in a line
+        const auto step = [&](int a, int b, int d, int e) { // weight of neighbours in a line
             const bool lines = a != d;
             const int k = std::min(a, d);
             const int l = std::min(b, e);
@@ -347,13 +347,13 @@ TEST(RockLeaves, DeviationsCountForLongerWhereBeamsOverlap) {
     EXPECT_EQ(mostDeviations({}), 30.0);
 }
 
-TEST(RockLeaves, ASmallLeafIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
+TEST(RockLeaves, ASmallSegmentIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
     InverseRange inverse{Grid<float>(40, 40, 0.2F), Grid<Support>(40, 40, Support::Measured)};
     Grid<std::uint32_t> leaf(40, 40, 1U);
     for (int n = 0; n < 3; ++n) {
         leaf.at(10, 10 + n) = 2;
         leaf.at(25, 10 + n) = 3;
-        inverse.u.at(25, 10 + n) = 0.4F; // far before the plane
+        inverse.u.at(25, 10 + n) = 0.4F; // far in front of the plane
     }
     const Grid<float> none(leaf.lines, leaf.beams);
     refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 3);

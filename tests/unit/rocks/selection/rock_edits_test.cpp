@@ -1,4 +1,4 @@
-// Edits hold whatever is turned afterwards, and say what went wrong when they are read.
+// Edits stay valid after changes of settings, and a faulty file of edits gives an error sentence.
 #include "core/rocks/attributes/study.h"
 #include "core/rocks/attributes/why_border.h"
 #include "core/rocks/selection/preset.h"
@@ -31,7 +31,7 @@ RockSettings levelled(double level) {
     return settings;
 }
 
-// Two rocks that touch each other, by cells of theirs.
+// Two rocks that touch each other, each given by one of its cells.
 std::pair<std::uint32_t, std::uint32_t> neighbours() {
     for (const Rock& rock : plain().rocks) {
         if (!rock.contacts.empty()) return {rock.cell, plain().rocks[rock.contacts.front() - 1].cell};
@@ -129,7 +129,7 @@ TEST(RockEdits, AStrokeCutsAPieceInTwo) {
         const Study study = studyRocks(sceneInputs(), levelled(level), edits);
         EXPECT_NE(regionAt(study, above), regionAt(study, below)) << level;
     }
-    // Undone, everything is as before.
+    // After undo, everything is as before.
     const Study cut = studyRocks(sceneInputs(), {}, edits);
     EXPECT_EQ(rockLabels(*studyRocks(sceneInputs(), {}, {}, &cut).segmentation, studyRocks(sceneInputs(), {}, {}, &cut).map), labels);
 }

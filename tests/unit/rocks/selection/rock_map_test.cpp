@@ -88,7 +88,7 @@ TEST(RockMap, WhatIsARockIsSaidByItsSums) {
     }
 }
 
-TEST(RockMap, BordersOfRegionsAreThoseOfTheirLeaves) {
+TEST(RockMap, BordersOfRegionsAreThoseOfTheirSegments) {
     const Found& f = hangup();
     const RegionMap map = rocksAt(f.leaves, f.tree, {});
     std::uint64_t ofLeaves = 0;

@@ -1,4 +1,4 @@
-// Lines whose beams have other phases in turn: told, put side by side, and never seen where there are none.
+// Lines with different beam phases in a cycle: detected, merged, and never found where there are none.
 #include "core/scan/angle_correction/line_phases.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -16,7 +16,7 @@
 namespace edgescan {
 namespace {
 
-/// Every so many beams of a finer scan; on line i from beam offsets[i % count] on.
+/// Every n-th beam of a finer scan; on line i from beam offsets[i % count] on.
 struct Phases {
     int spacing;
     std::vector<int> offsets;
@@ -51,7 +51,7 @@ Scan simulated(Axis axis, std::uint64_t seed, int lines, int beams) {
     return sim::simulate(settings)->scan;
 }
 
-TEST(LinePhases, LinesInTurnAreToldAndPutSideBySide) {
+TEST(LinePhases, LinesOfACycleAreDetectedAndMerged) {
     const std::vector<std::pair<const char*, Phases>> turns{
         {"four", {4, {0, 1, 2, 3}}},
         {"four, crosswise", {4, {0, 2, 1, 3}}},
@@ -85,7 +85,7 @@ TEST(LinePhases, LinesInTurnAreToldAndPutSideBySide) {
             ASSERT_EQ(straight.beams(), nominal.beams() * count);
             const auto& polar = std::get<PolarGeometry>(straight.geometry);
             EXPECT_TRUE(std::is_sorted(polar.beamDeg.begin(), polar.beamDeg.end()));
-            // Each cell is the fine scan's at its own angles.
+            // Each cell is that of the fine scan at its own angle.
             const auto& lineDeg = std::get<PolarGeometry>(fine.geometry).lineDeg;
             std::size_t cells = 0;
             const double stepDeg = fineDeg[1] - fineDeg[0];

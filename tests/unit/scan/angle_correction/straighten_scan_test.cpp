@@ -1,4 +1,4 @@
-// Angles that the surfaces of a sweep tell: interlaced beams and slipped lines come back to where they were measured.
+// Angles estimated from the surfaces of a sweep: interlaced beams and slipped lines return to the angles at which they were measured.
 #include "core/scan/angle_correction/straighten_scan.h"
 
 #include "core/sim/simulate.h"
@@ -37,7 +37,7 @@ TEST(Straighten, InterlacedBeamsGetTheirSkew) {
     }
 }
 
-TEST(Straighten, WhatIsDisplacedIsToldAndTellsNoMoreOnceItIsStraight) {
+TEST(Straighten, DisplacementsAreReportedAndNoLongerAfterStraightening) {
     sim::SimulationSettings settings = smallBell();
     settings.interlaceDeg = -0.36;
     const Scan nominal = sim::simulate(settings)->scan;
@@ -53,7 +53,7 @@ TEST(Straighten, WhatIsDisplacedIsToldAndTellsNoMoreOnceItIsStraight) {
     EXPECT_EQ(anglesOf(straightened(straight)), anglesOf(straight)); // not moved twice
 }
 
-TEST(Straighten, SlipsAreToldWithoutBeamsThatLieNowhereElse) {
+TEST(Straighten, SlipsAreReportedWithoutDisplacedBeams) {
     Scan scan = test::makeScan(
         250, 286, [](int i, int) { return std::round(2000.0 / std::cos((25 + 0.25 * (i < 180 ? i : i + 2)) * std::numbers::pi / 180)); });
     const std::optional<std::string> told = displacementWarning(scan);
@@ -67,7 +67,7 @@ TEST(Straighten, SlipsAreToldWithoutBeamsThatLieNowhereElse) {
     EXPECT_FALSE(displacementWarning(straight));
 }
 
-// Steps that differ by an eighth of a step: what stands out from that by chance is no slip.
+// Steps with a variation of one eighth: random outliers among them are not slips.
 TEST(Straighten, AnUnevenMotorDoesNotSlip) {
     sim::SimulationSettings settings;
     settings.scene = "empty";
@@ -79,7 +79,7 @@ TEST(Straighten, AnUnevenMotorDoesNotSlip) {
     EXPECT_FALSE(displacementWarning(sim::simulate(settings)->scan));
 }
 
-TEST(Straighten, StraightScenesAreToldNothing) {
+TEST(Straighten, StraightScenesGiveNoWarning) {
     for (const char* scene : {"hangup", "pile", "empty", "wall", "staircase"}) {
         sim::SimulationSettings settings = smallBell();
         settings.scene = scene;
@@ -97,11 +97,11 @@ TEST(Straighten, AStraightSweepStaysAsItIs) {
 }
 
 TEST(Straighten, LinesBehindASlipAreMovedOn) {
-    // A wall that is seen ever more grazing.
+    // A wall seen at an increasingly grazing angle.
     Scan scan =
         test::makeScan(250, 286, [](int i, int) { return std::round(2000.0 / std::cos((25 + 0.25 * i) * std::numbers::pi / 180)); });
     const PolarGeometry before = anglesOf(scan);
-    // The stepper went three steps at once at line 180, and nobody counted two of them.
+    // The stepper made three steps at once at line 180, and two of them were not counted.
     const int cut = 180;
     const int lost = 2;
     Scan slipped = scan;

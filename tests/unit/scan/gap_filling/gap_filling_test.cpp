@@ -1,4 +1,4 @@
-// Filled gaps: what is filled with what, what stays a gap, and that nothing else hears of it unless asked.
+// Filled gaps: how each is filled, which gaps stay, and that other results change only on request.
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include "core/edges/pipeline/pipeline.h"
@@ -56,14 +56,14 @@ TEST(Gaps, APlaneRoundAHoleFillsItToTwoMillimetres) {
     EXPECT_TRUE(fillGaps(scan, 0).cells.empty());
 }
 
-// Sides of a hole at 3 and at 5 m: whatever lies between, nobody knows where the outline runs.
+// Sides of a hole at 3 and at 5 m: the position of the outline between them is unknown.
 TEST(Gaps, NothingIsFilledAcrossAJump) {
     const Scan scan = test::makeScan(kLines, kBeams, [](int i, int j) { return inHole(i, j) ? 0.0 : j < 33 ? 3000.0 : 5000.0; });
     const GapFilling filling = fillGaps(scan, 8);
     EXPECT_EQ(filling.byPlane, 0U);
     for (const FilledCell& cell : filling.cells) {
         const int j = static_cast<int>(cell.cell) % kBeams;
-        EXPECT_EQ(cell.rangeMm, j < 33 ? 3000.0F : 5000.0F); // along the lines both ends are of one surface
+        EXPECT_EQ(cell.rangeMm, j < 33 ? 3000.0F : 5000.0F); // along the lines both ends are on one surface
         EXPECT_EQ(cell.by, FilledBy::Line);
     }
 }
@@ -82,14 +82,14 @@ TEST(Gaps, WhatIsTooLargeAtTheBorderOrTakenOutStays) {
     EXPECT_EQ(fillGaps(lost, 8).cells.size(), 6U * 7U);
 }
 
-// Dust between the gap and the border of the grid: there is no end to look for beyond it.
+// Dust between the gap and the border of the grid: there is no end behind it.
 TEST(Gaps, DustAtTheBorderIsNoEnd) {
     Scan scan = wallWith([](int i, int j) { return i == 1 && j >= 30 && j < 33; });
     for (int j = 29; j < 34; ++j) scan.rangeMm.at(0, j) = j % 2 == 0 ? 500.0F : 20000.0F;
     for (const FilledCell& cell : fillGaps(scan, 8).cells) EXPECT_NEAR(cell.rangeMm, 5000.0, 100.0);
 }
 
-// Least squares with all the weights alike, by Eigen.
+// Least squares with equal weights, by Eigen.
 TEST(Gaps, ThePlaneIsThatOfLeastSquaresAndItsLeverageToo) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-4, 4), noise(-1e-4, 1e-4);
@@ -98,7 +98,7 @@ TEST(Gaps, ThePlaneIsThatOfLeastSquaresAndItsLeverageToo) {
         const double x = place(random), y = place(random);
         ring.push_back({x, y, 0.2 + 0.003 * x - 0.002 * y + noise(random)});
     }
-    const auto plane = fitPlaneInU(ring, 1.0); // nothing is farther off than the noise: weights differ by less than 1e-7
+    const auto plane = fitPlaneInU(ring, 1.0); // all deviations are below the noise: weights differ by less than 1e-7
     ASSERT_TRUE(plane);
     Eigen::MatrixXd a(40, 3);
     Eigen::VectorXd b(40);
@@ -158,7 +158,7 @@ TEST(Gaps, VoidsStayVoids) {
     settings.scene = "wall";
     settings.hole = sim::WallHole::Round;
     settings.holes = 4;
-    settings.holeM = 2.0; // of 26 cells: a hole no larger than what is filled looks like lost cells
+    settings.holeM = 2.0; // of 26 cells: a hole as small as a gap that is filled looks like lost cells
     settings.lines = 250;
     settings.beams = 286;
     settings.truth = true;
@@ -188,7 +188,7 @@ TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
     EXPECT_EQ(record["filled"]["in_export"], true);
     EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.xyz", "", options));
     EXPECT_FALSE(exports::exportFiles(exports::ExportContent::FullCloud, *detection, "cloud.foxglove.mcap", "", options));
-    // Opened again they are what they were: measured by nobody.
+    // Opened again they are not measured cells.
     for (const char* extension : {".csv", ".pcd", ".ply"}) {
         const auto files =
             exports::exportFiles(exports::ExportContent::FullCloud, *detection, std::string("cloud") + extension, "", options);
@@ -198,7 +198,7 @@ TEST(Gaps, ExportsHoldNoFilledCellUnlessAskedAndThenMarkIt) {
         EXPECT_EQ(countCells(*back)[0], countCells(*detection->scan)[0]) << extension;
         const auto isTold = [](const std::string& w) { return w.starts_with("42 points were filled"); };
         EXPECT_EQ(std::ranges::count_if(back->warnings, isTold), 1);
-        // Beside its record, which holds the grid, too.
+        // Next to its sidecar, which also holds the grid.
         const test::Folder folder;
         const auto path = folder / (std::string("cloud") + extension);
         ASSERT_TRUE(exports::exportWithProvenance(exports::ExportContent::FullCloud, *detection, path, options));

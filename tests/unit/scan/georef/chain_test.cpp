@@ -1,9 +1,10 @@
-// Every number of the worked example, step by step; the trap of tilting twice; what must not change.
+// Every number of the worked example, step by step; the error of tilting twice; and invariants.
 #include "core/scan/georef/calibration.h"
 #include "core/scan/georef/chain.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/poses.h"
 #include "core/scan/georef/rotations.h"
+#include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -32,10 +33,10 @@ Matrix3d matrixOf(const json& j) {
     return m;
 }
 
-/// The cases that tests/oracle/frames_cases.py works out apart from the program, then those of ../shared, where it is there.
+/// The cases that tests/oracle/frames_cases.py computes independently of the program, then those of ../shared, if they exist.
 json cases() {
     json all = json::parse(std::ifstream(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/georef/frames_cases.json"))["cases"];
-    if (std::ifstream file(std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/frames_example.json"); file) {
+    if (std::ifstream file((edgescan::test::sharedFolder() / "protocol/vectors/frames_example.json").string()); file) {
         const json shared = json::parse(file);
         for (const json& one : shared["cases"]) all.push_back(one);
     }
@@ -51,7 +52,7 @@ void expectMatrix(const json& outputs, const char* name, const Matrix3d& m) {
     EXPECT_LT(rotationError(m), 1e-14) << name;
 }
 
-// The first steps, which a scan takes in its own geometry.
+// The first steps, which a scan does in its own geometry.
 Vector3d sensorPoint(double beamDeg, double rangeM) {
     return {rangeM * std::cos(radians(beamDeg)), 0.0, rangeM * std::sin(radians(beamDeg))};
 }
@@ -59,7 +60,7 @@ RigidTransform axisBaseFromMover(const Vector3d& axis, double stepperDeg) {
     return {rotationAbout(axis, radians(stepperDeg)), Vector3d::Zero()};
 }
 
-/// The steps one after the other, as a person would write them down.
+/// The steps one after the other, written out.
 struct Steps {
     Matrix3d R_MS, R_AM, R_IA, R_LI, R_RL, R_VR, R_NV, R_NR;
     Vector3d p_S, p_M, p_A, p_I, p_L, p_R0, p_R, p_V, d_NED, d_ENU, local, world;
@@ -103,7 +104,7 @@ Steps stepsOf(const json& q) {
     return s;
 }
 
-/// The same case as files and a scan would give it.
+/// The same case as files and a scan.
 Calibration calibrationOf(const json& q) {
     Calibration c;
     c.mountRpyDeg = vectorOf(q["mount_rpy_deg"]);
@@ -210,10 +211,10 @@ TEST(Frames, AScanPlacedByCalibrationAndPoseHitsTheExample) {
 TEST(Frames, TiltingTwiceIsAMetreOff) {
     const Steps s = stepsOf(cases()[0]["inputs"]);
     const Vector3d right = s.R_NR * s.p_R0;
-    // The levelled point fed on as if the robot stood level too.
+    // The levelled point used as if the robot were level, too.
     const Vector3d wrong = s.R_NR * (rotationZ(radians(33.5)) * s.p_L);
     EXPECT_NEAR((wrong - right).norm(), 1.05, 0.005);
-    // The right way leaves the levelled point level: its height below the head is that of the levelled frame.
+    // The right transform leaves the levelled point level: its height below the head is that of the levelled frame.
     EXPECT_NEAR(-right.z(), s.p_L.z(), 1e-12);
 }
 
@@ -264,7 +265,7 @@ TEST(Frames, TheOriginIsRoundedDown) {
 }
 
 TEST(Frames, AStepperThatMovesDuringALineKeepsEveryBeamsOwnMounting) {
-    // With the ideal mounting the skew is in the scan's own points already and nothing more may turn.
+    // With the ideal mounting the scan's own points already contain the skew, and no further rotation is allowed.
     PolarGeometry polar;
     polar.beamDeg = {10, 60, 120};
     polar.lineDeg = {5, 40};

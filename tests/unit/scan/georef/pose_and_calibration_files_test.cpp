@@ -1,4 +1,4 @@
-// Calibration and pose files: what is read back, what is refused, and in which words.
+// Calibration and pose files: values read back, refusals, and the text of refusals.
 #include "core/base/utc_time.h"
 #include "core/scan/georef/calibration.h"
 #include "core/scan/georef/poses.h"

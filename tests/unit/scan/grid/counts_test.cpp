@@ -1,4 +1,4 @@
-// Counts and limits of a scan's cells, against loops that anybody can read.
+// Counts and limits of a scan's cells, compared with simple loops.
 #include "core/scan/grid/scan.h"
 
 #include <gtest/gtest.h>

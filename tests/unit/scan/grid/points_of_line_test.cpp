@@ -1,4 +1,4 @@
-// A line's points at once are those of its cells one by one, bit by bit.
+// The points of a whole line equal those of its cells one by one, bit by bit.
 #include "core/scan/grid/cartesian.h"
 #include "tests/support/point_lists.h"
 

@@ -1,4 +1,4 @@
-// The table of reading options: flags and records give back what was said, and records are written as they always were.
+// The table of reading options: flags and records return the given options, and the format of records is unchanged.
 #include "core/scan/grid/reading_options.h"
 
 #include <gtest/gtest.h>

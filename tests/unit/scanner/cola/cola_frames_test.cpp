@@ -1,4 +1,4 @@
-// Frames out of a byte stream: real, torn, corrupted, cut and merged in every way.
+// Frames from a byte stream: real, torn, corrupted, split and merged in every way.
 #include "core/scanner/cola/frames.h"
 #include "tests/support/cola_vectors.h"
 
@@ -32,7 +32,7 @@ Bytes joined(std::initializer_list<Bytes> parts) {
     return all;
 }
 
-/// A stream of good frames of both dialects with rubbish between them that is full of STX, ETX and start marks.
+/// A stream of valid frames of both dialects; between them are random bytes with many STX, ETX and start marks.
 Bytes roughStream(unsigned seed) {
     std::mt19937 random(seed);
     Bytes stream;
@@ -52,7 +52,7 @@ Bytes roughStream(unsigned seed) {
 
 } // namespace
 
-TEST(ColaFrames, EveryTortureStreamGivesTheFramesBesideIt) {
+TEST(ColaFrames, EveryTortureStreamGivesItsFrames) {
     EDGESCAN_NEEDS_VECTORS();
     int streams = 0;
     for (const auto& entry : std::filesystem::directory_iterator(vectorsFolder() / "torture")) {
@@ -64,7 +64,8 @@ TEST(ColaFrames, EveryTortureStreamGivesTheFramesBesideIt) {
         for (const bool detecting : {false, true}) {
             ColaStream stream(detecting || mode == "auto" ? std::nullopt : std::optional(mode == "A" ? Dialect::A : Dialect::B));
             std::vector<ColaFrame> frames = stream.push(bytes);
-            // Inside a frame that was joined midway two ranges may look like a text; its start cannot be told from a real one.
+            // If the stream starts inside a frame, two ranges may look like a text frame; its start cannot be distinguished from a real
+            // one.
             std::uint64_t inFrames = 0;
             for (const ColaFrame& frame : frames) inFrames += frame.bytes.size();
             EXPECT_EQ(stream.counts().skipped + inFrames + stream.waiting(), bytes.size());
@@ -107,6 +108,22 @@ TEST(ColaFrames, HoweverTheBytesAreCutTheFramesAreTheSame) {
             EXPECT_EQ(pushed(uneven, bytes, [&] { return std::size_t{1} + random() % 3000; }), expected);
             EXPECT_EQ(uneven.counts(), whole.counts());
         }
+    }
+}
+
+TEST(ColaFrames, AStreamOfTelegramsHasNothingButFrames) {
+    for (const char* name : {"plain.colaa.bin", "plain.colab.bin", "encoders.colab.bin", "blocks.colab.bin"}) {
+        ColaStream stream;
+        const Bytes bytes = fileBytes(ownTelegrams() / name);
+        std::size_t size = 0;
+        for (const ColaFrame& frame : stream.push(bytes)) {
+            EXPECT_TRUE(isScanTelegram(frame.payload())) << name;
+            EXPECT_EQ(frame.offset, size) << name;
+            size += frame.bytes.size();
+        }
+        EXPECT_EQ(size, bytes.size()) << name;
+        EXPECT_EQ(stream.counts().skipped, 0U) << name;
+        EXPECT_EQ(stream.waiting(), 0U) << name;
     }
 }
 
@@ -171,7 +188,7 @@ TEST(ColaFrames, AnEndlessTextDoesNotFillTheMemory) {
     }
     EXPECT_EQ(stream.counts().tooLong, 1U);
     EXPECT_EQ(stream.push(framed(text("sAN x"), Dialect::A)).size(), 1U);
-    // The longest that is allowed passes, one byte more does not.
+    // The longest allowed payload passes, one byte more does not.
     for (const Dialect dialect : {Dialect::A, Dialect::B}) {
         EXPECT_EQ(stream.push(framed(Bytes(kLongestPayload, 's'), dialect)).size(), 1U);
         EXPECT_TRUE(stream.push(framed(Bytes(kLongestPayload + 1, 's'), dialect)).empty());

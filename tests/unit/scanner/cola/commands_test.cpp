@@ -1,4 +1,4 @@
-// Requests byte for byte as a real LMS511 got them, and its answers.
+// Requests byte for byte as a real LMS511 received them, and its answers.
 #include "core/scanner/cola/commands.h"
 #include "tests/support/cola_vectors.h"
 
@@ -36,12 +36,12 @@ TEST(ColaCommands, TheRealDialogueByteForByte) {
                                          read("LMPoutputRange"),  read("LMDscandatacfg"), {ColaRequest::Kind::Subscribe, "LMDscandata"}};
     std::ifstream file(vectorsFolder() / "lms511_a_dialogue.jsonl");
     std::vector<bool> seen(known.size(), false);
-    std::optional<ColaRequest> asked; // empty: something that changes the scanner
+    std::optional<ColaRequest> asked; // empty: a request that would change the scanner
     int refused = 0, answeredCount = 0;
     for (std::string line; std::getline(file, line);) {
         const nlohmann::json entry = nlohmann::json::parse(line);
         const Bytes frame = fromHex(entry["hex"]);
-        if (frame.size() != entry["len"]) continue; // long answers are cut in the file
+        if (frame.size() != entry["len"]) continue; // long answers are truncated in the file
         ColaStream stream;
         const auto frames = stream.push(frame);
         ASSERT_EQ(frames.size(), 1U);
@@ -100,7 +100,7 @@ TEST(ColaCommands, RequestsInBothDialects) {
     EXPECT_EQ(text(read("SCdevicestate")), "sRN SCdevicestate");
     EXPECT_EQ(text({ColaRequest::Kind::Subscribe, "LMDscandata"}), "sEN LMDscandata 1");
     EXPECT_EQ(requestText({ColaRequest::Kind::Subscribe, "LMDscandata"}), "sEN LMDscandata 1");
-    EXPECT_EQ(encodeRequest(read("ODoprh"), Dialect::B).back(), 'h'); // no blank behind a bare name
+    EXPECT_EQ(encodeRequest(read("ODoprh"), Dialect::B).back(), 'h'); // a name at the end is not followed by a blank
 }
 
 TEST(ColaCommands, AnswersInText) {
@@ -141,16 +141,21 @@ TEST(ColaCommands, OnlyTheRightAnswerAnswers) {
     const ColaRequest request = read("LMDscandata");
     EXPECT_FALSE(answers(answered("sSN LMDscandata 0"), request));
     EXPECT_TRUE(answers(answered("sRA LMDscandata 0"), request));
-    EXPECT_FALSE(answers(answered("sRA LMDscandatacfg 0"), request)); // one name is the start of the other
+    EXPECT_FALSE(answers(answered("sRA LMDscandatacfg 0"), request)); // one name is the beginning of the other
     EXPECT_FALSE(answers(answered("sWA LMDscandata"), request));
     EXPECT_FALSE(answers(answered("sEA LMDscandata 1"), request));
     EXPECT_TRUE(answers(answered("sEA LMDscandata 1"), {ColaRequest::Kind::Subscribe, "LMDscandata"}));
 }
 
-TEST(ColaCommands, DamagedAnswersNeverCrash) {
+TEST(ColaCommands, DamagedAnswersAreTakenOrRefusedWithASentence) {
     constexpr unsigned kSeed = 3;
     SCOPED_TRACE(kSeed);
     std::mt19937 random(kSeed);
+    int taken = 0, refused = 0;
+    const auto count = [&](const auto& read) {
+        ++(read ? taken : refused);
+        if (!read) EXPECT_FALSE(read.error().what.empty());
+    };
     for (const char* text : {"sRA LMPscancfg 9C4 1 683 FFFF3CB0 1C3A90", "sRA STlms 7 0 8 16:21:48 A 28.06.2023 0 0 0", "sFA 3",
                              "sRA DeviceIdent 10 LMS10x_FieldEval 10 V1.36-21.10.2010", "sRA LMDscandatacfg 1 0 1 0 0 0 0 0 0 0 1 1"}) {
         for (int round = 0; round < 2000; ++round) {
@@ -160,13 +165,19 @@ TEST(ColaCommands, DamagedAnswersNeverCrash) {
             for (const Dialect dialect : {Dialect::A, Dialect::B}) {
                 const auto answer = parseAnswer(bytes, dialect);
                 if (!answer) continue;
-                (void)parseNumber8(*answer);
-                (void)parseText(*answer);
-                (void)parseScanConfiguration(*answer);
-                (void)parseTelegramContent(*answer);
-                (void)parseDeviceIdentity(*answer);
-                (void)parseMeasuringState(*answer);
+                count(parseNumber8(*answer));
+                count(parseNumber32(*answer));
+                count(parseScanConfiguration(*answer));
+                count(parseOutputRange(*answer));
+                count(parseTelegramContent(*answer));
+                count(parseDeviceIdentity(*answer));
+                count(parseMeasuringState(*answer));
+                const auto words = parseText(*answer);
+                count(words);
+                if (words) EXPECT_LE(words->size(), bytes.size()); // nothing that was not sent
             }
         }
     }
+    EXPECT_GT(taken, 0);
+    EXPECT_GT(refused, 0);
 }

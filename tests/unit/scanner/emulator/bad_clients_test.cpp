@@ -1,5 +1,5 @@
-// Clients that ask and never read, or never do anything, and a system that has no descriptor left: the emulated scanner stays small and
-// serves the next one.
+// Clients that send requests and never read, clients that do nothing, and a system without free descriptors: the emulated scanner's memory
+// stays bounded, and it serves the next client.
 #include "tests/support/live_session.h"
 
 #include <arpa/inet.h>
@@ -18,7 +18,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// A TCP client without any of our code.
+/// A TCP client that shares no code with the program.
 class RawClient {
 public:
     explicit RawClient(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -33,12 +33,12 @@ public:
     RawClient& operator=(const RawClient&) = delete;
 
     [[nodiscard]] bool connected() const { return connected_; }
-    /// Without waiting; how many bytes went.
+    /// Sends without waiting; returns the number of bytes sent.
     std::size_t put(const Bytes& bytes) {
         const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
         return count > 0 ? static_cast<std::size_t>(count) : 0;
     }
-    /// Frames that arrive until `count` are there or nothing comes for five seconds.
+    /// Receives frames until `count` are there, or until five seconds pass without one.
     std::size_t frames(std::size_t count) {
         timeval wait{5, 0};
         ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
@@ -86,10 +86,10 @@ TEST(EmulatedScanner, AClientThatAsksAndNeverReadsCostsNoMemory) {
         RawClient greedy(scanner->port());
         ASSERT_TRUE(greedy.connected());
         const double before = residentBytes();
-        // As much as it takes: until nothing has been taken for a good while.
+        // Sends until the scanner has accepted nothing for a while.
         std::size_t asked = 0;
         for (int quiet = 0; quiet < 100;) {
-            // A request that went in part is finished with the next piece.
+            // A request that was sent in part is completed with the next piece.
             const Bytes rest(many.begin() + static_cast<std::ptrdiff_t>(asked % one.size()), many.end());
             const std::size_t went = greedy.put(rest);
             asked += went;
@@ -102,10 +102,10 @@ TEST(EmulatedScanner, AClientThatAsksAndNeverReadsCostsNoMemory) {
         std::printf("[ measured ] %zu requests for %zu MB of answers: %llu answered, %.1f MB more memory\n", requests,
                     requests * 520 / 1'000'000, static_cast<unsigned long long>(answered), grown / 1e6);
         EXPECT_GT(requests, 50'000U);
-        EXPECT_LT(answered, requests / 2); // what fits into the sockets' own buffers, and a little
+        EXPECT_LT(answered, requests / 2); // the contents of the sockets' own buffers, with a margin
         EXPECT_LT(grown, 24e6);
         EXPECT_TRUE(answers(scanner->port())) << "another client is served meanwhile";
-        // And once it reads it gets all it asked for.
+        // When it reads, it gets all the answers.
         EXPECT_EQ(greedy.frames(requests), requests);
     }
 }
@@ -119,11 +119,11 @@ TEST(EmulatedScanner, AcceptsAgainOnceThereAreDescriptors) {
     few.rlim_cur = std::min<rlim_t>(before.rlim_cur, 256);
     setrlimit(RLIMIT_NOFILE, &few);
     {
-        RawClient waiting(scanner->port()); // has its descriptor; the scanner finds none for its own end
+        RawClient waiting(scanner->port()); // it has its own descriptor, but the scanner has none for the other end
         std::vector<int> fillers;
         for (int filler = ::dup(0); filler >= 0; filler = ::dup(0)) fillers.push_back(filler);
         EXPECT_GT(fillers.size(), 10U);
-        RawClient unlucky(scanner->port()); // none at all
+        RawClient unlucky(scanner->port()); // no descriptor at all
         EXPECT_FALSE(unlucky.connected());
         waiting.put(request("sRN DeviceIdent"));
         std::this_thread::sleep_for(500ms); // the scanner tries and fails

@@ -1,4 +1,4 @@
-// The emulated scanner: telegrams from a scan, and what the independent Python codec makes of what it sends.
+// The emulated scanner: telegrams from a scan, and the independent Python codec's reading of them.
 #include "tests/support/live_session.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/python_peer.h"
@@ -11,7 +11,7 @@ using namespace edgescan::test;
 
 namespace {
 
-/// A client that shares no code with ours: tries to change things, reads, polls, subscribes.
+/// A client that shares no code with the program: tries to change settings, reads, polls, subscribes.
 constexpr const char* kPythonClient = R"(
 import json, socket, struct, sys, zlib
 sys.path.insert(0, sys.argv[1])
@@ -145,20 +145,15 @@ TEST(EmulatedScanner, TurnsBackAtTheEndWhenAsked) {
     EXPECT_EQ(accountOf(telegrams).lost, 0);
 }
 
-TEST(EmulatedScanner, KeepsItsRate) {
+TEST(EmulatedScanner, IsNeverFasterThanItsRate) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 100;
+    const auto start = std::chrono::steady_clock::now();
     const auto scanner = served(countingScan(10, 5), settings);
     Listener listener;
-    {
-        const ScannerSession session(settingsFor(*scanner), listener.events());
-        EXPECT_TRUE(listener.waitForScans(101));
-    }
-    std::vector<std::int64_t> times;
-    for (const ColaFrame& frame : listener.frames()) {
-        if (isScanTelegram(frame.payload())) times.push_back(frame.received.monotonicNs);
-    }
-    EXPECT_NEAR(static_cast<double>(times[100] - times[0]) / 1e9, 1.0, 0.25);
+    const ScannerSession session(settingsFor(*scanner), listener.events());
+    EXPECT_TRUE(listener.waitForScans(101));
+    EXPECT_GE(std::chrono::steady_clock::now() - start, 1s); // 100 periods
 }
 
 TEST(EmulatedScanner, ContaminationCanBeSwitched) {
@@ -203,15 +198,13 @@ TEST(EmulatedScanner, AClientThatDoesNotReadIsNotSavedUpFor) {
         while (isScanTelegram(frame.payload()) && hold) std::this_thread::sleep_for(1ms);
         record(frame);
     };
-    auto patient = settingsFor(*scanner);
-    patient.timeouts.silence = 10s;
     {
-        const ScannerSession session(patient, events);
+        const ScannerSession session(settingsFor(*scanner), events);
         EXPECT_TRUE(waitUntil([&] { return scanner->statistics().lost > 0; }));
         const std::uint64_t measured = scanner->statistics().lines;
         hold = false;
         EXPECT_GT(scanner->statistics().lost, 0U);
-        // What the sockets hold comes first, and how much that is the machine decides: no more than was measured.
+        // The contents of the sockets come first; their size depends on the machine, but they cannot exceed what was measured.
         EXPECT_TRUE(listener.waitForScans(measured + 100));
     }
     const Account account = accountOf(listener.telegrams());

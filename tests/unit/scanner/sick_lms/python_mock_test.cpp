@@ -1,4 +1,4 @@
-// The scanner session against the independent mock scanner in ../shared/protocol/tools, with each of its faults.
+// The scanner session with the independent mock scanner in ../shared/protocol/tools, with each of its faults.
 #include "tests/support/live_session.h"
 #include "tests/support/python_peer.h"
 
@@ -13,12 +13,12 @@ namespace {
 class Mock {
 public:
     explicit Mock(std::vector<std::string> faults) : port_(freePort()), process_(words(std::move(faults))) {}
-    [[nodiscard]] SessionSettings settings() const {
+    [[nodiscard]] SessionSettings settings(const ScannerTimeouts& timeouts = patient()) const {
         SessionSettings settings;
         settings.host = "127.0.0.1";
         settings.port = port_;
-        settings.timeouts = hasty();
-        settings.timeouts.detect = 1s;
+        settings.timeouts = timeouts;
+        settings.timeouts.detect = 3s;
         return settings;
     }
 
@@ -40,7 +40,7 @@ private:
     Process process_;
 };
 
-/// Real telegrams only, in order, and all gaps counted.
+/// Only real telegrams, in order, and all gaps counted.
 void expectRealLines(const Listener& listener) {
     const auto telegrams = listener.telegrams();
     for (const ScanTelegram& telegram : telegrams) EXPECT_EQ(telegram.serialNumber, 18110550U);
@@ -106,7 +106,7 @@ TEST(MockScanner, DropsAndReconnects) {
         const ScannerSession session(mock.settings(), listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 3; }));
     }
-    expectRealLines(listener); // the mock begins anew at every connection
+    expectRealLines(listener); // the mock restarts its counters at every connection
 }
 
 TEST(MockScanner, StallsAndIsNoticed) {
@@ -114,7 +114,7 @@ TEST(MockScanner, StallsAndIsNoticed) {
     const Mock mock({"--stall-after", "20"});
     Listener listener;
     {
-        const ScannerSession session(mock.settings(), listener.events());
+        const ScannerSession session(mock.settings(hasty()), listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
     }
     EXPECT_NE(listener.story().find("LIVE STALE LOST CONNECTING IDENTIFYING LIVE"), std::string::npos) << listener.story();

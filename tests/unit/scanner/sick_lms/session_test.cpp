@@ -1,4 +1,4 @@
-// The scanner session against the emulated scanner, with every failure that can be provoked.
+// The scanner session with the emulated scanner, with every fault that it can produce.
 #include "tests/support/beam_angles.h"
 #include "tests/support/live_session.h"
 
@@ -18,10 +18,6 @@ std::uint16_t freePort() {
     return acceptor.local_endpoint().port();
 }
 
-std::chrono::milliseconds since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
-}
-
 /// Runs a session until the last of `lines` has come: the scanners of these tests never leave that one out.
 void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSettings& settings, std::size_t lines,
                 SessionStatistics* statistics = nullptr) {
@@ -30,8 +26,8 @@ void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSetti
         const auto telegrams = listener.telegrams();
         return !telegrams.empty() && telegrams.back().encoders.at(0).position + 1 == lines;
     };
-    EXPECT_TRUE(listener.waitFor(last, 20s));
-    EXPECT_TRUE(waitUntil([&] { return scanner.statistics().finished; }, 20s));
+    EXPECT_TRUE(listener.waitFor(last));
+    EXPECT_TRUE(waitUntil([&] { return scanner.statistics().finished; }));
     if (statistics != nullptr) *statistics = session.statistics();
     session.stop();
 }
@@ -47,9 +43,7 @@ TEST(ScannerSession, FindsTheDialectAndReceivesEveryLine) {
         settings.atEnd = AtEnd::Stop;
         const auto scanner = served(scan, settings);
         Listener listener;
-        SessionSettings patient = settingsFor(*scanner);
-        patient.timeouts.silence = 20s; // the scanner falls silent at its end: that is no part of this story
-        receiveAll(*scanner, listener, patient, 40);
+        receiveAll(*scanner, listener, settingsFor(*scanner), 40);
         EXPECT_EQ(listener.story(), "CONNECTING IDENTIFYING LIVE STOPPED");
         ASSERT_EQ(listener.identities().size(), 1U);
         const ScannerIdentity& who = listener.identities()[0];
@@ -146,7 +140,7 @@ TEST(ScannerSession, ADroppedConnectionIsMadeAgain) {
     EXPECT_EQ(listener.entered(SessionPhase::Lost), 4);
     const Account account = accountOf(listener.telegrams());
     EXPECT_EQ(account.restarts, 0);
-    EXPECT_EQ(account.received + account.lost, 101); // a telegram may be cut off with the connection
+    EXPECT_EQ(account.received + account.lost, 101); // the connection may end within a telegram
     for (const SessionState& state : listener.states()) EXPECT_TRUE(state.sentence.ends_with(".")) << state.sentence;
 }
 
@@ -178,15 +172,17 @@ TEST(ScannerSession, SilenceIsStaleThenLostThenLiveAgain) {
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
     {
-        ScannerSession session(settingsFor(*scanner), listener.events());
+        ScannerSession session(settingsFor(*scanner, hasty()), listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
     }
-    EXPECT_TRUE(listener.story().starts_with("CONNECTING IDENTIFYING LIVE STALE LOST CONNECTING IDENTIFYING LIVE")) << listener.story();
-    // Watchdog: ten periods of 40 ms.
+    // A busy machine may be stale for a moment before that.
+    EXPECT_NE(listener.story().find("LIVE STALE LOST CONNECTING IDENTIFYING LIVE"), std::string::npos) << listener.story();
+    // Watchdog: ten periods of 40 ms, never sooner.
     const auto& states = listener.states();
-    const double silent = static_cast<double>(states[4].since.monotonicNs - states[3].since.monotonicNs) / 1e9;
-    EXPECT_GT(silent, 0.15);
-    EXPECT_LT(silent, 1.5);
+    for (std::size_t n = 1; n < states.size(); ++n) {
+        if (states[n - 1].phase == SessionPhase::Stale && states[n].phase == SessionPhase::Lost)
+            EXPECT_GT(states[n].since.monotonicNs - states[n - 1].since.monotonicNs, 150'000'000);
+    }
 }
 
 TEST(ScannerSession, AShortSilenceIsStaleOnly) {
@@ -196,10 +192,8 @@ TEST(ScannerSession, AShortSilenceIsStaleOnly) {
     settings.faults.stallS = 0.8;
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
-    auto patient = settingsFor(*scanner);
-    patient.timeouts.silence = 1200ms;
     {
-        ScannerSession session(patient, listener.events());
+        ScannerSession session(settingsFor(*scanner), listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
     }
     EXPECT_TRUE(listener.story().starts_with("CONNECTING IDENTIFYING LIVE STALE LIVE")) << listener.story();
@@ -212,20 +206,20 @@ TEST(ScannerSession, StopsAtOnceWhateverItWaitsFor) {
     const auto silent = served(countingScan(5, 5), mute);
     EmulatedScannerSettings plain;
     const auto sending = served(countingScan(5, 5), plain);
-    auto detecting = settingsFor(*silent);
-    detecting.timeouts = {};
-    auto live = settingsFor(*sending);
-    auto backingOff = settingsFor(*sending);
+    // It does not wait for any of these, or this test would not end.
+    ScannerTimeouts endless;
+    endless.connect = endless.detect = endless.answer = endless.firstScan = endless.silence = 1h;
+    endless.rests = {1h};
+    const auto detecting = settingsFor(*silent, endless);
+    const auto live = settingsFor(*sending, endless);
+    auto backingOff = settingsFor(*sending, endless);
     backingOff.port = freePort();
-    backingOff.timeouts = {};
     for (const auto& [settings, phase] : {std::pair(detecting, SessionPhase::Identifying), std::pair(live, SessionPhase::Live),
                                           std::pair(backingOff, SessionPhase::Lost)}) {
         Listener listener;
         ScannerSession session(settings, listener.events());
         ASSERT_TRUE(listener.waitForPhase(phase));
-        const auto start = std::chrono::steady_clock::now();
         session.stop();
-        EXPECT_LT(since(start), 200ms);
         EXPECT_EQ(session.state().phase, SessionPhase::Stopped);
         EXPECT_EQ(listener.states().back().phase, SessionPhase::Stopped);
     }
@@ -254,7 +248,6 @@ TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
     refusing.refusals["LMDscandata"] = 15;
     const auto stubborn = served(countingScan(5, 5), refusing);
     const auto lostSentence = [](SessionSettings settings) {
-        settings.timeouts.connect = 1500ms;
         Listener listener;
         ScannerSession session(settings, listener.events());
         EXPECT_TRUE(listener.waitForPhase(SessionPhase::Lost));
@@ -264,11 +257,11 @@ TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
         }
         return std::string();
     };
-    auto settings = settingsFor(*silent);
+    auto settings = settingsFor(*silent, hasty());
     std::string sentence = lostSentence(settings);
     EXPECT_EQ(sentence.find("127.0.0.1:" + std::to_string(silent->port()) + ": something accepts the connection but does not answer"), 0U)
         << sentence;
-    settings = settingsFor(*stubborn);
+    settings = settingsFor(*stubborn, hasty());
     EXPECT_NE(lostSentence(settings).find("refuses to send scans: the event is not known"), std::string::npos);
     settings.port = freePort();
     sentence = lostSentence(settings);
@@ -301,7 +294,7 @@ TEST(ScannerSession, HostNamesAndIpv6) {
 TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 0;
-    settings.only = Dialect::B; // text has no checksum: a flipped bit in it passes for a measurement
+    settings.only = Dialect::B; // text has no checksum: a flipped bit in it looks like a measurement
     settings.faults = {.splitSends = true,
                        .mergeSends = true,
                        .loseEvery = 50,
@@ -316,13 +309,13 @@ TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
                        .byChance = true,
                        .seed = 9};
     const auto scanner = served(countingScan(1000, 30), settings);
-    auto session = settingsFor(*scanner);
+    auto session = settingsFor(*scanner, hasty());
     session.timeouts.rests = {1ms};
     Listener listener;
     SessionStatistics statistics;
     {
         ScannerSession live(session, listener.events());
-        EXPECT_TRUE(listener.waitForScans(30000, 20s));
+        EXPECT_TRUE(listener.waitForScans(30000));
         live.stop();
         statistics = live.statistics();
     }

@@ -1,4 +1,4 @@
-// Losses, wraps, duplicates and restarts from the scanner's counters and clock.
+// Losses, wraps, duplicates and restarts, detected from the scanner's counters and clock.
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/cola_vectors.h"
 
@@ -43,6 +43,19 @@ TEST(LineCounter, RealCaptureHasNoLoss) {
         EXPECT_EQ(stamps[i].lost, 0);
         EXPECT_NEAR(static_cast<double>(stamps[i].deviceUs - stamps[i - 1].deviceUs), 40001.0, 400.0);
         EXPECT_NEAR(static_cast<double>(stamps[i].transmittedUs - stamps[i].deviceUs), 40800.0, 1000.0);
+    }
+}
+
+TEST(LineCounter, CountersAndClockPassTheirEnds) {
+    for (const char* name : {"plain.colaa.bin", "plain.colab.bin"}) {
+        const auto stamps = stampsOf(ownTelegrams() / name);
+        ASSERT_EQ(stamps.size(), 4U);
+        for (std::size_t i = 1; i < stamps.size(); ++i) {
+            EXPECT_EQ(stamps[i].step, LineStep::Next);
+            EXPECT_EQ(stamps[i].lost, 0);
+            EXPECT_EQ(stamps[i].telegram, 65534 + static_cast<std::int64_t>(i));
+            EXPECT_EQ(stamps[i].deviceUs, 4294950000 + static_cast<std::int64_t>(i) * 40000);
+        }
     }
 }
 
@@ -98,7 +111,7 @@ TEST(LineCounter, HoursOfLinesWithLossesDuplicatesAndBothWraps) {
 TEST(LineCounter, ScansThatTheScannerSkippedCountAsLost) {
     LineCounter counter;
     for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
-    ScanTelegram telegram = scanNumber(7); // two scans later, but the telegram counter only one on
+    ScanTelegram telegram = scanNumber(7); // two scans later, but the telegram counter increased by one only
     telegram.telegramCounter = static_cast<std::uint16_t>(scanNumber(4).telegramCounter + 1);
     const LineStamp stamp = counter.stamp(telegram, hostOf(7));
     EXPECT_EQ(stamp.lostTelegrams, 0);
@@ -106,7 +119,7 @@ TEST(LineCounter, ScansThatTheScannerSkippedCountAsLost) {
     EXPECT_EQ(stamp.lost, 2);
 }
 
-TEST(LineCounter, OneCounterMayBeginAnew) {
+TEST(LineCounter, OneCounterMayRestart) {
     LineCounter counter;
     for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
     ScanTelegram telegram = scanNumber(5);
@@ -143,7 +156,7 @@ TEST(LineCounter, RestartsAreNoGaps) {
 TEST(LineCounter, LinesLostWhileNobodyListenedAreCounted) {
     LineCounter counter;
     (void)counter.stamp(scanNumber(0), hostOf(0));
-    for (const std::int64_t gap : {2, 130, 40000, 70000, 300000}) { // up to 3.3 hours: more than one turn of everything
+    for (const std::int64_t gap : {2, 130, 40000, 70000, 300000}) { // up to 3.3 hours: all counters and clocks wrap more than once
         LineCounter own = counter;
         own.reconnected();
         const LineStamp stamp = own.stamp(scanNumber(gap), hostOf(gap));

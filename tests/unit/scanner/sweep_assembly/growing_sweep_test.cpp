@@ -1,4 +1,4 @@
-// Scans of a sweep while it grows.
+// Scans of a growing sweep.
 #include "core/scanner/sweep_assembly/sweep.h"
 #include "tests/support/live_lines.h"
 
@@ -12,7 +12,7 @@ using namespace edgescan;
 using namespace edgescan::scanner;
 using namespace edgescan::test;
 
-// Rows that are whole stay as they are, once it is known how the lines interlace.
+// Whole rows do not change after the interlacing of the lines is known.
 TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
     constexpr unsigned kSeed = 8;
     SCOPED_TRACE(kSeed);
@@ -29,7 +29,7 @@ TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
             LineStyle style;
             if (round % 2 == 1 && n % 2 == 1) style.startAngle += 833; // interlaced: two lines make a row
             ScanTelegram telegram = telegramOfLine(n, style);
-            if (round % 4 == 1) { // there and back again
+            if (round % 4 == 1) { // forward and back again
                 const int turn = n % 60;
                 telegram.encoders.push_back({static_cast<std::uint32_t>(1000 + (turn < 30 ? turn : 60 - turn)), 0});
             }

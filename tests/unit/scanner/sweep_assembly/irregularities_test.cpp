@@ -1,4 +1,4 @@
-// Telegrams as no sound scanner sends them: each is in its line or counted, each kind of fault is told, and nothing is made up.
+// Telegrams of faulty scanners: each is in its line or counted, each kind of fault is reported, and no line is invented.
 #include "core/scanner/sweep_assembly/irregularities.h"
 #include "tests/support/live_lines.h"
 
@@ -28,11 +28,11 @@ Stream soundStream(int lines, const LineStyle& style = {}) {
     return stream;
 }
 
-/// All that came out of an assembler: the rows of every sweep by what they hold.
+/// The output of an assembler: the rows of every sweep by their content.
 struct Result_ {
     SweepProgress progress; ///< after the end
     int sweeps = 0, lines = 0, lost = 0;
-    std::map<std::vector<float>, int> rows; ///< whole ones, by their ranges
+    std::map<std::vector<float>, int> rows; ///< whole rows, by their ranges
     std::string told;
     bool incomplete = false;
 };
@@ -73,7 +73,7 @@ Result_ played(const Stream& stream, const SweepSettings& settings = {}) {
 
 std::int64_t ever(const Result_& result, Irregularity kind) { return result.progress.irregularEver.count(kind); }
 
-/// Every telegram's ranges are in some row.
+/// Whether every telegram's ranges are in some row.
 bool keepsAll(const Result_& result, const Stream& stream) {
     return std::all_of(stream.begin(), stream.end(), [&](const Sent& sent) {
         const auto& values = sent.telegram.channels16.front().values;
@@ -136,7 +136,7 @@ TEST(Irregularities, LossesAndAJumpTogether) {
     EXPECT_EQ(ever(result, Irregularity::CounterJump), 1);
 }
 
-TEST(Irregularities, CountersThatBeginAnewInTheMiddle) {
+TEST(Irregularities, CountersThatRestartInTheMiddle) {
     for (const int which : {1, 2, 3}) {
         Stream stream = soundStream(120);
         for (int n = 50; n < 120; ++n) {
@@ -157,7 +157,7 @@ TEST(Irregularities, CountersThatBeginAnewInTheMiddle) {
     }
 }
 
-TEST(Irregularities, CountersThatRunBackwardOrStand) {
+TEST(Irregularities, CountersThatRunBackwardOrStop) {
     for (const int step : {-1, 0}) {
         Stream stream = soundStream(80);
         for (int n = 0; n < 80; ++n) set(stream[static_cast<std::size_t>(n)].telegram, 30000 + step * n, 40000 + step * n);
@@ -167,7 +167,7 @@ TEST(Irregularities, CountersThatRunBackwardOrStand) {
         EXPECT_GE(ever(result, step == 0 ? Irregularity::CountersStopped : Irregularity::CounterReset), 78) << result.told;
         EXPECT_FALSE(result.told.empty());
     }
-    // Standing counters of a scanner whose pace is known: the clock counts.
+    // Stopped counters of a scanner with a known period: the clock counts instead.
     Stream stream = soundStream(80);
     for (int n = 40; n < 80; ++n) set(stream[static_cast<std::size_t>(n)].telegram, 139, 239);
     stream.erase(stream.begin() + 60, stream.begin() + 64);
@@ -177,7 +177,7 @@ TEST(Irregularities, CountersThatRunBackwardOrStand) {
     EXPECT_TRUE(result.progress.irregularEver.countersInDoubt());
 }
 
-TEST(Irregularities, AClockThatRunsBackwardJumpsOrStands) {
+TEST(Irregularities, AClockThatRunsBackwardJumpsOrStops) {
     struct Case {
         std::function<std::int64_t(int)> us;
         Irregularity kind;
@@ -185,7 +185,7 @@ TEST(Irregularities, AClockThatRunsBackwardJumpsOrStands) {
     };
     const std::vector<Case> cases{
         {[](int n) { return 4'000'000'000LL - 40'000LL * n; }, Irregularity::ClockJump, 99},
-        {[](int n) { return 5'000'000LL - 40'000LL * n; }, Irregularity::ClockJump, 99}, // below zero in the end
+        {[](int n) { return 5'000'000LL - 40'000LL * n; }, Irregularity::ClockJump, 99}, // below zero at the end
         {[](int n) { return 77'000'000LL + 40'000LL * n - (n < 50 ? 0 : 3'600'000'000LL); }, Irregularity::ClockJump, 1},
         {[](int n) { return 77'000'000LL + 40'000LL * n + (n < 50 ? 0 : 3'600'000'000LL); }, Irregularity::ClockJump, 1},
         {[](int n) { return 77'000'000LL + 40'000LL * n + (n == 50 ? 60'000'000LL : 0); }, Irregularity::ClockJump, 2},
@@ -199,7 +199,7 @@ TEST(Irregularities, AClockThatRunsBackwardJumpsOrStands) {
             for (int n = 0; n < 100; ++n) setClock(stream[static_cast<std::size_t>(n)].telegram, cases[c].us(n));
             if (lossy) stream.erase(stream.begin() + 20, stream.begin() + 22);
             SweepSettings settings;
-            settings.degPerLine.reset(); // lines are placed by time
+            settings.degPerLine.reset(); // line angles are computed from time
             settings.degPerSecond = 4.5;
             SweepAssembler assembler(settings);
             for (const Sent& sent : stream) assembler.push(sent.telegram, sent.hostNs);
@@ -210,7 +210,7 @@ TEST(Irregularities, AClockThatRunsBackwardJumpsOrStands) {
             EXPECT_NEAR(static_cast<double>(ever(result, cases[c].kind)), cases[c].times, 3) << result.told;
             EXPECT_NE(result.told.find("clock"), std::string::npos) << result.told;
             EXPECT_EQ(ever(result, Irregularity::Restart), 0);
-            // And time goes on for all that.
+            // Nevertheless time advances.
             const auto& lineDeg = std::get<PolarGeometry>(assembler.snapshot()->geometry).lineDeg;
             EXPECT_TRUE(std::is_sorted(lineDeg.begin(), lineDeg.end()));
             EXPECT_NEAR(lineDeg.back() - lineDeg.front(), 99 * 0.18, 0.5);
@@ -245,7 +245,7 @@ TEST(Irregularities, LateTelegramsFillTheirLines) {
     for (int round = 0; round < 40; ++round) {
         Stream stream = soundStream(100, {.beams = 15});
         std::int64_t moved = 0;
-        for (std::size_t n = 20; n + 8 < stream.size(); n += 9) { // one of each nine comes up to seven lines late
+        for (std::size_t n = 20; n + 8 < stream.size(); n += 9) { // one of every nine arrives up to seven lines late
             const std::size_t by = 1 + random() % 7;
             Sent late = stream[n];
             late.hostNs = stream[n + by].hostNs + 1000;
@@ -276,7 +276,7 @@ TEST(Irregularities, ABlockSentTwiceIsNoRestart) {
     }
 }
 
-TEST(Irregularities, AStreamThatBeginsAnewWithAllItsCountersIsKept) {
+TEST(Irregularities, AStreamThatRepeatsAllItsCountersIsKept) {
     Stream stream = soundStream(75);
     for (int n = 0; n < 75; ++n) { // the same counters and clock, other ranges
         Sent sent{telegramOfLine(n), hostNsOfLine(n + 75)};
@@ -303,7 +303,7 @@ TEST(Irregularities, AScannerWithoutCountersAndClockIsKept) {
     EXPECT_TRUE(result.progress.irregularEver.countersInDoubt());
 }
 
-// 571 beams and 285 in turn: what the shorter telegrams do not have is lost, and no line of theirs is whole.
+// 571 beams and 285 alternating: the beams missing in the shorter telegrams are lost, and those lines are not whole.
 TEST(Irregularities, BeamCountsThatAlternateAreIncomplete) {
     Stream stream;
     for (int n = 0; n < 151; ++n) stream.push_back({telegramOfLine(n, {.beams = n % 2 == 0 ? 571 : 285, .step = 3333}), hostNsOfLine(n)});
@@ -349,7 +349,7 @@ TEST(Irregularities, OddTelegramsAreCountedWhereverTheyCome) {
             EXPECT_TRUE(result.incomplete);
         }
     }
-    // No two alike.
+    // All lines are different.
     Stream stream = soundStream(20);
     for (int n = 10; n < 16; ++n)
         stream[static_cast<std::size_t>(n)].telegram = telegramOfLine(n, {.beams = 20 + n, .step = 1700 + 100 * n});
@@ -361,7 +361,7 @@ TEST(Irregularities, OddTelegramsAreCountedWhereverTheyCome) {
     EXPECT_EQ(played(none).progress.account.unusable, 10);
 }
 
-TEST(Irregularities, AnotherScannerAndAGapThatEndsTheSweepAreTold) {
+TEST(Irregularities, AnotherScannerAndAGapThatEndsTheSweepAreReported) {
     Stream stream = soundStream(60);
     for (int n = 30; n < 60; ++n) stream[static_cast<std::size_t>(n)].telegram.serialNumber = 4711;
     const Result_ other = played(stream);
@@ -376,7 +376,7 @@ TEST(Irregularities, AnotherScannerAndAGapThatEndsTheSweepAreTold) {
     EXPECT_EQ(result.progress.account.lost, 3000);
 }
 
-TEST(Irregularities, EchoesThatComeAndGoAreTold) {
+TEST(Irregularities, EchoesThatComeAndGoAreReported) {
     const auto second = [](ScanTelegram& telegram, int beams) {
         ScanChannel channel = telegram.channels16.front();
         channel.content = "DIST2";
@@ -409,7 +409,7 @@ TEST(Irregularities, FrequenciesThatNoMirrorTurnsWith) {
     }
 }
 
-// Whatever comes: nothing vanishes, every cell is accounted for, memory is not asked for by what counters claim.
+// Whatever arrives: nothing disappears, every cell is accounted for, and claims of counters do not allocate memory.
 TEST(Irregularities, RandomFaultsOfEveryKindAlwaysAddUp) {
     for (unsigned seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE(seed);

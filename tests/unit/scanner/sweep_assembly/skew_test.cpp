@@ -1,4 +1,4 @@
-// The stepper moves on while the mirror sweeps the fan: a line angle of its own for each beam.
+// The stepper moves while the mirror sweeps the fan: each beam has its own line angle.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/grid/cartesian.h"

@@ -1,4 +1,5 @@
 // Sweep assembly: every telegram is in its row, every lost one is told, nothing is made up.
+#include "tests/support/cola_vectors.h"
 #include "tests/support/live_lines.h"
 
 #include <gtest/gtest.h>
@@ -54,15 +55,15 @@ TEST(Sweep, LinesAndStepsFromTheConfiguredStart) {
     EXPECT_EQ(assembler.snapshot(), scan) << "nothing changed, so it is the same";
 }
 
-TEST(Sweep, EveryFiftiethABurstAndTheLastHundredAreTold) {
+TEST(Sweep, EveryFiftiethABurstAndTheLastHundredAreReported) {
     std::set<int> dropped;
     for (int n = 49; n < 500; n += 50) dropped.insert(n);
     for (int n = 210; n < 240; ++n) dropped.insert(n);
     SweepSettings settings;
     settings.expectedLines = 600;
-    SweepAssembler assembler = assembled(settings, 500, dropped, {.beams = 21}); // the last hundred never come
+    SweepAssembler assembler = assembled(settings, 500, dropped, {.beams = 21}); // the last hundred never arrive
     std::set<int> told = dropped;
-    told.erase(499); // no telegram came behind it: nobody can know
+    told.erase(499); // no telegram arrived after it: its loss is unknown
     expectRows(assembler, told);
     const SweepProgress progress = assembler.progress();
     EXPECT_EQ(progress.lines, 499);
@@ -121,7 +122,7 @@ TEST(Sweep, InterlacedLinesAreWovenIntoOneGrid) {
         assembler.finish();
         const auto scan = assembler.snapshot();
         ASSERT_EQ(scan->beams(), 1141);
-        // A first line of the second kind belongs to a row that nobody saw the beginning of.
+        // A first line of the second kind belongs to a row whose beginning was not received.
         ASSERT_EQ(scan->lines(), firstHalf == 0 ? 21 : 20);
         const int offset = firstHalf == 0 ? 0 : 2;
         for (int row = 0; row < 20; ++row) {
@@ -134,7 +135,7 @@ TEST(Sweep, InterlacedLinesAreWovenIntoOneGrid) {
         EXPECT_NEAR(polarOf(*scan).beamDeg.back(), 185.0, 1e-9);
         EXPECT_TRUE(addsUp(*scan, assembler.progress()));
         EXPECT_EQ(assembler.progress().lost, std::vector<int>{scan->lines() - 1}) << "half of it never came";
-        // The second half of a line is measured one turn later.
+        // The second half of a line is measured one rotation of the mirror later.
         const auto& skew = polarOf(*scan).lineSkewDeg;
         ASSERT_EQ(skew.size(), 1141U);
         const double perTurn = 0.18 / 2;
@@ -160,7 +161,7 @@ TEST(Sweep, ALostHalfOfAnInterlacedLineIsLostAlone) {
 
 TEST(Sweep, FourfoldInterlacing) {
     SweepAssembler assembler;
-    constexpr int kOrder[] = {0, 2, 1, 3}; // as the device may like it
+    constexpr int kOrder[] = {0, 2, 1, 3}; // in an order that a device could use
     for (int n = 0; n < 48; ++n) {
         const int part = kOrder[n % 4];
         const int start = static_cast<int>(std::lround(-50000 + part * 10000.0 / 6));
@@ -201,12 +202,12 @@ TEST(Sweep, EncoderCountsBecomeAnglesAndAReversalStartsTheNextSweep) {
         EXPECT_NEAR(polarOf(*sweeps[1].scan).lineDeg[std::size_t(row)], 3 + 0.18 * (98 - row), 1e-9);
     }
     for (const FinishedSweep& sweep : sweeps) EXPECT_TRUE(addsUp(*sweep.scan, sweep.progress));
-    // Moving back, the beams of a line lie the other way.
+    // On the way back the beams of a line are in the opposite order.
     EXPECT_NEAR(polarOf(*sweeps[0].scan).lineSkewDeg[0], 0.18 * 139 / 360, 1e-6);
     EXPECT_NEAR(polarOf(*sweeps[1].scan).lineSkewDeg[0], -0.18 * 139 / 360, 1e-6);
 }
 
-TEST(Sweep, EncoderWithoutScaleIsToldAndNotUsed) {
+TEST(Sweep, EncoderWithoutScaleIsReportedAndNotUsed) {
     SweepAssembler assembler;
     for (int n = 0; n < 10; ++n) {
         ScanTelegram telegram = telegramOfLine(n);
@@ -244,7 +245,7 @@ TEST(Sweep, StepperReadingsAtTheirOwnTimes) {
         assembler.push(telegramOfLine(n), hostNsOfLine(n));
     }
     const auto scan = assembler.snapshot();
-    // A line's stamp lies its transmission (40.6 ms) before its arrival.
+    // A line's stamp is its transmission time (40.6 ms) before its arrival.
     for (int row = 0; row < 100; ++row) EXPECT_NEAR(polarOf(*scan).lineDeg[std::size_t(row)], phiAt(hostNsOfLine(row) - 40'600'000), 1e-6);
 }
 
@@ -272,11 +273,11 @@ TEST(Sweep, SplitBySizeWithLinesLostAcrossTheEnd) {
     EXPECT_EQ(sweeps[2].progress.text(), "INCOMPLETE 18/25 lines");
 }
 
-TEST(Sweep, ScannerStartedAnewAfterAReconnect) {
+TEST(Sweep, ScannerRestartedAfterAReconnect) {
     SweepAssembler assembler;
     for (int n = 0; n < 20; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
     assembler.reconnected();
-    for (int n = 0; n < 20; ++n) { // ten lines were missed meanwhile
+    for (int n = 0; n < 20; ++n) { // ten lines were missed in between
         ScanTelegram telegram = telegramOfLine(n, {.firstTelegram = 1, .firstScan = 1, .firstUs = 900'000});
         telegram.channels16[0].values = telegramOfLine(n + 30).channels16[0].values;
         assembler.push(telegram, hostNsOfLine(n + 30));
@@ -387,25 +388,28 @@ TEST(Sweep, SettingsSurviveTheMetadata) {
     EXPECT_EQ(odd.settings, SweepSettings{});
 }
 
-TEST(Sweep, RealInterlacedTelegrams) {
-    const std::string path = std::string(EDGESCAN_SHARED_DIR) + "/protocol/vectors/derived/interlaced.colab.bin";
-    std::ifstream file(path, std::ios::binary);
-    if (!file) GTEST_SKIP() << "no reference vectors at " << path;
-    const std::vector<char> content{std::istreambuf_iterator<char>(file), {}};
-    ColaStream stream;
+/// The parts of interlaced lines side by side.
+void expectInterlaced(const std::filesystem::path& path, int beams) {
     SweepAssembler assembler;
     int telegrams = 0;
-    const Bytes bytes(content.begin(), content.end());
-    for (const ColaFrame& frame : stream.push(bytes)) {
+    for (const ColaFrame& frame : scanFramesOf(path)) {
         const auto telegram = decodeScanTelegram(frame);
         ASSERT_TRUE(telegram);
         assembler.push(*telegram, kEpochNs + telegrams++ * 20'000'000LL);
     }
     assembler.finish();
     const auto scan = assembler.snapshot();
-    EXPECT_EQ(scan->beams(), 1141);
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(scan->beams(), beams);
     EXPECT_EQ(scan->lines(), (telegrams + 1) / 2);
     EXPECT_TRUE(addsUp(*scan, assembler.progress()));
+}
+
+TEST(Sweep, InterlacedTelegrams) { expectInterlaced(ownTelegrams() / "interlaced.colab.bin", 115); }
+
+TEST(Sweep, RealInterlacedTelegrams) {
+    EDGESCAN_NEEDS_VECTORS();
+    expectInterlaced(vectorsFolder() / "derived/interlaced.colab.bin", 1141);
 }
 
 TEST(Sweep, IntensitiesComeWithTheEchoThatIsTakenAndOnlyWhereTheTelegramHasThem) {
@@ -432,7 +436,7 @@ TEST(Sweep, IntensitiesComeWithTheEchoThatIsTakenAndOnlyWhereTheTelegramHasThem)
         SweepSettings settings;
         settings.echo = echo;
         SweepAssembler assembler(settings);
-        for (int n = 0; n < 6; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n)); // before somebody switched RSSI on
+        for (int n = 0; n < 6; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n)); // before RSSI was switched on
         EXPECT_EQ(assembler.snapshot()->intensity.size(), 0U);
         for (int n = 6; n < 30; ++n) {
             if (n != 12) assembler.push(bright(n, true), hostNsOfLine(n));

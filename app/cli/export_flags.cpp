@@ -1,0 +1,73 @@
+// Flags out of the table of exports.
+#include "app/cli/export_flags.h"
+
+#include "app/shared/exits.h"
+#include "core/base/foreign_text.h"
+#include "core/base/whole_file.h"
+#include "core/files/formats/formats.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace edgescan::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string helpOf(const exports::ExportKind& kind) {
+    std::string help = kind.help;
+    if (const std::size_t at = help.find("%1"); at != std::string::npos) help.replace(at, 2, files::writtenExtensions(false));
+    return help;
+}
+
+} // namespace
+
+std::vector<const exports::ExportKind*> kindsOf(exports::ExportKind::Needs needs) {
+    std::vector<const exports::ExportKind*> kinds;
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        if (kind.needs == needs && kind.flag != nullptr) kinds.push_back(&kind);
+    }
+    std::ranges::stable_sort(kinds, {}, &exports::ExportKind::holds);
+    return kinds;
+}
+
+void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportPaths& paths, const std::string& group) {
+    for (const exports::ExportKind* kind : kindsOf(needs)) command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->group(group);
+}
+
+Result<Done> checkExtensions(const ExportPaths& paths) {
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        const std::string& path = paths.of(kind);
+        if (path.empty()) continue;
+        if (auto can = exports::checkExtension(kind, path, path, ","); !can) return can;
+    }
+    return Done{};
+}
+
+std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs, const std::string& scanName,
+                                        CoordinateFrame frame) {
+    std::vector<WantedExport> wanted;
+    for (const exports::ExportKind* kind : kindsOf(needs)) {
+        if (const std::string& path = paths.of(*kind); !path.empty()) {
+            wanted.push_back({kind, path});
+            continue;
+        }
+        if (paths.folder.empty()) continue;
+        for (const exports::ExportFile& file : kind->files) {
+            if (file.inFolder)
+                wanted.push_back(
+                    {kind, (fs::path(paths.folder) / scanName).string() + "_" + exports::exportFileName(*kind, file.extension, frame)});
+        }
+    }
+    return wanted;
+}
+
+std::string placesText(const std::vector<std::string>& paths) {
+    std::string places;
+    for (const std::string& path : paths) {
+        if (!path.empty()) places += (places.empty() ? "" : ", ") + (isStreamOrDevice(path) ? "standard output" : printable(path));
+    }
+    return places;
+}
+
+} // namespace edgescan::cli

@@ -1,0 +1,44 @@
+// One flag per kind of export, for the commands that write several: where each goes, and what it is called in a folder.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/exports/provenance/export_kinds.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace edgescan::cli {
+
+/// In the order of the flags: by what they hold.
+[[nodiscard]] std::vector<const exports::ExportKind*> kindsOf(exports::ExportKind::Needs needs);
+
+/// Paths by ExportContent, as typed; empty: not asked for.
+struct ExportPaths {
+    std::array<std::string, static_cast<std::size_t>(exports::ExportContent::End)> typed;
+    std::string folder; ///< for those that are not typed
+
+    [[nodiscard]] std::string& of(const exports::ExportKind& kind) { return typed.at(static_cast<std::size_t>(kind.content)); }
+    [[nodiscard]] const std::string& of(const exports::ExportKind& kind) const { return typed.at(static_cast<std::size_t>(kind.content)); }
+};
+
+void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportPaths& paths, const std::string& group);
+
+/// Error: an extension that names no format for the kind.
+Result<Done> checkExtensions(const ExportPaths& paths);
+
+struct WantedExport {
+    const exports::ExportKind* kind;
+    std::string path;
+};
+
+/// What is to be written of one scan.
+[[nodiscard]] std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs,
+                                                      const std::string& scanName, CoordinateFrame frame);
+
+/// "a.pcd, standard output".
+[[nodiscard]] std::string placesText(const std::vector<std::string>& paths);
+
+} // namespace edgescan::cli

@@ -1,0 +1,28 @@
+// edgescan-lab: measures how good the methods are, against ground truth, against PCL and on a second scan of the same place.
+#include "app/lab/commands.h"
+#include "app/shared/interrupt.h"
+#include "app/shared/pages.h"
+#include "app/shared/usage.h"
+#include "core/base/inputs.h"
+#include "core/base/version.h"
+
+using namespace edgescan;
+
+int main(int argc, char** argv) {
+    CLI::App app{"EdgeScan's measures: every method on one scan, against ground truth and on two scans of one place"};
+    app.set_version_flag("--version", version());
+    app.require_subcommand(1);
+    int code = cli::kDone;
+    cli::setProgramName("edgescan-lab");
+    cli::surviveFileLimit();
+    const BindInputs inputs; // no input file can be overwritten
+    cli::addBenchmark(app, code);
+    cli::addRepeatability(app, code);
+    cli::addEvaluate(app, code);
+    cli::addPages(
+        app, {"edgescan-lab",
+              "measures how good edge detection is",
+              {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
+               "edgescan-lab evaluate BELL.json --truth TRUTH", "edgescan-lab benchmark BELL.json --truth TRUTH --no-peers --repeats 1"}});
+    return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
+}

@@ -1,0 +1,13 @@
+// Names of the classes of edges.
+#pragma once
+
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+
+namespace edgescan::edges {
+
+/// "jump", "convex", "concave", "border", "silhouette"; "none".
+[[nodiscard]] const char* edgeClassName(DepthEdge kind);
+/// The name for people, as on the switches: "data border", "outline before a void".
+[[nodiscard]] const char* edgeClassLabel(DepthEdge kind);
+
+} // namespace edgescan::edges

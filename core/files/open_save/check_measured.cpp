@@ -1,0 +1,82 @@
+// Whether the numbers of a scan can have been measured.
+#include "core/files/open_save/check_measured.h"
+
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
+#include "core/base/simd.h"
+#include "core/scan/grid/placement.h"
+
+#include <algorithm>
+
+namespace edgescan::files {
+namespace {
+
+constexpr double kFinestStepDeg = 1e-6; // a thousandth of what any scanner distinguishes
+
+bool isOutside(float rangeMm, CellState state) {
+    constexpr auto kLeast = static_cast<float>(physical::kRangeMm.limits.least);
+    constexpr auto kMost = static_cast<float>(physical::kRangeMm.limits.most);
+    static_assert(kLeast == physical::kRangeMm.limits.least && kMost == physical::kRangeMm.limits.most);
+    return (state == CellState::Valid) & !((rangeMm >= kLeast) & (rangeMm <= kMost));
+}
+
+EDGESCAN_SIMD bool isAnyOutside(const float* rangeMm, const CellState* states, int beams) {
+    int any = 0;
+    for (int j = 0; j < beams; ++j) any |= isOutside(rangeMm[j], states[j]) ? 1 : 0;
+    return any != 0;
+}
+
+Error outside(const PhysicalLimit& limit, double value, const std::string& place, const std::string& where) {
+    const std::string unit = *limit.unit == '\0' ? "" : std::string(" ") + limit.unit;
+    const std::string text = significantText(value, 6) + unit + (place.empty() ? "" : " at ") + place + " is no " + limit.what +
+                             " that is measured: " + significantText(limit.limits.least, 6) + " to " +
+                             significantText(limit.limits.most, 6) + unit;
+    return {text, where, "check the unit and the numbers of the file"};
+}
+
+Result<Done> checkAngles(const std::vector<double>& degrees, const PhysicalLimit& limit, const char* of, const std::string& where) {
+    const auto off = std::ranges::find_if(degrees, [&](double angle) { return !limit.hold(angle); });
+    if (off == degrees.end()) return Done{};
+    return outside(limit, *off, of + (" " + std::to_string(off - degrees.begin())), where);
+}
+
+Result<Done> checkPolar(const PolarGeometry& polar, const std::string& where) {
+    if (auto known = checkAngles(polar.beamDeg, physical::kBeamDeg, "beam", where); !known) return known;
+    if (auto known = checkAngles(polar.lineDeg, physical::kLineDeg, "line", where); !known) return known;
+    if (auto known = checkAngles(polar.lineSkewDeg, physical::kLineDeg, "the skew of beam", where); !known) return known;
+    if (polar.beamDeg.size() < 2) return Done{}; // all lines at one angle: a stepper at rest
+    const auto [least, most] = std::ranges::minmax(polar.beamDeg);
+    if (most - least >= kFinestStepDeg * static_cast<double>(polar.beamDeg.size() - 1)) return Done{};
+    return Error{"all " + std::to_string(polar.beamDeg.size()) + " beams look the same way", where, "give the step from beam to beam"};
+}
+
+Result<Done> checkPlace(const Placement& placement, const std::string& where) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const PhysicalLimit& limit = axis < 2 ? physical::kPlaceM : physical::kElevationM;
+        if (!limit.hold(placement.originEnhM[axis])) return outside(limit, placement.originEnhM[axis], "", where);
+        for (const RigidTransform& pose : placement.poses) {
+            if (!limit.hold(pose.translationM[axis])) return outside(limit, pose.translationM[axis], "", where);
+        }
+    }
+    return Done{};
+}
+
+} // namespace
+
+Result<Done> checkMeasured(const Scan& scan, const std::string& where) {
+    if (!physical::kUnitMm.hold(scan.unitMm)) return outside(physical::kUnitMm, scan.unitMm, "", where);
+    for (int i = 0; i < scan.lines(); ++i) {
+        if (!isAnyOutside(scan.rangeMm.line(i), scan.state.line(i), scan.beams())) continue;
+        for (int j = 0; j < scan.beams(); ++j) {
+            if (isOutside(scan.rangeMm.at(i, j), scan.state.at(i, j)))
+                return outside(physical::kRangeMm, scan.rangeMm.at(i, j), "line " + std::to_string(i) + ", beam " + std::to_string(j),
+                               where);
+        }
+    }
+    if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
+        if (auto sound = checkPolar(*polar, where); !sound) return sound;
+    }
+    return scan.placement ? checkPlace(*scan.placement, where) : Done{};
+}
+
+} // namespace edgescan::files

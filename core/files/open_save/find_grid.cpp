@@ -1,0 +1,86 @@
+// The grid of a table's points, by the directions in which they lie from the sensor.
+#include "core/files/open_save/find_grid.h"
+
+#include "core/files/grid_recovery/axis.h"
+#include "core/files/grid_recovery/regrid.h"
+#include "core/files/open_save/table_numbers.h"
+
+namespace edgescan::files {
+namespace {
+
+/// Progress from one half on: the first half is reading.
+std::function<bool(const char*, double)> secondHalf(const Source& source) {
+    return [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+}
+
+/// The grid in the file's own frame, about the sensor.
+Result<RecoveredGrid> recoverInFileFrame(const PointTable& table, const Source& source, std::size_t rowLength) {
+    std::vector<Eigen::Vector3d> shifted;
+    std::span<const Eigen::Vector3d> points = table.points;
+    if (!table.sensor.isZero(0.0)) {
+        for (const Eigen::Vector3d& p : table.points)
+            shifted.push_back(isReturn(p) ? Eigen::Vector3d(p - table.sensor) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        points = shifted;
+    }
+    PointList list{points, precisionAboutSensor(table), rowLength, source.options->axis, secondHalf(source)};
+    return recoverGrid(list);
+}
+
+/// The grid of an organised cloud about whatever axis its lines turn.
+Result<RecoveredGrid> recoverTurned(const PointTable& table, const Source& source) {
+    Grid<Eigen::Vector3d> points(static_cast<int>(table.height), static_cast<int>(table.width), table.points);
+    for (Eigen::Vector3d& p : points.cells) p = isReturn(p) ? Eigen::Vector3d(p - table.sensor) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    const auto turn = turnToAxis(points);
+    if (!turn) return Error{"too few points", "", ""};
+    for (Eigen::Vector3d& p : points.cells) p = *turn * p;
+    PointList list{points.cells, precisionAboutSensor(table), table.width, Axis::Spin, secondHalf(source)};
+    auto grid = recoverGrid(list);
+    if (grid) grid->turn = grid->turn * *turn;
+    return grid;
+}
+
+bool isOfAnotherShape(const RecoveredGrid& grid, const PointTable& table) {
+    return grid.pointOf.size() != table.width * table.height || static_cast<std::size_t>(grid.pointOf.beams) != table.width ||
+           grid.unplaced > 0 || grid.doubled > 0 || grid.copied > 0;
+}
+
+/// Lines for beams and beams for lines.
+void exchangeLinesAndBeams(PointTable& table, std::vector<AttachedPoint>& behind) {
+    const auto exchanged = [&](const auto& cells) {
+        auto turned = cells;
+        for (std::size_t k = 0; k < cells.size(); ++k) turned[k % table.width * table.height + k / table.width] = cells[k];
+        return turned;
+    };
+    table.points = exchanged(table.points);
+    if (!table.rangeMm.empty()) table.rangeMm = exchanged(table.rangeMm);
+    if (!table.state.empty()) table.state = exchanged(table.state);
+    if (!table.intensity.empty()) table.intensity = exchanged(table.intensity);
+    for (AttachedPoint& point : behind)
+        point.cell = static_cast<std::uint32_t>(point.cell % table.width * table.height + point.cell / table.width);
+    std::swap(table.width, table.height);
+}
+
+} // namespace
+
+FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named) {
+    FoundGrid found{recoverInFileFrame(table, source, organised ? table.width : 0)};
+    if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
+    found.inFrameOfFile = static_cast<bool>(found.grid);
+    if (found.inFrameOfFile || found.cancelled() || !named || table.gridIsGiven) return found;
+    auto turned = recoverTurned(table, source);
+    if ((!turned && turned.error().what == "cancelled") || (turned && !isOfAnotherShape(*turned, table))) found.grid = std::move(turned);
+    return found;
+}
+
+FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind) {
+    FoundGrid found = findGrid(table, source, true, true);
+    if (found.grid || found.cancelled() || !table.mayBeTurned || table.height < 2 || table.width < 2) return found;
+    exchangeLinesAndBeams(table, behind);
+    FoundGrid other = findGrid(table, source, true, true);
+    if (other.grid) table.remarks.emplace_back("Lines and beams were exchanged: only that way the lines make fans about one axis.");
+    if (other.grid || other.cancelled()) return other;
+    exchangeLinesAndBeams(table, behind);
+    return found;
+}
+
+} // namespace edgescan::files

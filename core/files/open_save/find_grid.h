@@ -1,0 +1,24 @@
+// Finds the grid of a table's points by the directions in which they lie from the sensor.
+#pragma once
+
+#include "core/files/point_tables/point_table.h"
+
+#include <vector>
+
+namespace edgescan::files {
+
+struct FoundGrid {
+    Result<RecoveredGrid> grid;
+    bool inFrameOfFile = false; ///< the lines turn about an axis of the file's own frame, else about any axis
+    [[nodiscard]] bool cancelled() const { return !grid && grid.error().what == "cancelled"; }
+};
+
+/// `organised`: the points come in rows of `table.width`. `named`: the file gives each point its line and beam, so a grid of another shape
+/// is wrong.
+[[nodiscard]] FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named);
+
+/// As findGrid() for points with line and beam. If the rows do not make fans about one axis but the columns do, the lines and beams of
+/// `table` and of `behind` are exchanged.
+[[nodiscard]] FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind);
+
+} // namespace edgescan::files

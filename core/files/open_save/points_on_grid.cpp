@@ -1,0 +1,260 @@
+// From points to a scan: organised clouds as they are, lists by recovering their grid, or by projection.
+#include "core/files/open_save/points_on_grid.h"
+
+#include "core/base/memory.h"
+#include "core/base/number_text.h"
+#include "core/base/order_statistic.h"
+#include "core/base/physical_limits.h"
+#include "core/files/grid_recovery/ranges.h"
+#include "core/files/grid_recovery/regrid.h"
+#include "core/files/grid_recovery/unit.h"
+#include "core/files/open_save/cells_of_points.h"
+#include "core/files/open_save/column_grid.h"
+#include "core/files/open_save/find_grid.h"
+#include "core/files/open_save/table_numbers.h"
+#include "core/scan/grid/cartesian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace edgescan::files {
+namespace {
+
+constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
+
+void takeStatusCodes(Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) return;
+    scan.statusCodes = lms2xxStatusCodes(scan.rangeMm, scan.state, *polar);
+    if (scan.statusCodes.empty()) return;
+    const std::set<std::uint32_t> codes(scan.statusCodes.begin(), scan.statusCodes.end());
+    std::size_t cells = 0;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        const bool code = scan.state[k] == CellState::Valid && codes.contains(static_cast<std::uint32_t>(scan.rangeMm[k]));
+        if (!code) continue;
+        scan.state[k] = CellState::DeviceStatus;
+        ++cells;
+    }
+    if (cells > 0) {
+        scan.warnings.push_back(std::to_string(cells) + " cells hold status codes of an LMS2xx from " +
+                                std::to_string(scan.statusCodes.front()) + " on instead of a range and were taken as such.");
+    }
+}
+
+/// All the cells without a point are at the end of the last line: a text that was cut off, not points that were left out.
+bool endsInMidLine(const Grid<std::uint32_t>& pointOf) {
+    std::size_t firstEmpty = pointOf.size();
+    while (firstEmpty > 0 && pointOf[firstEmpty - 1] == RecoveredGrid::kNoPoint) --firstEmpty;
+    const bool elsewhere = std::find(pointOf.cells.begin(), pointOf.cells.begin() + static_cast<std::ptrdiff_t>(firstEmpty),
+                                     RecoveredGrid::kNoPoint) != pointOf.cells.begin() + static_cast<std::ptrdiff_t>(firstEmpty);
+    return firstEmpty < pointOf.size() && !elsewhere && pointOf.size() - firstEmpty < static_cast<std::size_t>(pointOf.beams);
+}
+
+/// Coordinates that were rounded more coarsely than the scanner measures: their ranges as whole millimetres, where that is what they were.
+void takeWholeRanges(Scan& scan, const PointTable& table, const RecoveredGrid& grid, const RangeUnit& unit) {
+    DirectedPoints rounded;
+    std::vector<std::size_t> cells;
+    const CartesianTables tables(scan);
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        Eigen::Vector3d p = grid.turn * ((table.points[grid.pointOf[k]] - table.sensor) * unit.mmPerUnit);
+        if (table.leftHanded) p.y() = -p.y();
+        cells.push_back(k);
+        rounded.pointMm.push_back(p);
+        rounded.direction.push_back(tables.direction(static_cast<int>(k / beams), static_cast<int>(k % beams)));
+    }
+    rounded.precision = {table.precision.absolute * unit.mmPerUnit, table.precision.relative};
+    const std::vector<float> whole = wholeRangesMm(rounded);
+    if (whole.empty()) return;
+    for (std::size_t n = 0; n < cells.size(); ++n) scan.rangeMm[cells[n]] = whole[n];
+    scan.warnings.emplace_back(
+        "The coordinates are rounded, and every point fits a whole number of millimetres along its beam: these were taken as ranges.");
+}
+
+/// `inFrameOfFile`: the lines turn about an axis of the file's frame; else the points stay where they are, as they do about another sensor.
+Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& source, bool inFrameOfFile) {
+    Scan scan;
+    scan.format = table.format;
+    const std::vector<double> ranges = rangesOf(table);
+    const RangeUnit unit = unitOf(table, ranges, source);
+    fillCells(scan, table, ranges, unit, grid.pointOf, true);
+    takeStates(scan, table, grid.pointOf);
+    if (table.leftHanded) {
+        grid.geometry.lineDirection = -1.0;
+        scan.warnings.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
+    }
+    scan.geometry = grid.geometry;
+    if (!unit.wholeMm && table.rangeMm.empty()) takeWholeRanges(scan, table, grid, unit);
+    if (inFrameOfFile && table.sensor.isZero(0.0)) {
+        if (unit.wholeMm && table.state.empty()) takeStatusCodes(scan);
+    } else {
+        PointGeometry points = pointGeometry(table, grid.pointOf, unit);
+        points.angles = std::move(grid.geometry);
+        scan.geometry = std::move(points);
+    }
+    std::move(grid.remarks.begin(), grid.remarks.end(), std::back_inserter(scan.warnings));
+    const std::size_t empty = countCells(scan)[static_cast<std::size_t>(CellState::NoReturn)];
+    if (!grid.complete && empty > 0) {
+        scan.warnings.push_back(std::to_string(empty) + " of " + std::to_string(scan.cells()) +
+                                " cells of the grid that was found have no point and count as no return.");
+    }
+    return scan;
+}
+
+Scan organisedScan(const PointTable& table, const Source& source) {
+    Scan scan;
+    scan.format = table.format;
+    const std::vector<double> ranges = rangesOf(table);
+    RangeUnit unit = unitOf(table, ranges, source);
+    unit.wholeMm = false; // the points stay as they are, so the ranges follow them
+    Grid<std::uint32_t> inOrder(static_cast<int>(table.height), static_cast<int>(table.width));
+    for (std::size_t k = 0; k < inOrder.size(); ++k) inOrder[k] = static_cast<std::uint32_t>(k);
+    fillCells(scan, table, ranges, unit, inOrder, true);
+    takeStates(scan, table, inOrder);
+    scan.geometry = pointGeometry(table, inOrder, unit);
+    return scan;
+}
+
+/// Points of a left-handed file as they are in space; lines that are recognised say it by their direction instead.
+void mirror(PointTable& table) {
+    for (Eigen::Vector3d& p : table.points) p.y() = -p.y();
+    table.sensor.y() = -table.sensor.y();
+    table.leftHanded = false;
+    table.remarks.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
+}
+
+std::string aboutSensor(const PointTable& table, const Source& source, double metres) {
+    if (!source.options->sensorM && table.sensor.isZero(0.0)) return "the origin, because no sensor position is known";
+    std::string text = source.options->sensorM ? "the sensor position given, (" : "the sensor position in the file, (";
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text += ", ";
+        text += significantText(table.sensor[axis] * metres, 10);
+    }
+    return text += ") m";
+}
+
+/// What was done to the points, in numbers.
+void reportProjection(Scan& scan, const Regridded& grid, const std::string& about, bool gridLookedFor, bool stepGiven) {
+    std::string text = gridLookedFor ? "The points lie on no scanner grid and were projected about " : "The points were projected about ";
+    text += about;
+    text += ": ";
+    text += accountOf(grid);
+    scan.warnings.push_back(text += ".");
+    text = stepGiven ? "The cells have the given " : "The cells have ";
+    text += significantText(grid.beamStepDeg, 4);
+    text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
+    scan.warnings.push_back(text += grid.fan ? ", along lines that stand out in the cloud." : ".");
+}
+
+/// A cloud without a grid, as seen from its sensor.
+Result<Scan> projectedScan(PointTable& table, const Source& source, const Error& noGrid) {
+    if (table.leftHanded) mirror(table);
+    LooseCloud cloud{table.points, table.sensor, source.options->gridStepDeg, {}};
+    cloud.progress = [&source](const char* stage, double fraction) { return source.goOn(stage, 0.5 + 0.5 * fraction); };
+    const auto grid = regrid(cloud);
+    const std::vector<double> ranges = rangesOf(table);
+    RangeUnit unit = unitOf(table, ranges, source);
+    unit.wholeMm = false; // the points stay as they are, so the ranges follow them
+    const double metres = unit.mmPerUnit * kMetresPerMm;
+    const std::string about = aboutSensor(table, source, metres);
+    if (!grid) {
+        if (grid.error().what == "cancelled") return source.cancelled();
+        std::string text = noGrid.what;
+        if (!text.empty()) text += "; ";
+        text += "projected about ";
+        text += about;
+        text += ": ";
+        text += grid.error().what;
+        return source.refused(withCoarseStep(text, table), grid.error().hint);
+    }
+    Scan scan;
+    scan.format = table.format;
+    fillCells(scan, table, ranges, unit, grid->pointOf, false);
+    scan.geometry = pointGeometry(table, grid->pointOf, unit);
+    scan.attached.reserve(grid->hidden.size());
+    for (const auto& hidden : grid->hidden) scan.attached.push_back({hidden.cell, table.points[hidden.point] * metres});
+    reportProjection(scan, *grid, about, !noGrid.what.empty(), source.options->gridStepDeg.has_value());
+    return scan;
+}
+
+/// Points behind the nearest of their cell, where the file says the cell.
+void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTable& table, const Source& source) {
+    if (behind.empty()) return;
+    const double metres = unitOf(table, rangesOf(table), source).mmPerUnit * kMetresPerMm;
+    for (const AttachedPoint& point : behind) scan.attached.push_back({point.cell, point.pointM * metres});
+}
+
+Result<Scan> scanOf(PointTable& table, const Source& source) {
+    const Projection projection = source.options->projection;
+    if (projection == Projection::Always) return projectedScan(table, source, {});
+    std::vector<AttachedPoint> behind;
+    const bool laidOut = !table.line.empty() && layOutByColumns(table, source.options->sensorM.has_value(), behind);
+    if (!laidOut) {
+        table.rangeMm.clear();
+        table.state.clear();
+    }
+    const bool organised = table.height > 1 || laidOut;
+    if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
+    if (auto afar = organised ? seenFromAfar(table, source) : std::nullopt) return std::move(*afar);
+    FoundGrid found = laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind) : findGrid(table, source, organised, false);
+    auto& grid = found.grid;
+    const bool text = table.format == "point list";
+    if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
+        return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
+    }
+    if (found.cancelled()) return source.cancelled();
+    if (grid || organised) {
+        Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile) : organisedScan(table, source);
+        attach(scan, behind, table, source);
+        return scan;
+    }
+    // An operator who names the axis expects a grid; to project the points then would hide that it was not found.
+    const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
+    if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().hint);
+    return projectedScan(table, source, grid.error());
+}
+
+} // namespace
+
+std::optional<std::string> leftOutSentence(const Scan& scan) {
+    if (scan.pointsLeftOut == 0) return std::nullopt;
+    return std::to_string(scan.pointsLeftOut) + " of the " + std::to_string(scan.pointsRead) +
+           " points of the file have no cell of their own.";
+}
+
+Result<Scan> scanOfPoints(PointTable table, const Source& source) {
+    if (auto enough = checkMemory(table.points.size() * kBytesPerPoint, source.path.string()); !enough) return enough.error();
+    if (!table.sensor.allFinite()) table.sensor = Eigen::Vector3d::Zero();
+    std::size_t infinite = 0;
+    for (const Eigen::Vector3d& p : table.points)
+        infinite += p.array().isNaN().any() || p.cwiseAbs().maxCoeff() < physical::kCoordinate.limits.most ? 0 : 1;
+    if (std::ranges::none_of(table.points, isReturn)) {
+        return source.refused("the file holds 0 points with a return, out of " + std::to_string(table.points.size()),
+                              "choose another file, or copy it again");
+    }
+    table.precision = withDecimals(table.precision, table.points);
+    takeGivenSensor(table, source);
+    const auto returns = static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), isReturn));
+    auto scan = scanOf(table, source);
+    // What was wrong with the file may be why its points make no scan.
+    if (!scan && !table.remarks.empty() && scan.error().what != "cancelled")
+        return Error{scan.error().what + "; " + table.remarks.front().substr(0, table.remarks.front().rfind('.')), scan.error().where,
+                     scan.error().hint};
+    if (!scan) return scan;
+    scan->pointsRead = returns;
+    scan->pointsLeftOut = returns - std::min(returns, countCells(*scan)[static_cast<std::size_t>(CellState::Valid)]);
+    if (const auto sentence = leftOutSentence(*scan)) scan->warnings.push_back(*sentence);
+    if (std::string coarse = coarseStep(table); !coarse.empty()) {
+        coarse[0] = 'N';
+        scan->warnings.push_back(coarse + ": it was written with 4-byte floats.");
+    }
+    std::move(table.remarks.begin(), table.remarks.end(), std::back_inserter(scan->warnings));
+    if (infinite > 0)
+        scan->warnings.push_back(std::to_string(infinite) + " points with infinite or absurdly large coordinates were taken as no return.");
+    return scan;
+}
+
+} // namespace edgescan::files

@@ -1,0 +1,61 @@
+// The place of a scan that its own file states.
+#include "core/files/open_save/written_place.h"
+
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
+#include "core/scan/georef/chain.h"
+#include "core/scan/grid/placement.h"
+
+#include <Eigen/Dense>
+
+#include <limits>
+#include <optional>
+
+namespace edgescan::files {
+
+namespace {
+
+constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
+
+bool moves(const Eigen::Matrix3d& turn, const Eigen::Vector3d& place) { return !place.isZero(0.0) || !turn.isIdentity(0.0); }
+
+/// Empty when the matrix is not a rotation.
+std::optional<Eigen::Matrix3d> nearestRotation(const Eigen::Matrix3d& printed) {
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(printed, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+    if (!((printed - turn).cwiseAbs().maxCoeff() < kMostOffRotation) || turn.determinant() < 0) return std::nullopt;
+    return turn;
+}
+
+} // namespace
+
+void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& source) {
+    if (scan.placement || !moves(written.turn, written.place)) return;
+    const std::string format = written.format;
+    const auto turn = written.fewDigits ? nearestRotation(written.turn) : written.turn;
+    if (!turn) {
+        scan.warnings.emplace_back("The matrix in the file is no rotation and shift, so the scan stays in the scanner's frame.");
+        return;
+    }
+    if (!moves(*turn, written.place)) return;
+    const Eigen::Vector3d placeM = written.place * (source.options->unitMm.value_or(1000.0) / 1000.0);
+    if (!physical::kPlaceM.hold(placeM.x()) || !physical::kPlaceM.hold(placeM.y()) || !physical::kElevationM.hold(placeM.z())) {
+        scan.warnings.push_back("The " + format + " file puts the scanner at " + significantText(placeM.x(), 6) + ", " +
+                                significantText(placeM.y(), 6) + ", " + significantText(placeM.z(), 6) +
+                                " m, which is no place on earth, so the scan stays in the scanner's frame.");
+        return;
+    }
+    auto placement = std::make_shared<Placement>();
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    placement->mount.axis = polar != nullptr && polar->axis == Axis::Sweep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+    placement->originEnhM = chooseOrigin(placeM);
+    placement->poses = {{*turn, placeM - placement->originEnhM}};
+    placement->grid = "as the " + format + " file has it";
+    placement->source = "the header of " + source.path.filename().string();
+    placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
+    placement->warnings = {"The place is the one written in the " + format +
+                           " file: whether that is the mine grid, who registered it knows."};
+    scan.placement = std::move(placement);
+}
+
+} // namespace edgescan::files

@@ -1,0 +1,12 @@
+// The place of a scan that its own file states: a turn and a shift, as a surveyor registered it.
+#pragma once
+
+#include "core/files/formats/reading.h"
+
+namespace edgescan::files {
+
+/// Gives the scan that place, in metres unless --unit says otherwise. Does nothing when the scan has a place already, or when this one
+/// neither moves nor turns; a warning says why where the numbers are not a rotation and a place on earth.
+void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& source);
+
+} // namespace edgescan::files

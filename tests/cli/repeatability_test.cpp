@@ -1,0 +1,41 @@
+// edgescan-lab repeatability A B: the table for two scans of one place, and its refusals.
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace edgescan {
+namespace {
+
+using test::runCli;
+using test::runLab;
+
+TEST(LabRepeatability, TellsWhatIsRepeatedAndHowTheScansCameTogether) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    ASSERT_EQ(runCli("simulate -o " + path("a.json") + " --lines 100 --beams 120 --seed 5").code, 0);
+    ASSERT_EQ(runCli("simulate -o " + path("b.json") + " --lines 90 --beams 140 --seed 5").code, 0);
+    std::ofstream(path("a.pose")) << "0 0 0\n0 0 0\n";
+    std::ofstream(path("b.pose")) << "4 -3 2\n0.5 0.2 -0.4\n";
+    const std::string both = "repeatability " + path("a.json") + " " + path("b.json");
+    const std::string posed = both + " --poses " + path("a.pose") + " " + path("b.pose");
+    const auto run = runLab(posed + " --refine --only edgescan+,thesis --json -");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["schema"], "edgescan-compare-two/1");
+    EXPECT_LT(report["alignment"]["residual_m"], report["alignment"]["residual_before_m"]);
+    ASSERT_EQ(report["methods"].size(), 2U);
+    for (const auto& row : report["methods"]) EXPECT_GT(row["at_equal_number"]["found"], 0) << row;
+    const auto table = runLab(posed + " --only edgescan+");
+    EXPECT_NE(table.out.find("EdgeScan+"), std::string::npos) << table.out;
+
+    EXPECT_NE(runLab(both).err.find("no place in the mine"), std::string::npos);
+    EXPECT_EQ(runLab(both + " --truth " + folder.path().string()).code, 2);
+    EXPECT_EQ(runLab("repeatability " + path("a.json") + " --refine").code, 2);
+    EXPECT_NE(runLab(both + " --poses " + path("a.pose") + " " + path("a.json")).err.find("no pose of 3DTK"), std::string::npos);
+}
+
+} // namespace
+} // namespace edgescan
