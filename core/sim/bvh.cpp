@@ -5,7 +5,7 @@
 
 namespace edgescan::sim {
 namespace {
-constexpr std::int32_t kLeafSize = 2;
+constexpr std::int32_t kEndNodeSize = 2;
 }
 
 BoxTree::BoxTree(const std::vector<Eigen::AlignedBox3f>& boxes) : order_(boxes.size()) {
@@ -28,7 +28,7 @@ void BoxTree::split(std::size_t node, const std::vector<Eigen::AlignedBox3f>& bo
     }
     nodes_[node].low = all.min();
     nodes_[node].high = all.max();
-    if (count <= kLeafSize) return;
+    if (count <= kEndNodeSize) return;
     int axis = 0;
     centres.sizes().maxCoeff(&axis);
     const auto middle = order_.begin() + first + count / 2;

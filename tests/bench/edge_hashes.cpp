@@ -1,6 +1,6 @@
-// Prints a hash of every mask, class, response and strength that the methods make of simulated sweeps, of sweeps of noise, and of the
-// scans that are named: what a faster program must print as well.
-// build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same of an older build > old; diff old new
+// Prints a hash of every mask, class, response and strength that the methods compute for simulated sweeps, for sweeps of noise, and for the
+// scans given as arguments. A faster program must print the same. build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same with an
+// older build > old; diff old new
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"

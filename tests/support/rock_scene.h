@@ -36,18 +36,18 @@ inline RockScene rockScene(const std::string& name, std::uint64_t seed, int line
     return {std::make_shared<const Scan>(std::move(simulated->scan)), std::move(*simulated->truth)};
 }
 
-inline rocks::Segmentation rockLeavesOf(const std::shared_ptr<const Scan>& scan) {
+inline rocks::Segmentation segmentationOf(const std::shared_ptr<const Scan>& scan) {
     return rocks::segmentRocks(rocks::rockInputs(*edges::detectEdges(scan, edges::Settings{}, edges::KeepFor::Rocks)));
 }
 
 /// Panoptic quality of the regions relative to true rocks of at least `fewest` measured cells. Regions on walls and on smaller rocks are
 /// left out.
-inline double panopticQuality(const rocks::Segmentation& leaves, const rocks::RegionMap& map, const sim::SimulationTruth& truth,
+inline double panopticQuality(const rocks::Segmentation& segments, const rocks::RegionMap& map, const sim::SimulationTruth& truth,
                               std::uint32_t fewest) {
-    const Grid<std::uint32_t> labels = rocks::regionLabels(leaves, map);
+    const Grid<std::uint32_t> labels = rocks::regionLabels(segments, map);
     std::map<std::uint32_t, std::uint32_t> ofRock, ofRegion, onCounted;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> both;
-    const auto counts = [&](std::size_t k) { return leaves.inputs.surface->inverse.support[k] == Support::Measured; };
+    const auto counts = [&](std::size_t k) { return segments.inputs.surface->inverse.support[k] == Support::Measured; };
     for (std::size_t k = 0; k < labels.size(); ++k) {
         if (!counts(k)) continue;
         ++ofRock[truth.object[k]];

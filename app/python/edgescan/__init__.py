@@ -23,7 +23,7 @@ from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulatio
 from . import _edgescan
 
 __all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "connect", "detect", "open", "parameters",
-          , "presets", "replay", "rocks", "save", "simulate"]
+           "presets", "replay", "rocks", "save", "simulate"]
 
 
 def parameters():

@@ -218,9 +218,9 @@ private:
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) return;
         if (got > 0) worker.arrived.append(piece.data(), static_cast<std::size_t>(got));
         std::uint64_t size = 0;
-        const bool told = worker.arrived.size() >= sizeof size;
-        if (told) std::memcpy(&size, worker.arrived.data(), sizeof size);
-        if (told && size > 0 && size <= kMostAnswer && worker.arrived.size() >= sizeof size + size) {
+        const bool hasSize = worker.arrived.size() >= sizeof size;
+        if (hasSize) std::memcpy(&size, worker.arrived.data(), sizeof size);
+        if (hasSize && size > 0 && size <= kMostAnswer && worker.arrived.size() >= sizeof size + size) {
             JobEnd end{*worker.job, worker.arrived.substr(sizeof size, size - 1), {}};
             const bool goes = worker.arrived[sizeof size + size - 1] == kGoesOn;
             worker.arrived.clear();

@@ -19,7 +19,7 @@ constexpr std::size_t kFewestValues = 400;   // fewest values for the estimate o
 constexpr double kNil = 0.05;                // share of the RMS below which a difference counts as nil
 constexpr double kMostNil = 0.20;            // share of nil differences above which the ranges come in steps
 constexpr double kGrows = 1.15;              // least S(2) / S(1) of noise with memory
-constexpr double kStands = 1.05;             // S(next lag) / S(lag) below which the noise has stopped growing ...
+constexpr double kStopsGrowing = 1.05;       // S(next lag) / S(lag) below which the noise has stopped growing ...
 constexpr double kReliefGrows = 1.6;         // ... and above which it is not noise: on a curved surface S grows by a factor of four
 constexpr double kEighty = 1.2816;           // 80 % of |N(0, 1)| are below it
 constexpr double kTrimmedAt = 2.7;           // standard deviations ...
@@ -257,7 +257,7 @@ NoiseScales noiseScales(const InverseRange& inverse, bool all) {
 MemoryNoise memoryNoise(const InverseRange& inverse, const AngularSteps& steps, const NoiseScales& scales, double windowMm) {
     std::size_t plateau = 0;
     const auto goesOn = [&](std::size_t n) {
-        return scales.sigmaMm[n + 1] > kStands * scales.sigmaMm[n] && scales.sigmaMm[n + 1] < kReliefGrows * scales.sigmaMm[n];
+        return scales.sigmaMm[n + 1] > kStopsGrowing * scales.sigmaMm[n] && scales.sigmaMm[n + 1] < kReliefGrows * scales.sigmaMm[n];
     };
     while (plateau + 1 < kNoiseLags.size() && goesOn(plateau)) ++plateau;
     MemoryNoise noise;

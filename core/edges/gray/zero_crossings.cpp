@@ -93,9 +93,9 @@ Grid<float> laplacian(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>
     const bool four = mask == LogMask::FourNeighbours;
     return responseOfNeighbours(levels, missing, [=](const Neighbours& at) {
         const auto& n = at.around;
-        const int beside = n[1] + n[3] + n[5] + n[7];
-        if (four) return static_cast<float>(4 * at.centre - beside);
-        return static_cast<float>(8 * at.centre - beside - n[0] - n[2] - n[4] - n[6]);
+        const int neighbours = n[1] + n[3] + n[5] + n[7];
+        if (four) return static_cast<float>(4 * at.centre - neighbours);
+        return static_cast<float>(8 * at.centre - neighbours - n[0] - n[2] - n[4] - n[6]);
     });
 }
 
@@ -108,9 +108,9 @@ Grid<float> laplacianOfGaussian(const Grid<std::uint8_t>& levels, const Grid<std
             const std::size_t k = levels.index(i, j);
             if (missing != nullptr && (*missing)[k] != 0) continue;
             double sum = 0;
-            for (const std::size_t beside : {levels.index(std::max(i - 1, 0), j), levels.index(std::min(i + 1, levels.lines - 1), j),
-                                             levels.index(i, std::max(j - 1, 0)), levels.index(i, std::min(j + 1, levels.beams - 1))}) {
-                if (missing == nullptr || (*missing)[beside] == 0) sum += smooth[beside] - smooth[k];
+            for (const std::size_t neighbours : {levels.index(std::max(i - 1, 0), j), levels.index(std::min(i + 1, levels.lines - 1), j),
+                                                 levels.index(i, std::max(j - 1, 0)), levels.index(i, std::min(j + 1, levels.beams - 1))}) {
+                if (missing == nullptr || (*missing)[neighbours] == 0) sum += smooth[neighbours] - smooth[k];
             }
             response[k] = static_cast<float>(scale * sum);
         }

@@ -41,7 +41,7 @@ struct MethodTraits {
 /// Whether edges of this class (EdgeClassBits) are asked for.
 [[nodiscard]] bool wants(const Settings& settings, int edgeClass);
 
-/// An edge is where the response to gray levels is larger than settings.lower.
+/// True if an edge is a cell whose response to gray levels is larger than settings.lower.
 [[nodiscard]] inline bool hasOneThreshold(Method method) { return reads(method, kReadsGray) && !reads(method, kReadsTwoThresholds); }
 
 /// Automatic sigma of the Gaussian, cells: from the kernel size, or the default of a method without a kernel size.

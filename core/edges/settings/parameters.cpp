@@ -59,7 +59,7 @@ constexpr Automatic kNoAuto = nullptr;
 
 // clang-format off
 const std::vector<Parameter>& table() {
-    //   key, label, unit, help, minimum, maximum, step, decimals, member, slider maximum, what auto comes out as, advanced, choices, several, used by, feeds
+    //   key, label, unit, help, minimum, maximum, step, decimals, member, slider maximum, value of auto, advanced, choices, several, used by, feeds
     static const std::vector<Parameter> rows{
         {"method", "Method", "", "How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.",
          0, static_cast<double>(methodTraits().size() - 1), 1, 0, EDGESCAN_NUMBER(Settings, method), static_cast<double>(methodTraits().size() - 1), kNoAuto, !kAdvanced, methodChoices(), !kSeveral, always, Stage::Edges},

@@ -50,12 +50,12 @@ struct Measured {
 };
 
 struct Parameter : TableRow<Settings> {
-    double sliderMaximum;                                  ///< where the slider ends; larger values are typed
-    double (*automatic)(const Settings&, const Measured&); ///< what "auto" came out as; null: "auto" is no value
-    bool advanced;                                         ///< shown in the fold "Advanced"
+    double sliderMaximum;                                  ///< end of the slider; larger values can be typed
+    double (*automatic)(const Settings&, const Measured&); ///< the value of "auto"; null: "auto" is not allowed
+    bool advanced;                                         ///< shown under "Advanced"
     std::vector<Choice> choices;                           ///< empty: any number between minimum and maximum
     bool several;                    ///< the value is a set: the sum of choices (powers of two), written "jump,convex"
-    bool (*usedBy)(const Settings&); ///< false: the method chosen takes no notice of it
+    bool (*usedBy)(const Settings&); ///< false: the chosen method does not use it
     Feeds feeds;
 };
 

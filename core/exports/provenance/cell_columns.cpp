@@ -1,4 +1,4 @@
-// The table of columns: a new one is a row here, and a row of kWritingChoices where it is written only when asked for.
+// The table of columns: a new column is a row here, and also a row of kWritingChoices if it is written on request only.
 #include "core/exports/provenance/cell_columns.h"
 
 #include "core/edges/tuning/confidence.h"
@@ -17,7 +17,7 @@ Result<files::CellValues> rockOfCells(const edges::Detection& /*detection*/, con
     return files::CellValues(rocks::rockLabels(*options.rocks->segmentation, options.rocks->map));
 }
 
-/// What nobody measured is written only where the file tells it apart.
+/// Filled cells are written only to files that can mark them.
 Result<files::CellValues> filledSdMm(const edges::Detection& detection, const fs::path& path, const ExportOptions& /*options*/) {
     if (detection.filled) return files::CellValues(withFilled(*detection.scan, *detection.filled).sdMm);
     return Error{"no gap was filled that could be written", path.string(), "give --fill and how many cells, or leave --with-filled out"};
@@ -39,7 +39,7 @@ constexpr ColumnRow kColumns[]{
     {"confidence", "a field of confidence", &files::WritingChoices::confidence, confidencePercent},
 };
 
-/// Any field that a cloud has stands in the file under its name.
+/// Whether the file names its fields, so that it can hold any of them.
 bool hasNamedFields(const fs::path& path) {
     const std::string extension = files::Source::lowerCase(path.extension());
     return path == "-" || extension == ".pcd" || extension == ".ply" || extension == ".csv";

@@ -44,13 +44,13 @@ enum class ExportContent : std::uint8_t {
 struct ExportOptions {
     CoordinateFrame frame = CoordinateFrame::Scanner; ///< of a cloud
     bool ascii = false;                               ///< PCD and PLY as text
-    std::string operatorName{};                       ///< who exports; empty = not said
+    std::string operatorName{};                       ///< who exports; empty = unknown
     std::string role{};
     bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
     files::WritingChoices choices{};
     std::shared_ptr<const rocks::Study> rocks{};                   ///< of the detection's scan, for exports of rocks
     std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
-    bool sidecar = true;                                           ///< the record also beside the export
+    bool sidecar = true;                                           ///< also write the record to a sidecar
 };
 
 /// What an export is made from.
@@ -67,9 +67,9 @@ struct ExportInput {
 struct ExportFile {
     enum class Coordinates : std::uint8_t { None, Inside, InName }; ///< none; the frame's; the frame's, which the file's name says
     const char* extension;
-    const char* title; ///< in the window's list of files; null: not there
+    const char* title; ///< in the window's list of files; null: not in the list
     Coordinates coordinates;
-    bool inFolder = true; ///< where a folder is asked for
+    bool inFolder = true; ///< also written to an output folder
 };
 
 struct ExportKind {

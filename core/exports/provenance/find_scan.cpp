@@ -34,9 +34,9 @@ void likelyFirst(std::vector<fs::path>& files, const std::string& oldName) {
 Result<fs::path> findScan(const std::string& sha256, const std::string& oldName, const fs::path& exported,
                           const std::optional<fs::path>& scansFolder) {
     std::error_code problem;
-    const fs::path beside = exported.has_parent_path() ? exported.parent_path() : fs::path(".");
+    const fs::path folder = exported.has_parent_path() ? exported.parent_path() : fs::path(".");
     std::vector<fs::path> files;
-    addFiles(files, fs::directory_iterator(beside, fs::directory_options::skip_permission_denied, problem));
+    addFiles(files, fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, problem));
     likelyFirst(files, oldName);
     if (scansFolder) {
         if (!fs::is_directory(*scansFolder, problem))

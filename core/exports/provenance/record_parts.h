@@ -17,7 +17,8 @@ namespace edgescan::exports {
 
 inline constexpr const char* kRecordFormat = "edgescan-record/1";
 
-/// SHA-256 of what a scan is to the method: shape, angles, ranges, states, points. The same file opened otherwise gives another.
+/// SHA-256 of the parts of a scan that affect the method: shape, angles, ranges, states, points. The same file opened with other options
+/// has another hash.
 [[nodiscard]] std::string gridSha256(const Scan& scan);
 
 /// The program and its libraries with versions, for the record.

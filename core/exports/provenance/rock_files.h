@@ -13,7 +13,7 @@
 
 namespace edgescan::exports {
 
-/// 0 none, then the rocks. Error: more rocks than a picture of 16 bits can number.
+/// 0 = not a rock, then the rocks. Error: too many rocks for the numbers of a 16-bit picture.
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where);
 
 /// A row per rock, and the whole report with the input and version of the record. Error: the scan has no placement for the frame.

@@ -130,7 +130,7 @@ void compareResults(const Json& record, const edges::Detection& detection, Verif
     if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
 }
 
-/// The scan and, unless it alone was exported, its edges.
+/// The scan and its edges; without edges if only the scan was exported.
 Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, const ExportKind& kind,
                                                             const std::optional<fs::path>& scansFolder, Verification& v) {
     const bool method = kind.needs != ExportKind::Needs::Scan;

@@ -52,11 +52,11 @@ public:
         EndPoint point;
         point.cell = index;
         point.rangeM = cell.inSensorM.norm();
-        const Eigen::Matrix3d turned = turn(cell.lineDeg, errors_.turnFactor());
-        point.yzu = alongAxis(turned * (mount_ * cell.inSensorM));
+        const Eigen::Matrix3d rotation = turn(cell.lineDeg, errors_.turnFactor());
+        point.yzu = alongAxis(rotation * (mount_ * cell.inSensorM));
         for (std::size_t q = 0; q + 1 < AssemblyErrors::kCount; ++q)
             point.slopes.col(static_cast<Eigen::Index>(q)) =
-                (alongAxis(turned * (greater_[q] * cell.inSensorM)) - alongAxis(turned * (smaller_[q] * cell.inSensorM))) /
+                (alongAxis(rotation * (greater_[q] * cell.inSensorM)) - alongAxis(rotation * (smaller_[q] * cell.inSensorM))) /
                 (2 * kEndSteps[q]);
         // The turn error only rotates the point about the axis.
         const double perTurnDeg = radians(direction_ * (cell.lineDeg - middleDeg_) / 180.0);

@@ -236,9 +236,9 @@ AssemblyErrors uncertaintyOf(const Solved& early, const Solved& late, double hon
 
 } // namespace
 
-Result<SelfCalibration> calibrateFromSweeps(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& told) {
+Result<SelfCalibration> calibrateFromSweeps(std::span<const std::shared_ptr<const Scan>> scans, const CalibrationProgress& progress) {
     if (scans.empty()) return Error{"there is no scan to calibrate with", "", "name one"};
-    const CalibrationProgress goOn = [&](const char* stage, double fraction) { return !told || told(stage, fraction); };
+    const CalibrationProgress goOn = [&](const char* stage, double fraction) { return !progress || progress(stage, fraction); };
     const std::string where = scans.front()->name;
     const Error cancelled{"cancelled", where, ""};
     std::vector<Pass> passes;

@@ -24,8 +24,8 @@ std::optional<BoomAtCell> boomAt(const Scan& scan, std::size_t k, const std::opt
     BoomAtCell at;
     at.distanceM = (there - boom.pivotM - share * along).norm();
     if (normal) {
-        const Eigen::Vector3d turned = axisBasePoint(scan, line, beam, point + *normal) - there;
-        at.angleDeg = degrees(std::atan2(turned.cross(along).norm(), std::abs(turned.dot(along))));
+        const Eigen::Vector3d rotated = axisBasePoint(scan, line, beam, point + *normal) - there;
+        at.angleDeg = degrees(std::atan2(rotated.cross(along).norm(), std::abs(rotated.dot(along))));
     }
     return at;
 }

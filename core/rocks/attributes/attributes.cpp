@@ -26,19 +26,19 @@ constexpr double kPushedBack = 0.3; // share of b: distance from the centre of t
 std::vector<const Rock*> sameAsBefore(const RegionMap& map, const EarlierRows* before) {
     std::vector<const Rock*> same(static_cast<std::size_t>(map.rocks) + 1, nullptr);
     if (before == nullptr || before->map.regionOfSegment.size() != map.regionOfSegment.size()) return same;
-    std::vector<std::uint32_t> leavesNow(map.regions.size(), 0), leavesThen(before->map.regions.size(), 0);
+    std::vector<std::uint32_t> segmentsNow(map.regions.size(), 0), segmentsThen(before->map.regions.size(), 0);
     std::vector<std::uint8_t> shared(map.regions.size(), 1); // 1 while all segments of the region belonged to one earlier region
     const auto thenOf = [&](std::uint32_t region) { return before->map.regionOfSegment[map.regions[region].firstSegment]; };
-    for (std::size_t leaf = 1; leaf < map.regionOfSegment.size(); ++leaf) {
-        const std::uint32_t now = map.regionOfSegment[leaf];
-        const std::uint32_t then = before->map.regionOfSegment[leaf];
-        ++leavesNow[now];
-        ++leavesThen[then];
+    for (std::size_t segment = 1; segment < map.regionOfSegment.size(); ++segment) {
+        const std::uint32_t now = map.regionOfSegment[segment];
+        const std::uint32_t then = before->map.regionOfSegment[segment];
+        ++segmentsNow[now];
+        ++segmentsThen[then];
         if (now != 0 && then != thenOf(now)) shared[now] = 0;
     }
     for (std::uint32_t label = 1; label <= map.rocks; ++label) {
         const std::uint32_t then = thenOf(label);
-        if (shared[label] == 0 || then == 0 || then > before->map.rocks || leavesNow[label] != leavesThen[then]) continue;
+        if (shared[label] == 0 || then == 0 || then > before->map.rocks || segmentsNow[label] != segmentsThen[then]) continue;
         same[label] = &before->rocks[then - 1];
     }
     return same;
@@ -46,10 +46,10 @@ std::vector<const Rock*> sameAsBefore(const RegionMap& map, const EarlierRows* b
 
 class RowMaker {
 public:
-    RowMaker(const Segmentation& leaves, const RegionMap& map, const EarlierRows* before)
-        : leaves_(leaves), map_(map), known_(sameAsBefore(map, before)),
-          cells_(cellsByRock(leaves, map, [this](std::uint32_t label) { return known_[label] != nullptr; })), tables_(*leaves.inputs.scan),
-          up_(upOf(*leaves.inputs.scan).up) {}
+    RowMaker(const Segmentation& segments, const RegionMap& map, const EarlierRows* before)
+        : segments_(segments), map_(map), known_(sameAsBefore(map, before)),
+          cells_(cellsByRock(segments, map, [this](std::uint32_t label) { return known_[label] != nullptr; })),
+          tables_(*segments.inputs.scan), up_(upOf(*segments.inputs.scan).up) {}
 
     [[nodiscard]] Rock row(std::uint32_t label) {
         const Region& region = map_.regions[label];
@@ -124,7 +124,7 @@ private:
     };
     // Collects the points of those of its cells that are not farther than `farthestMm`.
     void collect(std::uint32_t label, float farthestMm, RockPoints& points) const {
-        const Grid<float>& rangeMm = leaves_.inputs.scan->rangeMm;
+        const Grid<float>& rangeMm = segments_.inputs.scan->rangeMm;
         const std::span<const std::uint32_t> cells = cells_.of(label);
         points.resize(cells.size());
         std::size_t count = 0;
@@ -148,7 +148,7 @@ private:
         const Eigen::Vector3d right = sight.unitOrthogonal();
         const Eigen::Vector3d below = sight.cross(right);
         ranges_.clear();
-        for (const std::uint32_t k : cells_.of(rock.label)) ranges_.push_back(leaves_.inputs.scan->rangeMm[k]);
+        for (const std::uint32_t k : cells_.of(rock.label)) ranges_.push_back(segments_.inputs.scan->rangeMm[k]);
         const Ranges ranges = rangesOf(ranges_);
         collect(rock.label, ranges.farthest(), points_);
         points_.along(right, rock.centreM, projected_.x);
@@ -172,10 +172,10 @@ private:
         rock.distanceM = 0.001 * static_cast<double>(ranges.middle);
         const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
         rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
-        rock.freeHeightM = freeHeightM(leaves_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
+        rock.freeHeightM = freeHeightM(segments_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
     }
 
-    const Segmentation& leaves_;
+    const Segmentation& segments_;
     const RegionMap& map_;
     std::vector<const Rock*> known_;
     CellsByRock cells_;
@@ -250,12 +250,12 @@ UpDirection upOf(const Scan& scan) {
     return {up.normalized(), false};
 }
 
-std::vector<Rock> rockRows(const Segmentation& leaves, const RegionMap& map, const EarlierRows* before) {
-    RowMaker maker(leaves, map, before);
+std::vector<Rock> rockRows(const Segmentation& segments, const RegionMap& map, const EarlierRows* before) {
+    RowMaker maker(segments, map, before);
     std::vector<Rock> rocks;
     for (std::uint32_t label = 1; label <= map.rocks; ++label) rocks.push_back(maker.row(label));
     addNeighbours(map, rocks);
-    addArches(rocks, CartesianTables(*leaves.inputs.scan).sensor(), upOf(*leaves.inputs.scan).up);
+    addArches(rocks, CartesianTables(*segments.inputs.scan).sensor(), upOf(*segments.inputs.scan).up);
     return rocks;
 }
 

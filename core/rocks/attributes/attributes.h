@@ -62,7 +62,7 @@ struct EarlierRows {
 
 /// One row per rock of the map, in the order of the labels. `before` may be null. Rocks with the same segments as in `before` are not
 /// measured again; the rows are the same without it.
-[[nodiscard]] std::vector<Rock> rockRows(const Segmentation& leaves, const RegionMap& map, const EarlierRows* before = nullptr);
+[[nodiscard]] std::vector<Rock> rockRows(const Segmentation& segments, const RegionMap& map, const EarlierRows* before = nullptr);
 
 /// Totals of the regions of one kind.
 struct RegionCounts {

@@ -3,7 +3,7 @@
 
 namespace edgescan::rocks {
 
-CellsByRock cellsByRock(const Segmentation& leaves, const RegionMap& map, const std::function<bool(std::uint32_t label)>& skipped) {
+CellsByRock cellsByRock(const Segmentation& segments, const RegionMap& map, const std::function<bool(std::uint32_t label)>& skipped) {
     CellsByRock sorted;
     std::vector<std::uint8_t> wanted(map.regions.size(), 0);
     sorted.first.assign(static_cast<std::size_t>(map.rocks) + 2, 0);
@@ -14,11 +14,11 @@ CellsByRock cellsByRock(const Segmentation& leaves, const RegionMap& map, const 
     if (sorted.first.back() == 0) return sorted;
     sorted.cells.resize(sorted.first.back());
     std::vector<std::size_t> at = sorted.first;
-    const Grid<Support>& support = leaves.inputs.surface->inverse.support;
-    for (const SegmentRun& run : leaves.beamRuns) {
+    const Grid<Support>& support = segments.inputs.surface->inverse.support;
+    for (const SegmentRun& run : segments.beamRuns) {
         const std::uint32_t region = map.regionOfSegment[run.segment];
         if (wanted[region] == 0) continue;
-        const std::size_t line = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(leaves.segment.beams);
+        const std::size_t line = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(segments.segment.beams);
         for (std::size_t k = line + run.begin; k < line + run.end; ++k) {
             if (support[k] == Support::Measured) sorted.cells[at[region]++] = static_cast<std::uint32_t>(k);
         }

@@ -22,7 +22,7 @@ struct CellsByRock {
 };
 
 /// The cells of all rocks except those for which `skipped(label)` is true.
-[[nodiscard]] CellsByRock cellsByRock(const Segmentation& leaves, const RegionMap& map,
+[[nodiscard]] CellsByRock cellsByRock(const Segmentation& segments, const RegionMap& map,
                                       const std::function<bool(std::uint32_t label)>& skipped = {});
 
 } // namespace edgescan::rocks

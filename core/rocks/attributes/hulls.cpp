@@ -108,9 +108,9 @@ Hull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const Car
 
 } // namespace
 
-std::vector<Hull> rockHulls(const Segmentation& leaves, const RegionMap& map) {
-    const CellsByRock cells = cellsByRock(leaves, map);
-    const CartesianTables tables(*leaves.inputs.scan);
+std::vector<Hull> rockHulls(const Segmentation& segments, const RegionMap& map) {
+    const CellsByRock cells = cellsByRock(segments, map);
+    const CartesianTables tables(*segments.inputs.scan);
     std::vector<Hull> hulls;
     for (std::uint32_t label = 1; label <= map.rocks; ++label) hulls.push_back(hullOf(label, cells.of(label), tables));
     return hulls;

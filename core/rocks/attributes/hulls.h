@@ -21,6 +21,6 @@ struct Hull {
 };
 
 /// By label, from 1; without triangles if the points are in one plane.
-[[nodiscard]] std::vector<Hull> rockHulls(const Segmentation& leaves, const RegionMap& map);
+[[nodiscard]] std::vector<Hull> rockHulls(const Segmentation& segments, const RegionMap& map);
 
 } // namespace edgescan::rocks

@@ -38,13 +38,13 @@ public:
             at = next;
             const CellCorner right = rightCell(at, way);
             const CellCorner left = rightCell(at, (way + 3) % 4);
-            std::size_t turned = way;
+            std::size_t nextWay = way;
             if (labelAt(right.line, right.beam) != label)
-                turned = (way + 1) % 4;
+                nextWay = (way + 1) % 4;
             else if (labelAt(left.line, left.beam) == label)
-                turned = (way + 3) % 4;
-            if (turned != way) ring.corners.push_back(at);
-            way = turned;
+                nextWay = (way + 3) % 4;
+            if (nextWay != way) ring.corners.push_back(at);
+            way = nextWay;
         } while (at != start || way != 0);
         if (ring.inside.size() > 1 && ring.inside.front() == ring.inside.back()) ring.inside.pop_back();
         ring.hole = area < 0;

@@ -10,17 +10,17 @@ Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::
     study.settings = settings;
     study.edits = edits;
     const std::vector<CutLine> cuts = cutsOf(edits);
-    const bool sameLeaves = before != nullptr && before->segmentation->inputs.cracks == inputs.cracks &&
-                            before->segmentation->inputs.responses == inputs.responses &&
-                            before->segmentation->inputs.scan == inputs.scan && cutsOf(before->edits) == cuts;
-    study.segmentation = sameLeaves ? before->segmentation : std::make_shared<const Segmentation>(segmentRocks(inputs, cuts));
-    const Segmentation& leaves = *study.segmentation;
-    study.tree = sameLeaves && before->edits == edits
+    const bool sameSegments = before != nullptr && before->segmentation->inputs.cracks == inputs.cracks &&
+                              before->segmentation->inputs.responses == inputs.responses &&
+                              before->segmentation->inputs.scan == inputs.scan && cutsOf(before->edits) == cuts;
+    study.segmentation = sameSegments ? before->segmentation : std::make_shared<const Segmentation>(segmentRocks(inputs, cuts));
+    const Segmentation& segments = *study.segmentation;
+    study.tree = sameSegments && before->edits == edits
                      ? before->tree
-                     : std::make_shared<const MergeTree>(mergeTree(leaves.count(), leaves.borders, pairsOf(leaves, edits)));
-    study.map = rocksAt(leaves, *study.tree, settings, rockCallsOf(leaves, edits));
-    const std::optional<EarlierRows> rows = sameLeaves ? std::optional(EarlierRows{before->map, before->rocks}) : std::nullopt;
-    study.rocks = rockRows(leaves, study.map, rows ? &*rows : nullptr);
+                     : std::make_shared<const MergeTree>(mergeTree(segments.count(), segments.borders, pairsOf(segments, edits)));
+    study.map = rocksAt(segments, *study.tree, settings, rockCallsOf(segments, edits));
+    const std::optional<EarlierRows> rows = sameSegments ? std::optional(EarlierRows{before->map, before->rocks}) : std::nullopt;
+    study.rocks = rockRows(segments, study.map, rows ? &*rows : nullptr);
     return study;
 }
 

@@ -177,7 +177,7 @@ EDGESCAN_SIMD std::uint32_t largestOf(const std::uint32_t* numbers, std::size_t 
 
 } // namespace
 
-std::uint32_t lastSegment(const Grid<std::uint32_t>& leaf) { return largestOf(leaf.cells.data(), leaf.size()); }
+std::uint32_t lastSegment(const Grid<std::uint32_t>& segment) { return largestOf(segment.cells.data(), segment.size()); }
 
 JoinedGroups::JoinedGroups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
 

@@ -21,7 +21,7 @@ inline constexpr float kShallow = 0.7F;
 std::uint32_t numberByFirstCell(Grid<std::uint32_t>& group, std::span<const std::uint32_t> joined = {});
 
 /// The largest number of a cell: the number of segments if they are numbered from 1; 0 without cells.
-[[nodiscard]] std::uint32_t lastSegment(const Grid<std::uint32_t>& leaf);
+[[nodiscard]] std::uint32_t lastSegment(const Grid<std::uint32_t>& segment);
 
 /// Groups of numbers that are joined step by step (union-find).
 class JoinedGroups {

@@ -30,7 +30,8 @@ constexpr float kContactFold = -0.3F;
 
 } // namespace
 
-CrackMeasure::CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& leaf) : inputs_(inputs), cracks_(*inputs.cracks), leaf_(leaf) {}
+CrackMeasure::CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& segment)
+    : inputs_(inputs), cracks_(*inputs.cracks), segment_(segment) {}
 
 bool CrackMeasure::isContact(std::size_t p, std::size_t q, edges::Along along) const {
     const Grid<float>& fold = along == edges::Along::Beams ? cracks_.foldBeams : cracks_.foldLines;
@@ -52,8 +53,8 @@ struct CrackMeasure::Chord {
 CrackMeasure::Chord CrackMeasure::chordAt(int line, int beam, edges::Along along) const {
     const Grid<float>& u = cracks_.smoothed;
     const bool isBeams = along == edges::Along::Beams;
-    const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(leaf_.beams);
-    const std::size_t p = leaf_.index(line, beam);
+    const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(segment_.beams);
+    const std::size_t p = segment_.index(line, beam);
     const AngularSteps& steps = inputs_.surface->steps;
     Chord chord{
         p, p + step, step, std::max(u[p], u[p + step]), isBeams ? steps.beam[static_cast<std::size_t>(beam)] : steps.lineAt(line, beam),
@@ -61,8 +62,8 @@ CrackMeasure::Chord CrackMeasure::chordAt(int line, int beam, edges::Along along
     const int reach = chord.cells(kWideM, kMostWide);
     const int place = isBeams ? beam : line;
     const int before = std::min(reach, place);
-    const int after = std::min(reach, (isBeams ? leaf_.beams : leaf_.lines) - place - 2);
-    const auto own = [&](std::size_t k, std::size_t of) { return leaf_[k] == leaf_[of]; };
+    const int after = std::min(reach, (isBeams ? segment_.beams : segment_.lines) - place - 2);
+    const auto own = [&](std::size_t k, std::size_t of) { return segment_[k] == segment_[of]; };
     while (chord.before < before && own(chord.p - static_cast<std::size_t>(chord.before + 1) * step, chord.p)) ++chord.before;
     while (chord.after < after && own(chord.q + static_cast<std::size_t>(chord.after + 1) * step, chord.q)) ++chord.after;
     return chord;
@@ -83,14 +84,14 @@ double CrackMeasure::depthMm(const Chord& chord, int cells) const {
 
 CrackEvidence CrackMeasure::at(int line, int beam, edges::Along along) const {
     const bool isBeams = along == edges::Along::Beams;
-    const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(leaf_.beams);
-    const std::size_t p = leaf_.index(line, beam);
+    const std::size_t step = isBeams ? 1 : static_cast<std::size_t>(segment_.beams);
+    const std::size_t p = segment_.index(line, beam);
     const std::size_t q = p + step;
     const Grid<float>& fold = isBeams ? cracks_.foldBeams : cracks_.foldLines;
     float edge = std::max(separationStrength(*inputs_.responses, p), separationStrength(*inputs_.responses, q));
     const int place = isBeams ? beam : line;
     if (place > 0) edge = std::max(edge, separationStrength(*inputs_.responses, p - step));
-    if (place + 2 < (isBeams ? leaf_.beams : leaf_.lines)) edge = std::max(edge, separationStrength(*inputs_.responses, q + step));
+    if (place + 2 < (isBeams ? segment_.beams : segment_.lines)) edge = std::max(edge, separationStrength(*inputs_.responses, q + step));
     CrackEvidence evidence;
     evidence.e1 = static_cast<double>(std::clamp(std::max({jump(p, along), -fold[p], -fold[q]}), 0.0F, 1.0F));
     evidence.e2 = static_cast<double>(std::min(edge, 1.0F));
@@ -103,25 +104,25 @@ CrackEvidence CrackMeasure::at(int line, int beam, edges::Along along) const {
     return evidence;
 }
 
-std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& leaf) {
-    const CrackMeasure measure(inputs, leaf);
+std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& segment) {
+    const CrackMeasure measure(inputs, segment);
     std::vector<SegmentBorder> cracks;
     const auto look = [&](int line, int beam, edges::Along along) {
-        const std::size_t p = leaf.index(line, beam);
-        const std::size_t q = p + (along == edges::Along::Beams ? 1 : static_cast<std::size_t>(leaf.beams));
-        if (leaf[p] == leaf[q] || leaf[p] == kNoSegment || leaf[q] == kNoSegment) return;
+        const std::size_t p = segment.index(line, beam);
+        const std::size_t q = p + (along == edges::Along::Beams ? 1 : static_cast<std::size_t>(segment.beams));
+        if (segment[p] == segment[q] || segment[p] == kNoSegment || segment[q] == kNoSegment) return;
         const CrackEvidence evidence = measure.at(line, beam, along);
         const auto whole = [](double value) { return static_cast<std::int64_t>(std::llround(value / kEvidenceStep)); };
-        SegmentBorder crack{leaf[p],           leaf[q],          whole(evidence.z), 1, 0, 0, 0, whole(evidence.e1), whole(evidence.e2),
-                            whole(evidence.v), whole(evidence.w)};
+        SegmentBorder crack{segment[p],         segment[q],        whole(evidence.z), 1, 0, 0, 0, whole(evidence.e1),
+                            whole(evidence.e2), whole(evidence.v), whole(evidence.w)};
         if (measure.jump(p, along) > 1.0F) (measure.isNearer(p, q) ? crack.jumpsA : crack.jumpsB) = 1;
         crack.valleys = measure.isContact(p, q, along) ? 1 : 0;
         cracks.push_back(crack.a < crack.b ? crack : crack.reversed());
     };
-    for (int i = 0; i < leaf.lines; ++i) {
-        for (int j = 0; j < leaf.beams; ++j) {
-            if (j + 1 < leaf.beams) look(i, j, edges::Along::Beams);
-            if (i + 1 < leaf.lines) look(i, j, edges::Along::Lines);
+    for (int i = 0; i < segment.lines; ++i) {
+        for (int j = 0; j < segment.beams; ++j) {
+            if (j + 1 < segment.beams) look(i, j, edges::Along::Beams);
+            if (i + 1 < segment.lines) look(i, j, edges::Along::Lines);
         }
     }
     return summedBorders(std::move(cracks));

@@ -20,7 +20,7 @@ struct CrackEvidence {
 /// The inputs of the evidence on cracks.
 class CrackMeasure {
 public:
-    CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& leaf);
+    CrackMeasure(const Inputs& inputs, const Grid<std::uint32_t>& segment);
 
     /// The evidence on the crack between cell (line, beam) and the next one along `along`; both must belong to segments.
     [[nodiscard]] CrackEvidence at(int line, int beam, edges::Along along) const;
@@ -40,10 +40,10 @@ private:
 
     const Inputs& inputs_;
     const edges::DepthCracks& cracks_;
-    const Grid<std::uint32_t>& leaf_;
+    const Grid<std::uint32_t>& segment_;
 };
 
 /// All borders, ascending by (a, b).
-[[nodiscard]] std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& leaf);
+[[nodiscard]] std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& segment);
 
 } // namespace edgescan::rocks

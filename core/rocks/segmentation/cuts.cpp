@@ -81,57 +81,57 @@ std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams
     return cells;
 }
 
-void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf) {
+void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& segment) {
     std::vector<std::size_t> taken;
-    Grid<std::uint8_t> isTaken(leaf.lines, leaf.beams);
+    Grid<std::uint8_t> isTaken(segment.lines, segment.beams);
     for (const CutLine& cut : cuts) {
-        for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
-            const std::size_t k = leaf.index(cell.line, cell.beam);
-            if (leaf[k] == kNoSegment || isTaken[k] != 0) continue;
+        for (const LineCell& cell : cellsOf(cut, segment.lines, segment.beams)) {
+            const std::size_t k = segment.index(cell.line, cell.beam);
+            if (segment[k] == kNoSegment || isTaken[k] != 0) continue;
             isTaken[k] = 1;
             taken.push_back(k);
         }
     }
     if (taken.empty()) return;
-    std::vector<std::uint8_t> isCut(leaf.size() + 1);
-    for (const std::size_t k : taken) isCut[leaf[k]] = 1;
+    std::vector<std::uint8_t> isCut(segment.size() + 1);
+    for (const std::size_t k : taken) isCut[segment[k]] = 1;
     // Pieces of the crossed segments; all other segments are unchanged.
-    const auto beams = static_cast<std::size_t>(leaf.beams);
-    JoinedGroups groups(leaf.size());
+    const auto beams = static_cast<std::size_t>(segment.beams);
+    JoinedGroups groups(segment.size());
     const auto join = [&](std::size_t k, std::size_t next, bool linked) {
-        if (linked && leaf[k] == leaf[next] && isTaken[k] == 0 && isTaken[next] == 0)
+        if (linked && segment[k] == segment[next] && isTaken[k] == 0 && isTaken[next] == 0)
             groups.join(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(next));
     };
-    for (std::size_t k = 0; k < leaf.size(); ++k) {
-        if (leaf[k] == kNoSegment || isCut[leaf[k]] == 0) continue;
+    for (std::size_t k = 0; k < segment.size(); ++k) {
+        if (segment[k] == kNoSegment || isCut[segment[k]] == 0) continue;
         if (k % beams + 1 < beams) join(k, k + 1, links.toNextBeam(k));
-        if (k + beams < leaf.size()) join(k, k + beams, links.toNextLine(k));
+        if (k + beams < segment.size()) join(k, k + beams, links.toNextLine(k));
     }
-    Grid<std::uint32_t> piece(leaf.lines, leaf.beams);
-    std::vector<std::uint32_t> someCell(leaf.size() + 1, UINT32_MAX); // one cell of each unchanged segment
-    for (std::uint32_t k = 0; k < leaf.size(); ++k) {
-        if (leaf[k] == kNoSegment || isTaken[k] != 0) continue;
-        if (isCut[leaf[k]] == 0 && someCell[leaf[k]] == UINT32_MAX) someCell[leaf[k]] = k;
-        piece[k] = (isCut[leaf[k]] == 0 ? someCell[leaf[k]] : groups.of(k)) + 1;
+    Grid<std::uint32_t> piece(segment.lines, segment.beams);
+    std::vector<std::uint32_t> someCell(segment.size() + 1, UINT32_MAX); // one cell of each unchanged segment
+    for (std::uint32_t k = 0; k < segment.size(); ++k) {
+        if (segment[k] == kNoSegment || isTaken[k] != 0) continue;
+        if (isCut[segment[k]] == 0 && someCell[segment[k]] == UINT32_MAX) someCell[segment[k]] = k;
+        piece[k] = (isCut[segment[k]] == 0 ? someCell[segment[k]] : groups.of(k)) + 1;
     }
-    giveBack(links, taken, leaf, piece);
+    giveBack(links, taken, segment, piece);
     for (const std::size_t k : taken) {
         if (piece[k] == kNoSegment) piece[k] = static_cast<std::uint32_t>(k) + 1; // a segment that consists only of stroke cells
     }
-    leaf = std::move(piece);
-    numberByFirstCell(leaf);
+    segment = std::move(piece);
+    numberByFirstCell(segment);
 }
 
-std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& leaf, std::span<const SegmentBorder> borders,
+std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& segment, std::span<const SegmentBorder> borders,
                                         std::span<const CutLine> cuts) {
     std::vector<SegmentPair> pairs;
     for (const CutLine& cut : cuts) {
         std::map<std::uint32_t, std::array<std::uint32_t, 2>> sides; // number of cells on each side of the stroke, by segment
-        for (const LineCell& cell : cellsOf(cut, leaf.lines, leaf.beams)) {
+        for (const LineCell& cell : cellsOf(cut, segment.lines, segment.beams)) {
             for (int i = cell.line - kSideReach; i <= cell.line + kSideReach; ++i) {
                 for (int j = cell.beam - kSideReach; j <= cell.beam + kSideReach; ++j) {
                     const int side = (i - cell.line) * cell.overBeam - (j - cell.beam) * cell.overLine;
-                    if (side != 0 && leaf.contains(i, j) && leaf.at(i, j) != kNoSegment) ++sides[leaf.at(i, j)][side > 0 ? 1 : 0];
+                    if (side != 0 && segment.contains(i, j) && segment.at(i, j) != kNoSegment) ++sides[segment.at(i, j)][side > 0 ? 1 : 0];
                 }
             }
         }

@@ -19,10 +19,10 @@ using CutLine = std::vector<std::uint32_t>;
 
 /// Cuts each segment that a line crosses into the parts on its two sides, and numbers all segments again by first cells. Cells outside of
 /// the grid are left out.
-void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& leaf);
+void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& segment);
 
-/// Pairs of segments on opposite sides of a line that border on each other: they must not be merged. `leaf`: as cutSegments() left it.
-[[nodiscard]] std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& leaf, std::span<const SegmentBorder> borders,
+/// Pairs of segments on opposite sides of a line that border on each other: they must not be merged. `segment`: as cutSegments() left it.
+[[nodiscard]] std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& segment, std::span<const SegmentBorder> borders,
                                                       std::span<const CutLine> cuts);
 
 } // namespace edgescan::rocks

@@ -15,8 +15,8 @@ namespace {
 
 class Merging {
 public:
-    Merging(std::uint32_t leaves, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs)
-        : groups_(static_cast<std::size_t>(leaves) + 1), name_(static_cast<std::size_t>(leaves) + 1), of_(name_.size()) {
+    Merging(std::uint32_t segments, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs)
+        : groups_(static_cast<std::size_t>(segments) + 1), name_(static_cast<std::size_t>(segments) + 1), of_(name_.size()) {
         std::iota(name_.begin(), name_.end(), 0U);
         for (const SegmentBorder& border : borders) {
             of_[border.a].emplace(border.b, static_cast<std::uint32_t>(borders_.size()));
@@ -146,12 +146,12 @@ private:
 
 } // namespace
 
-MergeTree mergeTree(std::uint32_t leaves, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs) {
-    return Merging(leaves, borders, pairs).run();
+MergeTree mergeTree(std::uint32_t segments, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs) {
+    return Merging(segments, borders, pairs).run();
 }
 
-std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t leaves, double level) {
-    std::vector<std::uint32_t> group(static_cast<std::size_t>(leaves) + 1);
+std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t segments, double level) {
+    std::vector<std::uint32_t> group(static_cast<std::size_t>(segments) + 1);
     std::iota(group.begin(), group.end(), 0U);
     for (const Merge& merge : tree.merges) {
         if (merge.height > level) break;

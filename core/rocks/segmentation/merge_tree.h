@@ -31,9 +31,9 @@ struct SegmentPair {
 
 /// Repeatedly merges at the border with the lowest mean log odds; ties are broken by smaller segment numbers. Joined pairs come first, at
 /// minus infinity.
-[[nodiscard]] MergeTree mergeTree(std::uint32_t leaves, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs = {});
+[[nodiscard]] MergeTree mergeTree(std::uint32_t segments, std::span<const SegmentBorder> borders, std::span<const SegmentPair> pairs = {});
 
 /// The number of the group of each segment after all merges up to `level`, by segment; kOpen for kOpen.
-[[nodiscard]] std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t leaves, double level);
+[[nodiscard]] std::vector<std::uint32_t> groupsAt(const MergeTree& tree, std::uint32_t segments, double level);
 
 } // namespace edgescan::rocks

@@ -26,7 +26,7 @@ struct ColumnSums {
     std::array<double, kPlaneColumns> upward; // sum of u x (kWide - row)
 };
 
-EDGESCAN_SIMD void addColumns(const std::uint32_t* leaf, const float* u, std::size_t beams, std::uint32_t own, ColumnSums& sums) {
+EDGESCAN_SIMD void addColumns(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, ColumnSums& sums) {
     for (std::size_t group = 0; group < kGroups; ++group) {
         FourNumbers counts{};
         FourWide total{}, upward{};
@@ -34,7 +34,7 @@ EDGESCAN_SIMD void addColumns(const std::uint32_t* leaf, const float* u, std::si
             const std::size_t at = row * beams + group * kLanesAtOnce;
             FourNumbers there;
             FourNumbers bits;
-            std::memcpy(&there, leaf + at, sizeof there);
+            std::memcpy(&there, segment + at, sizeof there);
             std::memcpy(&bits, u + at, sizeof bits);
             const auto isOwn = reinterpret_cast<FourNumbers>(there == own);
             counts += isOwn & (1U | row << 8U | row * row << 16U);
@@ -60,9 +60,9 @@ double PlaneSums::height() const {
     return (u * minor - xu * cx - yu * cy) / determinant;
 }
 
-PlaneSums planeSums(const std::uint32_t* leaf, const float* u, std::size_t beams, std::uint32_t own) {
+PlaneSums planeSums(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own) {
     ColumnSums columns;
-    addColumns(leaf, u, beams, own, columns);
+    addColumns(segment, u, beams, own, columns);
     PlaneSums plane;
     double upward = 0;
     for (int column = 0; column < kWide; ++column) {

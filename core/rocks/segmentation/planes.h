@@ -22,8 +22,8 @@ struct PlaneSums {
     [[nodiscard]] double height() const;
 };
 
-/// Sums over the cells of the window whose `leaf` is `own`. `leaf` and `u` (1/m): the first cells of the window in two grids with `beams`
-/// cells per line.
-[[nodiscard]] PlaneSums planeSums(const std::uint32_t* leaf, const float* u, std::size_t beams, std::uint32_t own);
+/// Sums over the cells of the window whose `segment` is `own`. `segment` and `u` (1/m): the first cells of the window in two grids with
+/// `beams` cells per line.
+[[nodiscard]] PlaneSums planeSums(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own);
 
 } // namespace edgescan::rocks

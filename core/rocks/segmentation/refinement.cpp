@@ -20,9 +20,9 @@ namespace {
 constexpr int kPasses = 4;
 constexpr std::uint32_t kVoid = UINT32_MAX;
 // mostDeviations(): ratio of the beam's growth to the step from beam to beam.
-constexpr double kBesideEachOther = 1.1;
+constexpr double kApart = 1.1;
 constexpr double kOverlapping = 1.5;
-constexpr double kMostBeside = 5.0;
+constexpr double kMostApart = 5.0;
 constexpr double kMostOverlapping = 30.0;
 constexpr double kBeyond = 0.01;
 constexpr double kPerNeighbour = 2.0;
@@ -56,34 +56,35 @@ EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std
 
 // Bits for the inputs of a choice: one for the segments of the neighbours, and one of seven for each segment that was considered.
 constexpr std::uint8_t kNeighbours = 128;
-std::uint8_t markOf(std::uint32_t leaf) {
-    return leaf == kNoSegment || leaf == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (leaf % 7U));
+std::uint8_t markOf(std::uint32_t segment) {
+    return segment == kNoSegment || segment == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (segment % 7U));
 }
 
 // A segment that a cell may choose.
-struct LeafChoice {
-    std::uint32_t leaf;
+struct SegmentChoice {
+    std::uint32_t segment;
     double neighbours; // weighted number of neighbours in it; smaller weight behind an edge
 };
 
 class Refinement {
 public:
     Refinement(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
-               Grid<std::uint32_t>& leaf)
-        : inverse_(inverse), noise_(noise), most_(most), leaf_(leaf),
-          inner_(marginBeams_ * static_cast<std::size_t>(leaf.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
-          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(leaf.lines, leaf.beams),
-          weighed_(leaf.lines, leaf.beams, kNeighbours) {
-        const auto beams = static_cast<std::size_t>(leaf.beams);
-        for (int i = 0; i < leaf.lines; ++i) {
-            const std::size_t first = leaf.index(i, 0);
+               Grid<std::uint32_t>& segment)
+        : inverse_(inverse), noise_(noise), most_(most), segment_(segment),
+          inner_(marginBeams_ * static_cast<std::size_t>(segment.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
+          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(segment.lines, segment.beams),
+          weighed_(segment.lines, segment.beams, kNeighbours) {
+        const auto beams = static_cast<std::size_t>(segment.beams);
+        for (int i = 0; i < segment.lines; ++i) {
+            const std::size_t first = segment.index(i, 0);
             const std::size_t at = marginIndex(i, 0);
             std::copy_n(&inverse.u[first], beams, &u_[at]);
             edgesOf(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
-            if (i + 1 < leaf.lines) edgesOf(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
-            for (std::size_t j = 0; j < beams; ++j) solid_[at + j] = inverse.support[first + j] != Support::Void ? leaf[first + j] : kVoid;
+            if (i + 1 < segment.lines) edgesOf(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
+            for (std::size_t j = 0; j < beams; ++j)
+                solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoid;
         }
-        for (int i = 0; i < leaf.lines; ++i) {
+        for (int i = 0; i < segment.lines; ++i) {
             const std::size_t at = marginIndex(i, 0);
             innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
             for (std::size_t j = 0; j < beams; ++j)
@@ -94,22 +95,22 @@ public:
     void pass() {
         struct Move {
             int line, beam;
-            std::uint32_t leaf;
+            std::uint32_t segment;
         };
         std::vector<Move> moves;
-        for (int i = 0; i < leaf_.lines; ++i) {
+        for (int i = 0; i < segment_.lines; ++i) {
             const std::uint8_t* const look = looked_.line(i);
-            for (int j = nextLooked(look, 0); j < leaf_.beams; j = nextLooked(look, j + 1)) {
+            for (int j = nextLooked(look, 0); j < segment_.beams; j = nextLooked(look, j + 1)) {
                 const std::size_t at = marginIndex(i, j);
                 if (inner_[at] != kNoSegment || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
                 const std::uint32_t chosen = choice(i, j);
-                if (chosen != leaf_.at(i, j)) moves.push_back({i, j, chosen});
+                if (chosen != segment_.at(i, j)) moves.push_back({i, j, chosen});
             }
         }
         std::fill(looked_.cells.begin(), looked_.cells.end(), std::uint8_t{0});
         for (const Move& move : moves) {
-            leaf_.at(move.line, move.beam) = move.leaf;
-            solid_[marginIndex(move.line, move.beam)] = move.leaf;
+            segment_.at(move.line, move.beam) = move.segment;
+            solid_[marginIndex(move.line, move.beam)] = move.segment;
         }
         for (const Move& move : moves) {
             look(move.line, move.beam, 1, kNeighbours);
@@ -120,45 +121,45 @@ public:
 private:
     // The next marked cell of a line, searched eight at a time.
     [[nodiscard]] int nextLooked(const std::uint8_t* look, int from) const {
-        for (std::uint64_t eight = 0; from + 8 <= leaf_.beams; from += 8) {
+        for (std::uint64_t eight = 0; from + 8 <= segment_.beams; from += 8) {
             std::memcpy(&eight, look + from, sizeof eight);
             if (eight != 0) break;
         }
-        while (from < leaf_.beams && look[from] == 0) ++from;
+        while (from < segment_.beams && look[from] == 0) ++from;
         return from;
     }
     // A cell's choice depends on the segments of its neighbours, and on which cells of its window are inner cells of the segments that it
     // considered. If neither changed, its choice is the same as before.
-    void look(int line, int beam, int reach, std::uint8_t leaves) {
+    void look(int line, int beam, int reach, std::uint8_t segments) {
         const int first = std::max(beam - reach, 0);
-        const int last = std::min(beam + reach, leaf_.beams - 1);
-        for (int i = std::max(line - reach, 0); i <= std::min(line + reach, leaf_.lines - 1); ++i) {
-            for (int j = first; j <= last; ++j) looked_.at(i, j) |= leaves;
+        const int last = std::min(beam + reach, segment_.beams - 1);
+        for (int i = std::max(line - reach, 0); i <= std::min(line + reach, segment_.lines - 1); ++i) {
+            for (int j = first; j <= last; ++j) looked_.at(i, j) |= segments;
         }
     }
     // Updates a cell that changed its segment, and its neighbours.
     void renewInner(int line, int beam) {
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, leaf_.lines - 1); ++i) {
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, segment_.lines - 1); ++i) {
             const std::size_t first = marginIndex(i, beam - 1);
             std::array<std::uint32_t, 3> renewed;
             innerOfLine(&solid_[first], marginBeams_, renewed.size(), renewed.data());
             for (std::size_t n = 0; n < renewed.size(); ++n) {
                 const int j = beam - 1 + static_cast<int>(n);
-                if (j < 0 || j >= leaf_.beams || inner_[first + n] == renewed[n]) continue;
+                if (j < 0 || j >= segment_.beams || inner_[first + n] == renewed[n]) continue;
                 look(i, j, kPlaneReach, markOf(inner_[first + n]) | markOf(renewed[n]));
                 inner_[first + n] = renewed[n];
             }
         }
     }
     [[nodiscard]] std::uint32_t choice(int line, int beam) {
-        std::array<LeafChoice, kMostChoices> choices; // used up to the number of choices
-        const std::uint32_t own = leaf_.at(line, beam);
+        std::array<SegmentChoice, kMostChoices> choices; // used up to the number of choices
+        const std::uint32_t own = segment_.at(line, beam);
         const std::size_t count = choicesAt(marginIndex(line, beam), choices);
         std::uint8_t& weighed = weighed_.at(line, beam);
         weighed = kNeighbours;
-        if (count == 0 || (count == 1 && choices[0].leaf == own)) return own;
+        if (count == 0 || (count == 1 && choices[0].segment == own)) return own;
         // The one with the most neighbours first: after it most others cannot cost less, however well they fit.
-        const auto fewer = [](const LeafChoice& x, const LeafChoice& y) { return x.neighbours < y.neighbours; };
+        const auto fewer = [](const SegmentChoice& x, const SegmentChoice& y) { return x.neighbours < y.neighbours; };
         std::swap(choices[0], *std::max_element(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count), fewer));
         const double rangeM = 1.0 / static_cast<double>(inverse_.u.at(line, beam));
         const double noiseMm = std::max(noise_.at(rangeM), 0.1);
@@ -167,15 +168,15 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t n = 0; n < count; ++n) {
             if (-kPerNeighbour * choices[n].neighbours > least) continue;
-            weighed |= markOf(choices[n].leaf);
-            const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].leaf);
+            weighed |= markOf(choices[n].segment);
+            const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].segment);
             // In standard deviations of the noise.
             const double off = plane.n == 0 ? most_ : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
             if (own == kNoSegment && off >= kFitsOpen) continue;
             const double cost = (off > most_ ? most_ + kBeyond * (off - most_) : off) - kPerNeighbour * choices[n].neighbours;
-            if (cost < least || (cost == least && choices[n].leaf < best)) {
+            if (cost < least || (cost == least && choices[n].segment < best)) {
                 least = cost;
-                best = choices[n].leaf;
+                best = choices[n].segment;
             }
         }
         return best;
@@ -203,16 +204,16 @@ private:
                 corner(here[1], down[1], down[0], below[1])};
     }
     // The segments of the cell and its neighbours, with the weighted number of neighbours in each.
-    std::size_t choicesAt(std::size_t at, std::array<LeafChoice, kMostChoices>& choices) const {
-        std::array<std::uint32_t, 9> leaves;
-        for (std::size_t n = 0; n < 3; ++n) std::copy_n(&solid_[at + n * marginBeams_ - marginBeams_ - 1], 3, &leaves[3 * n]);
+    std::size_t choicesAt(std::size_t at, std::array<SegmentChoice, kMostChoices>& choices) const {
+        std::array<std::uint32_t, 9> segments;
+        for (std::size_t n = 0; n < 3; ++n) std::copy_n(&solid_[at + n * marginBeams_ - marginBeams_ - 1], 3, &segments[3 * n]);
         const std::array<double, 9> weights = neighbourWeights(at);
         std::size_t count = 0;
-        for (std::size_t k = 0; k < leaves.size(); ++k) {
-            if (leaves[k] == kNoSegment || leaves[k] == kVoid) continue;
+        for (std::size_t k = 0; k < segments.size(); ++k) {
+            if (segments[k] == kNoSegment || segments[k] == kVoid) continue;
             std::size_t n = 0;
-            while (n < count && choices[n].leaf != leaves[k]) ++n;
-            if (n == count) choices[count++] = {leaves[k], 0.0};
+            while (n < count && choices[n].segment != segments[k]) ++n;
+            if (n == count) choices[count++] = {segments[k], 0.0};
             choices[n].neighbours += weights[k];
         }
         return count;
@@ -225,9 +226,9 @@ private:
     const InverseRange& inverse_;
     const RangeNoise& noise_;
     const double most_;
-    Grid<std::uint32_t>& leaf_;
+    Grid<std::uint32_t>& segment_;
     // With kPlaneReach more cells on each side, and a few more behind them.
-    const std::size_t marginBeams_ = static_cast<std::size_t>(leaf_.beams + 2 * kPlaneReach);
+    const std::size_t marginBeams_ = static_cast<std::size_t>(segment_.beams + 2 * kPlaneReach);
     std::vector<std::uint32_t> inner_; // the segment of cells that do not touch another one, otherwise kOpen
     std::vector<std::uint32_t> solid_; // the segment, or kVoid without a range
     std::vector<float> u_;
@@ -236,11 +237,11 @@ private:
     Grid<std::uint8_t> weighed_;               // bits of the inputs of that choice
 };
 
-void openSmallLeaves(Grid<std::uint32_t>& leaf, std::uint32_t count) {
+void dissolveSmallSegments(Grid<std::uint32_t>& segment, std::uint32_t count) {
     std::vector<std::size_t> cells(static_cast<std::size_t>(count) + 1);
-    eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) { cells[of] += end - begin; });
-    eachEqualRun(leaf.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
-        if (cells[of] < kSmallestSegment) std::fill(&leaf.cells[begin], &leaf.cells[begin] + (end - begin), kNoSegment);
+    eachEqualRun(segment.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) { cells[of] += end - begin; });
+    eachEqualRun(segment.cells, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+        if (cells[of] < kSmallestSegment) std::fill(&segment.cells[begin], &segment.cells[begin] + (end - begin), kNoSegment);
     });
 }
 
@@ -250,14 +251,14 @@ double mostDeviations(const AngularSteps& steps) {
     const double beamToBeam = std::sqrt(static_cast<double>(median(steps.beam)) * static_cast<double>(median(steps.line)) *
                                         static_cast<double>(median(steps.fromAxis)));
     if (!(beamToBeam > 0)) return kMostOverlapping;
-    const double overlap = (BeamWidth{}.growthRad / beamToBeam - kBesideEachOther) / (kOverlapping - kBesideEachOther);
-    return kMostBeside + (kMostOverlapping - kMostBeside) * std::clamp(overlap, 0.0, 1.0);
+    const double overlap = (BeamWidth{}.growthRad / beamToBeam - kApart) / (kOverlapping - kApart);
+    return kMostApart + (kMostOverlapping - kMostApart) * std::clamp(overlap, 0.0, 1.0);
 }
 
 void refineSegments(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
-                    Grid<std::uint32_t>& leaf, std::uint32_t count) {
-    openSmallLeaves(leaf, count);
-    Refinement refinement(inverse, cracks, noise, most, leaf);
+                    Grid<std::uint32_t>& segment, std::uint32_t count) {
+    dissolveSmallSegments(segment, count);
+    Refinement refinement(inverse, cracks, noise, most, segment);
     for (int pass = 0; pass < kPasses; ++pass) refinement.pass();
 }
 

@@ -16,6 +16,6 @@ inline constexpr std::uint32_t kSmallestSegment = 12;
 /// Each cell next to another segment moves to the segment, among those of its neighbours, whose plane fits its range best; an open cell
 /// only if a plane fits well. Four passes. Deterministic: a pass reads the result of the pass before. `most`: from mostDeviations().
 void refineSegments(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
-                    Grid<std::uint32_t>& leaf, std::uint32_t count);
+                    Grid<std::uint32_t>& segment, std::uint32_t count);
 
 } // namespace edgescan::rocks

@@ -60,7 +60,7 @@ void addRun(const Inputs& inputs, const LinePoints& points, const SegmentRun& ru
 }
 
 // `runs`: along the beams.
-std::vector<SegmentSums> leafSums(const Inputs& inputs, const std::vector<SegmentRun>& runs, std::uint32_t count) {
+std::vector<SegmentSums> segmentSums(const Inputs& inputs, const std::vector<SegmentRun>& runs, std::uint32_t count) {
     std::vector<SegmentSums> sums(static_cast<std::size_t>(count) + 1);
     const CartesianTables tables(*inputs.scan);
     LinePoints points(inputs.scan->beams());
@@ -78,11 +78,11 @@ std::vector<SegmentSums> leafSums(const Inputs& inputs, const std::vector<Segmen
     return sums;
 }
 
-std::vector<SegmentRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
+std::vector<SegmentRun> runsAlongBeams(const Grid<std::uint32_t>& segment) {
     std::vector<SegmentRun> runs;
-    const auto beams = static_cast<std::size_t>(leaf.beams);
-    for (int i = 0; i < leaf.lines; ++i) {
-        eachEqualRun({leaf.line(i), beams}, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+    const auto beams = static_cast<std::size_t>(segment.beams);
+    for (int i = 0; i < segment.lines; ++i) {
+        eachEqualRun({segment.line(i), beams}, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
             if (of != kNoSegment)
                 runs.push_back({of, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
         });
@@ -91,13 +91,13 @@ std::vector<SegmentRun> runsAlongBeams(const Grid<std::uint32_t>& leaf) {
 }
 
 // By beam, then line; computed line by line, in the order of memory.
-std::vector<SegmentRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
-    const auto beams = static_cast<std::size_t>(leaf.beams);
+std::vector<SegmentRun> runsAlongLines(const Grid<std::uint32_t>& segment) {
+    const auto beams = static_cast<std::size_t>(segment.beams);
     const std::vector<std::uint32_t> outside(beams, kNoSegment);
     const auto eachChange = [&](const auto& say) {
-        for (int i = 0; i <= leaf.lines; ++i) {
-            const std::uint32_t* const before = i > 0 ? leaf.line(i - 1) : outside.data();
-            const std::uint32_t* const here = i < leaf.lines ? leaf.line(i) : outside.data();
+        for (int i = 0; i <= segment.lines; ++i) {
+            const std::uint32_t* const before = i > 0 ? segment.line(i - 1) : outside.data();
+            const std::uint32_t* const here = i < segment.lines ? segment.line(i) : outside.data();
             for (std::size_t j = 0; j < beams; ++j) {
                 if (before[j] != here[j]) say(static_cast<std::uint32_t>(i), j, before[j], here[j]);
             }
@@ -117,19 +117,19 @@ std::vector<SegmentRun> runsAlongLines(const Grid<std::uint32_t>& leaf) {
 } // namespace
 
 Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
-    Segmentation leaves;
-    leaves.inputs = inputs;
+    Segmentation segments;
+    segments.inputs = inputs;
     const InverseRange& inverse = inputs.surface->inverse;
     const CellLinks links{inverse.support, *inputs.cracks};
-    leaves.segment = segmentBasins(barrierDistance(inputs), links);
-    cutSegments(links, cuts, leaves.segment);
-    leaves.borders = segmentBorders(inputs, leaves.segment);
-    const std::uint32_t count = lastSegment(leaves.segment);
-    refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), leaves.segment, count);
-    leaves.beamRuns = runsAlongBeams(leaves.segment);
-    leaves.sums = leafSums(inputs, leaves.beamRuns, count);
-    leaves.lineRuns = runsAlongLines(leaves.segment);
-    return leaves;
+    segments.segment = segmentBasins(barrierDistance(inputs), links);
+    cutSegments(links, cuts, segments.segment);
+    segments.borders = segmentBorders(inputs, segments.segment);
+    const std::uint32_t count = lastSegment(segments.segment);
+    refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), segments.segment, count);
+    segments.beamRuns = runsAlongBeams(segments.segment);
+    segments.sums = segmentSums(inputs, segments.beamRuns, count);
+    segments.lineRuns = runsAlongLines(segments.segment);
+    return segments;
 }
 
 } // namespace edgescan::rocks

@@ -52,17 +52,17 @@ std::vector<double> addedAngles(const std::vector<float>& steps) {
 
 } // namespace
 
-std::vector<double> regionBulges(const Segmentation& leaves, std::span<const std::uint32_t> regionOfLeaf, std::size_t regions) {
+std::vector<double> regionBulges(const Segmentation& segments, std::span<const std::uint32_t> regionOfSegment, std::size_t regions) {
     std::vector<Bulge> bulges(regions);
-    const Grid<float>& u = leaves.inputs.cracks->smoothed;
-    const AngularSteps& steps = leaves.inputs.surface->steps;
+    const Grid<float>& u = segments.inputs.cracks->smoothed;
+    const AngularSteps& steps = segments.inputs.surface->steps;
     const auto beams = static_cast<std::size_t>(u.beams);
     const auto walk = [&](const std::vector<SegmentRun>& runs, const std::vector<double>& angles, bool isBeams) {
         for (std::size_t first = 0; first < runs.size();) {
-            const std::uint32_t region = regionOfLeaf[runs[first].segment];
+            const std::uint32_t region = regionOfSegment[runs[first].segment];
             std::size_t last = first;
             while (last + 1 < runs.size() && runs[last + 1].row == runs[first].row && runs[last + 1].begin == runs[last].end &&
-                   regionOfLeaf[runs[last + 1].segment] == region)
+                   regionOfSegment[runs[last + 1].segment] == region)
                 ++last;
             const std::size_t begin = runs[first].begin;
             const std::size_t end = runs[last].end;
@@ -76,8 +76,8 @@ std::vector<double> regionBulges(const Segmentation& leaves, std::span<const std
                                  scale * (angles[middle] - angles[begin + 1])});
         }
     };
-    walk(leaves.beamRuns, addedAngles(steps.beam), true);
-    walk(leaves.lineRuns, addedAngles(steps.line), false);
+    walk(segments.beamRuns, addedAngles(steps.beam), true);
+    walk(segments.lineRuns, addedAngles(steps.line), false);
     std::vector<double> shares;
     for (const Bulge& bulge : bulges)
         shares.push_back(bulge.chordsM > 0 ? std::clamp(bulge.beforeM / bulge.chordsM, -kMostBulge, kMostBulge) : 0.0);

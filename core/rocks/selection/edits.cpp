@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kLeastZ = -13.0; // less than any evidence: the level at which a segment appears
 
-std::uint32_t leafAt(const Segmentation& leaves, std::uint32_t k) { return k < leaves.segment.size() ? leaves.segment[k] : kNoSegment; }
+std::uint32_t segmentAt(const Segmentation& segments, std::uint32_t k) {
+    return k < segments.segment.size() ? segments.segment[k] : kNoSegment;
+}
 
 } // namespace
 
@@ -21,46 +23,47 @@ std::vector<CutLine> cutsOf(std::span<const Edit> edits) {
     return cuts;
 }
 
-std::vector<SegmentPair> pairsOf(const Segmentation& leaves, std::span<const Edit> edits) {
+std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const Edit> edits) {
     std::vector<SegmentPair> pairs;
     for (const Edit& edit : edits) {
         if (edit.kind == EditKind::Cut) {
-            const std::vector<SegmentPair> across = segmentsAcross(leaves.segment, leaves.borders, std::span(&edit.cells, 1));
+            const std::vector<SegmentPair> across = segmentsAcross(segments.segment, segments.borders, std::span(&edit.cells, 1));
             pairs.insert(pairs.end(), across.begin(), across.end());
         }
         if (edit.kind != EditKind::Join && edit.kind != EditKind::Part) continue;
         for (std::size_t n = 1; n < edit.cells.size(); ++n) {
-            const SegmentPair pair{leafAt(leaves, edit.cells[0]), leafAt(leaves, edit.cells[n]), edit.kind == EditKind::Join};
+            const SegmentPair pair{segmentAt(segments, edit.cells[0]), segmentAt(segments, edit.cells[n]), edit.kind == EditKind::Join};
             if (pair.a != kNoSegment && pair.b != kNoSegment && pair.a != pair.b) pairs.push_back(pair);
         }
     }
     return pairs;
 }
 
-std::vector<RockCall> rockCallsOf(const Segmentation& leaves, std::span<const Edit> edits) {
+std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const Edit> edits) {
     std::vector<RockCall> called;
     for (const Edit& edit : edits) {
         if (edit.kind != EditKind::Rock && edit.kind != EditKind::NotRock) continue;
         for (const std::uint32_t k : edit.cells) {
-            if (leafAt(leaves, k) != kNoSegment) called.push_back({leafAt(leaves, k), edit.kind == EditKind::Rock});
+            if (segmentAt(segments, k) != kNoSegment) called.push_back({segmentAt(segments, k), edit.kind == EditKind::Rock});
         }
     }
     return called;
 }
 
-NestedPieces nestedPieces(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
+NestedPieces nestedPieces(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
     NestedPieces line;
-    const std::uint32_t leaf = leafAt(leaves, k);
-    if (leaf == kNoSegment) return line;
-    std::vector<std::uint32_t> firstCell(leaves.sums.size(), UINT32_MAX);
-    for (std::uint32_t n = 0; n < leaves.segment.size(); ++n) firstCell[leaves.segment[n]] = std::min(firstCell[leaves.segment[n]], n);
-    std::vector<std::vector<std::uint32_t>> members(leaves.sums.size());
+    const std::uint32_t segment = segmentAt(segments, k);
+    if (segment == kNoSegment) return line;
+    std::vector<std::uint32_t> firstCell(segments.sums.size(), UINT32_MAX);
+    for (std::uint32_t n = 0; n < segments.segment.size(); ++n)
+        firstCell[segments.segment[n]] = std::min(firstCell[segments.segment[n]], n);
+    std::vector<std::vector<std::uint32_t>> members(segments.sums.size());
     for (std::uint32_t n = 1; n < members.size(); ++n) members[n] = {n};
     const auto cellsOf = [&](const std::vector<std::uint32_t>& group) {
         return std::accumulate(group.begin(), group.end(), 0U,
-                               [&](std::uint32_t sum, std::uint32_t n) { return sum + leaves.sums[n].cells; });
+                               [&](std::uint32_t sum, std::uint32_t n) { return sum + segments.sums[n].cells; });
     };
-    std::uint32_t own = leaf;
+    std::uint32_t own = segment;
     double made = kLeastZ;
     bool isLarger = false; // larger than the region
     Edit join{EditKind::Join, {k}};
@@ -102,8 +105,8 @@ std::size_t bestSplit(const NestedPieces& line) {
     return best;
 }
 
-std::optional<Edit> splitAt(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k) {
-    const NestedPieces line = nestedPieces(leaves, tree, level, k, 0);
+std::optional<Edit> splitAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k) {
+    const NestedPieces line = nestedPieces(segments, tree, level, k, 0);
     const std::size_t best = bestSplit(line);
     return best == line.region ? std::nullopt : std::optional(line.pieces[best].edit);
 }

@@ -37,10 +37,10 @@ struct Edit {
 
 /// The strokes among the edits.
 [[nodiscard]] std::vector<CutLine> cutsOf(std::span<const Edit> edits);
-/// Decisions of the edits about pairs of segments; a cell without a segment has no effect. `leaves` must have been made with the same
+/// Decisions of the edits about pairs of segments; a cell without a segment has no effect. `segments` must have been made with the same
 /// strokes.
-[[nodiscard]] std::vector<SegmentPair> pairsOf(const Segmentation& leaves, std::span<const Edit> edits);
-[[nodiscard]] std::vector<RockCall> rockCallsOf(const Segmentation& leaves, std::span<const Edit> edits);
+[[nodiscard]] std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const Edit> edits);
+[[nodiscard]] std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const Edit> edits);
 
 /// Smaller pieces are not useful as rocks.
 inline constexpr std::uint32_t kFewestSplit = 50;
@@ -62,14 +62,14 @@ struct NestedPieces {
     std::size_t region = 0;
 };
 /// Empty if the cell does not belong to a segment. At most `mostLarger` pieces are larger than the region.
-[[nodiscard]] NestedPieces nestedPieces(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k,
+[[nodiscard]] NestedPieces nestedPieces(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k,
                                         std::size_t mostLarger);
 
 /// Index of the piece that a click splits off: of those with 50 or more cells the one with the longest life; the region's index if there is
 /// no such piece.
 [[nodiscard]] std::size_t bestSplit(const NestedPieces& line);
 /// The edit of that piece. Empty if there is no such piece.
-[[nodiscard]] std::optional<Edit> splitAt(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k);
+[[nodiscard]] std::optional<Edit> splitAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k);
 
 /// {"format": "edgescan-rock-edits/1", "lines": N, "beams": N, "edits": [{"kind": "join", "cells": [[line, beam], ...]}, ...]}
 [[nodiscard]] nlohmann::ordered_json rockEditsToJson(std::span<const Edit> edits, int lines, int beams);

@@ -78,14 +78,14 @@ std::vector<RegionCorner> regionOfDrawing(const std::vector<RegionCorner>& drawn
     return region.size() < 3 ? std::vector<RegionCorner>{} : region;
 }
 
-void markOutsideRegion(const Segmentation& leaves, RegionMap& map) {
+void markOutsideRegion(const Segmentation& segments, RegionMap& map) {
     if (map.settings.region.empty()) return;
-    const Grid<Support>& support = leaves.inputs.surface->inverse.support;
+    const Grid<Support>& support = segments.inputs.surface->inverse.support;
     std::vector<std::uint32_t> inside(map.regions.size());
-    const Grid<std::uint8_t> mask = insideMask(map.settings.region, leaves.segment.lines, leaves.segment.beams);
+    const Grid<std::uint8_t> mask = insideMask(map.settings.region, segments.segment.lines, segments.segment.beams);
     for (std::size_t k = 0; k < mask.size(); ++k) {
-        if (mask[k] == 0 || leaves.segment[k] == kNoSegment || support[k] != Support::Measured) continue;
-        ++inside[map.regionOfSegment[leaves.segment[k]]];
+        if (mask[k] == 0 || segments.segment[k] == kNoSegment || support[k] != Support::Measured) continue;
+        ++inside[map.regionOfSegment[segments.segment[k]]];
     }
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         if (2 * static_cast<std::uint64_t>(inside[n]) < map.regions[n].sums.cells) map.regions[n].kind = RegionKind::Outside;

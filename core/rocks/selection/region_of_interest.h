@@ -6,7 +6,7 @@
 namespace edgescan::rocks {
 
 /// Marks regions with more measured cells outside than inside. Does nothing if the settings have no region of interest.
-void markOutsideRegion(const Segmentation& leaves, RegionMap& map);
+void markOutsideRegion(const Segmentation& segments, RegionMap& map);
 
 /// Whether a cell is inside the region; always true for an empty region.
 [[nodiscard]] bool isInside(const std::vector<RegionCorner>& region, int line, int beam);

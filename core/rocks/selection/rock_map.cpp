@@ -54,13 +54,14 @@ void measureSpread(Region& region) {
 }
 
 // Sums of the segments of each region; indices as in `regions`.
-void addLeaves(const Segmentation& leaves, RegionMap& map) {
-    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) map.regions[map.regionOfSegment[leaf]].sums.add(leaves.sums[leaf]);
+void addSegments(const Segmentation& segments, RegionMap& map) {
+    for (std::uint32_t segment = 1; segment <= segments.count(); ++segment)
+        map.regions[map.regionOfSegment[segment]].sums.add(segments.sums[segment]);
 }
 
-void addBorders(const Segmentation& leaves, RegionMap& map) {
+void addBorders(const Segmentation& segments, RegionMap& map) {
     std::vector<RegionBorder> parts;
-    for (RegionBorder border : leaves.borders) {
+    for (RegionBorder border : segments.borders) {
         border.a = map.regionOfSegment[border.a];
         border.b = map.regionOfSegment[border.b];
         if (border.a != border.b) parts.push_back(border.a < border.b ? border : border.reversed());
@@ -125,9 +126,9 @@ void putInOrder(RegionMap& map) {
         std::count_if(map.regions.begin() + 1, map.regions.end(), [](const Region& r) { return r.kind == RegionKind::Rock; }));
 }
 
-Grid<std::uint32_t> painted(const Segmentation& leaves, const std::vector<std::uint32_t>& colours) {
-    Grid<std::uint32_t> grid(leaves.segment.lines, leaves.segment.beams);
-    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = colours[leaves.segment[k]];
+Grid<std::uint32_t> painted(const Segmentation& segments, const std::vector<std::uint32_t>& colours) {
+    Grid<std::uint32_t> grid(segments.segment.lines, segments.segment.beams);
+    for (std::size_t k = 0; k < grid.size(); ++k) grid[k] = colours[segments.segment[k]];
     return grid;
 }
 
@@ -147,28 +148,28 @@ const char* regionKindName(RegionKind kind) {
     return "outside";
 }
 
-RegionMap rocksAt(const Segmentation& leaves, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {
+RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {
     RegionMap map;
     map.settings = settings;
-    map.regionOfSegment = groupsAt(tree, leaves.count(), settings.level);
+    map.regionOfSegment = groupsAt(tree, segments.count(), settings.level);
     std::vector<std::uint32_t> place(map.regionOfSegment.size());
     map.regions.emplace_back();
-    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) {
-        std::uint32_t& region = map.regionOfSegment[leaf];
-        if (region == leaf) {
-            place[leaf] = static_cast<std::uint32_t>(map.regions.size());
-            map.regions.emplace_back().firstSegment = leaf;
+    for (std::uint32_t segment = 1; segment <= segments.count(); ++segment) {
+        std::uint32_t& region = map.regionOfSegment[segment];
+        if (region == segment) {
+            place[segment] = static_cast<std::uint32_t>(map.regions.size());
+            map.regions.emplace_back().firstSegment = segment;
         }
         region = place[region]; // the region of this segment was found before
     }
-    addLeaves(leaves, map);
-    addBorders(leaves, map);
-    const std::vector<double> bulges = regionBulges(leaves, map.regionOfSegment, map.regions.size());
+    addSegments(segments, map);
+    addBorders(segments, map);
+    const std::vector<double> bulges = regionBulges(segments, map.regionOfSegment, map.regions.size());
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         map.regions[n].bulge = bulges[n];
         judge(map.regions[n], settings);
     }
-    markOutsideRegion(leaves, map);
+    markOutsideRegion(segments, map);
     for (const RockCall& call : called) {
         Region& region = map.regions[map.regionOfSegment[call.segment]];
         if (region.sums.cells == 0) continue;
@@ -179,7 +180,7 @@ RegionMap rocksAt(const Segmentation& leaves, const MergeTree& tree, const RockS
     return map;
 }
 
-Grid<std::uint32_t> regionLabels(const Segmentation& leaves, const RegionMap& map) { return painted(leaves, map.regionOfSegment); }
+Grid<std::uint32_t> regionLabels(const Segmentation& segments, const RegionMap& map) { return painted(segments, map.regionOfSegment); }
 
 bool touch(const RegionBorder& border) { return border.valleys >= kFewestValleys; }
 
@@ -189,10 +190,10 @@ std::uint32_t nearerSide(const RegionBorder& border) {
     return border.jumpsA > border.jumpsB ? border.a : border.b;
 }
 
-Grid<std::uint32_t> rockLabels(const Segmentation& leaves, const RegionMap& map) {
+Grid<std::uint32_t> rockLabels(const Segmentation& segments, const RegionMap& map) {
     std::vector<std::uint32_t> colours = map.regionOfSegment;
     for (std::uint32_t& region : colours) region = region <= map.rocks ? region : 0;
-    return painted(leaves, colours);
+    return painted(segments, colours);
 }
 
 } // namespace edgescan::rocks

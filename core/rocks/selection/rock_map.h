@@ -60,7 +60,7 @@ struct RockCall {
 };
 
 /// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.
-[[nodiscard]] RegionMap rocksAt(const Segmentation& leaves, const MergeTree& tree, const RockSettings& settings,
+[[nodiscard]] RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings,
                                 std::span<const RockCall> called = {});
 
 /// Whether there are enough clear valleys along the border to say that its two sides touch.
@@ -70,9 +70,9 @@ struct RockCall {
 [[nodiscard]] std::uint32_t nearerSide(const RegionBorder& border);
 
 /// Lines x beams: 0 = not a rock, otherwise rocks 1 .. map.rocks, the largest visible area first.
-[[nodiscard]] Grid<std::uint32_t> rockLabels(const Segmentation& leaves, const RegionMap& map);
+[[nodiscard]] Grid<std::uint32_t> rockLabels(const Segmentation& segments, const RegionMap& map);
 
 /// Lines x beams: indices of map.regions of any kind; 0 where a cell does not belong to a region.
-[[nodiscard]] Grid<std::uint32_t> regionLabels(const Segmentation& leaves, const RegionMap& map);
+[[nodiscard]] Grid<std::uint32_t> regionLabels(const Segmentation& segments, const RegionMap& map);
 
 } // namespace edgescan::rocks

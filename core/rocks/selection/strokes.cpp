@@ -9,17 +9,17 @@ namespace edgescan::rocks {
 namespace {
 
 // Region of each cell of the line, in order; 0 without a region.
-std::vector<std::uint32_t> regionsAlong(const Segmentation& leaves, const RegionMap& map, const std::vector<std::uint32_t>& cells) {
+std::vector<std::uint32_t> regionsAlong(const Segmentation& segments, const RegionMap& map, const std::vector<std::uint32_t>& cells) {
     std::vector<std::uint32_t> regions;
-    for (const std::uint32_t k : cells) regions.push_back(map.regionOfSegment[leaves.segment[k]]);
+    for (const std::uint32_t k : cells) regions.push_back(map.regionOfSegment[segments.segment[k]]);
     return regions;
 }
 
 } // namespace
 
-std::optional<Edit> joinAlong(const Segmentation& leaves, const RegionMap& map, const CutLine& stroke) {
-    const std::vector<std::uint32_t> cells = strokeCells(stroke, leaves.segment.lines, leaves.segment.beams);
-    const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, cells);
+std::optional<Edit> joinAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke) {
+    const std::vector<std::uint32_t> cells = strokeCells(stroke, segments.segment.lines, segments.segment.beams);
+    const std::vector<std::uint32_t> regions = regionsAlong(segments, map, cells);
     struct Run {
         std::uint32_t region;
         std::size_t begin, end;
@@ -39,15 +39,16 @@ std::optional<Edit> joinAlong(const Segmentation& leaves, const RegionMap& map, 
     return join;
 }
 
-std::optional<Edit> cutAlong(const Segmentation& leaves, const RegionMap& map, const CutLine& stroke) {
-    const std::vector<std::uint32_t> regions = regionsAlong(leaves, map, strokeCells(stroke, leaves.segment.lines, leaves.segment.beams));
+std::optional<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke) {
+    const std::vector<std::uint32_t> regions =
+        regionsAlong(segments, map, strokeCells(stroke, segments.segment.lines, segments.segment.beams));
     if (std::ranges::all_of(regions, [](std::uint32_t region) { return region == 0; })) return std::nullopt;
     return Edit{EditKind::Cut, stroke};
 }
 
-WheelPieces wheelPiecesAt(const Segmentation& leaves, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
+WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
     WheelPieces family;
-    NestedPieces all = nestedPieces(leaves, tree, level, k, mostLarger);
+    NestedPieces all = nestedPieces(segments, tree, level, k, mostLarger);
     const std::size_t split = bestSplit(all);
     for (std::size_t n = 0; n < all.pieces.size(); ++n) {
         if (n < all.region && all.pieces[n].cells < kFewestSplit) continue;

@@ -55,7 +55,7 @@ float slantAt(const InverseRange& inverse, int line, int beam) {
 // How far odd beams are ahead, measured on every `every`-th line; all 0 unless most of these lines show it.
 std::vector<float> parities(const InverseRange& inverse, int every) {
     std::vector<float> parity(static_cast<std::size_t>(inverse.u.lines));
-    int told = 0;
+    int measuredLines = 0;
     int shifted = 0;
     std::vector<SlipVote> slips;
     LineSlants slants(inverse.u.beams);
@@ -63,14 +63,14 @@ std::vector<float> parities(const InverseRange& inverse, int every) {
         slips.clear();
         addParity(inverse, i, slants, slips);
         if (slips.size() < kFewestCells) continue;
-        ++told;
+        ++measuredLines;
         if (isMedianWithin(kLeastParity, slips)) continue;
         const float steps = weightedMedian(slips);
         if (spreadAround(steps, slips) > kLargestSpread) continue;
         ++shifted;
         parity[static_cast<std::size_t>(i)] = steps;
     }
-    if (told < kFewestLines || 2 * shifted <= told) std::fill(parity.begin(), parity.end(), 0.0F);
+    if (measuredLines < kFewestLines || 2 * shifted <= measuredLines) std::fill(parity.begin(), parity.end(), 0.0F);
     return parity;
 }
 

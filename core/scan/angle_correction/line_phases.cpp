@@ -130,7 +130,7 @@ bool areApart(std::vector<double> phases) {
 
 LinePhases linePhases(const InverseRange& inverse) {
     constexpr int kBlock = 96; // consecutive lines that are examined, in three places of a large sweep
-    std::vector<LineNear> telling;
+    std::vector<LineNear> measured;
     const int lines = inverse.u.lines;
     LineSlants slants(inverse.u.beams);
     std::vector<SlipVote> votes;
@@ -140,14 +140,14 @@ LinePhases linePhases(const InverseRange& inverse) {
         if (!isLookedAt(i)) continue;
         ++looked;
         voteOnNeighbours(inverse, i, slants, votes);
-        if (votes.size() >= kFewestVotes) telling.push_back({i, isMedianWithin(kNear, votes)});
+        if (votes.size() >= kFewestVotes) measured.push_back({i, isMedianWithin(kNear, votes)});
     }
-    const auto told = static_cast<int>(telling.size());
-    if (told < kFewestPhasedLines || 2 * told < looked) return {};
-    const int most = std::min(kMostPhases, told / kFewestTurns);
-    if (areMostNear(telling, most)) return {};
+    const auto measuredLines = static_cast<int>(measured.size());
+    if (measuredLines < kFewestPhasedLines || 2 * measuredLines < looked) return {};
+    const int most = std::min(kMostPhases, measuredLines / kFewestTurns);
+    if (areMostNear(measured, most)) return {};
     std::vector<LineOff> offs;
-    for (const LineNear& line : telling) {
+    for (const LineNear& line : measured) {
         voteOnNeighbours(inverse, line.line, slants, votes);
         offs.push_back({line.line, static_cast<double>(weightedMedian(votes))});
     }

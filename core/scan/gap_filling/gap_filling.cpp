@@ -56,8 +56,8 @@ public:
     }
 
 private:
-    static Cell kindOf(CellState state, bool stands) {
-        if (state == CellState::Valid) return stands ? kMeasured : kDust;
+    static Cell kindOf(CellState state, bool isSupported) {
+        if (state == CellState::Valid) return isSupported ? kMeasured : kDust;
         return state == CellState::Masked || state == CellState::OutOfWindow ? kKeptOut : kMissing;
     }
 

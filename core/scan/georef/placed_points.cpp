@@ -45,12 +45,12 @@ Eigen::Vector3d scaleOf(const Placement& placement) { return {placement.gridScal
 PlacedPoints::PlacedPoints(const Scan& scan) : scale_(scaleOf(*scan.placement)), origin_(scan.placement->originEnhM) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     const auto lines = static_cast<std::size_t>(scan.lines());
-    unturned_.reserve(lines);
+    withoutStepper_.reserve(lines);
     lines_.reserve(lines);
     for (int line = 0; line < scan.lines(); ++line) {
         const double lineDeg = turnOfLine(polar, line);
         const RigidTransform& pose = poseOfLine(*scan.placement, line);
-        unturned_.push_back(idealTurn(polar, lineDeg).transpose());
+        withoutStepper_.push_back(idealTurn(polar, lineDeg).transpose());
         lines_.push_back({pose.rotation * stepperTurn(scan.placement->mount, lineDeg), pose.translationM});
     }
     const std::size_t mounts = polar == nullptr || polar->lineSkewDeg.empty() ? 1 : polar->lineSkewDeg.size();
@@ -59,7 +59,7 @@ PlacedPoints::PlacedPoints(const Scan& scan) : scale_(scaleOf(*scan.placement)),
 
 Eigen::Vector3d PlacedPoints::local(int line, int beam, const Eigen::Vector3d& scannerPointM) const {
     const auto i = static_cast<std::size_t>(line);
-    const Eigen::Vector3d inMover = mountOf(beam) * (unturned_[i] * scannerPointM);
+    const Eigen::Vector3d inMover = mountOf(beam) * (withoutStepper_[i] * scannerPointM);
     return lines_[i].translationM + scale_.cwiseProduct(lines_[i].rotation * inMover);
 }
 
@@ -75,7 +75,7 @@ Eigen::Vector3d PlacedPoints::inFrame(CoordinateFrame frame, int line, int beam,
 Eigen::Vector3d PlacedPoints::scanner(int line, int beam, const Eigen::Vector3d& localPointM) const {
     const auto i = static_cast<std::size_t>(line);
     const Eigen::Vector3d inMover = lines_[i].rotation.transpose() * (localPointM - lines_[i].translationM).cwiseQuotient(scale_);
-    return unturned_[i].transpose() * (inverse(mountOf(beam)) * inMover);
+    return withoutStepper_[i].transpose() * (inverse(mountOf(beam)) * inMover);
 }
 
 Eigen::Vector3d axisBasePoint(const Scan& scan, int line, int beam, const Eigen::Vector3d& scannerPointM) {

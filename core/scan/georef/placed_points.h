@@ -30,9 +30,9 @@ private:
         return mounts_[mounts_.size() == 1 ? 0 : static_cast<std::size_t>(beam)];
     }
 
-    std::vector<Eigen::Matrix3d> unturned_; // per line: scanner frame -> fan, with the ideal stepper's rotation removed
-    std::vector<RigidTransform> mounts_;    // fan -> mover; one, or one per beam if the stepper moves during the line
-    std::vector<RigidTransform> lines_;     // per line: mover -> axis base -> pose axes, translation in grid metres
+    std::vector<Eigen::Matrix3d> withoutStepper_; // per line: scanner frame -> fan, with the ideal stepper's rotation removed
+    std::vector<RigidTransform> mounts_;          // fan -> mover; one, or one per beam if the stepper moves during the line
+    std::vector<RigidTransform> lines_;           // per line: mover -> axis base -> pose axes, translation in grid metres
     Eigen::Vector3d scale_;
     Eigen::Vector3d origin_;
 };

@@ -11,9 +11,9 @@ namespace {
 
 /// A scan is counted before its event is called, so that statistics() inside or after the event includes it.
 ColaLink::Hooks hooksOf(const SessionEvents& events, std::atomic<std::uint64_t>& scans) {
-    const auto received = [&scans, tell = events.frameReceived](const ColaFrame& frame) {
+    const auto received = [&scans, frameReceived = events.frameReceived](const ColaFrame& frame) {
         if (isScanTelegram(frame.payload())) ++scans;
-        if (tell) tell(frame);
+        if (frameReceived) frameReceived(frame);
     };
     return {received, events.frameSent};
 }

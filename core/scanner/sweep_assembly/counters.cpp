@@ -153,7 +153,7 @@ void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
     if (byTelegrams) stamp.lostTelegrams = advance.telegrams - 1;
     if (byScans) stamp.lostScans = std::max<std::int64_t>((advance.scans + turn / 2) / turn - 1, 0);
     stamp.lost = std::max(stamp.lostTelegrams, stamp.lostScans);
-    const bool stood = advance.telegrams == 0 && advance.scans == 0;
+    const bool countersStopped = advance.telegrams == 0 && advance.scans == 0;
     // Only the clock is left, if the number of scans per telegram is known.
     if (!byTelegrams && !byScans && interval_ > 0 && !advance.clockJumped) {
         const double lines = advance.scansByClock / static_cast<double>(turn);
@@ -166,13 +166,13 @@ void LineCounter::follow(LineStamp& stamp, const Advance& advance) const {
         if (stamp.counters != CounterStep::Jumped) stamp.counters = back ? CounterStep::Reset : CounterStep::Jumped;
         if (!back) stamp.implausible = std::max(stamp.implausible, moved * scans / turn - 1 - stamp.lost);
     }
-    if (stood) stamp.counters = CounterStep::Stopped;
+    if (countersStopped) stamp.counters = CounterStep::Stopped;
     const double unaccounted = static_cast<double>(advance.us) - static_cast<double>((stamp.lost + 1) * turn) * advance.periodUs;
     if (advance.clockJumped)
         stamp.clock = ClockStep::Jumped;
     else if (advance.us == 0)
         stamp.clock = ClockStep::Stopped;
-    else if (unaccounted > kPauseUs && !stood)
+    else if (unaccounted > kPauseUs && !countersStopped)
         stamp.clock =
             advance.hostUs == 0 || 2.0 * static_cast<double>(advance.hostUs) >= unaccounted ? ClockStep::Paused : ClockStep::Jumped;
 }

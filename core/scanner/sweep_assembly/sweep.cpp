@@ -83,8 +83,8 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
         return true;
     }
     const bool odd = repeat == Other || repeat == Outside;
-    const bool anew = odd && stamp.linesBehind > kFewBehind;
-    if (comparable && (anew || (repeat == Other && repeats_ >= kFewRepeats) || repeats_ >= kManyRepeats)) {
+    const bool isNewLine = odd && stamp.linesBehind > kFewBehind;
+    if (comparable && (isNewLine || (repeat == Other && repeats_ >= kFewRepeats) || repeats_ >= kManyRepeats)) {
         stamp = counter_.restart(telegram, hostNs);
         return true;
     }

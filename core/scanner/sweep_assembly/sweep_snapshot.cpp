@@ -56,15 +56,15 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
 /// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
 std::string assumedText(const SweepSettings& settings, AngleSource source) {
     std::string what, flags;
-    const auto tell = [&](const std::string& words, const char* flag) {
+    const auto addAssumption = [&](const std::string& words, const char* flag) {
         what += (what.empty() ? "" : ", ") + words;
         flags += (flags.empty() ? "" : ", ") + std::string(flag);
     };
-    if (settings.axisAssumed) tell(std::string("the axis (") + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
+    if (settings.axisAssumed) addAssumption(std::string("the axis (") + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
     if (settings.stepAssumed && source == AngleSource::Steps) {
-        tell("the step from line to line (" + shortestText(*settings.degPerLine) + " degrees" +
-                 (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
-             "--line-step");
+        addAssumption("the step from line to line (" + shortestText(*settings.degPerLine) + " degrees" +
+                          (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
+                      "--line-step");
     }
     if (what.empty()) return {};
     return "How a motor turned the scanner was not said. ASSUMED: " + what + ". Give " + flags + " where that is wrong.";
@@ -79,12 +79,12 @@ std::string SweepProgress::text() const {
 
 std::string rowsText(const std::vector<int>& rows, int groups) {
     std::string text = rows.size() == 1 ? "line " : "lines ";
-    int told = 0;
+    int listed = 0;
     for (std::size_t i = 0; i < rows.size();) {
         std::size_t last = i;
         while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) ++last;
-        if (told++ == groups) return text + " and others";
-        if (told > 1) text += ", ";
+        if (listed++ == groups) return text + " and others";
+        if (listed > 1) text += ", ";
         text += std::to_string(rows[i]);
         if (last > i) text += " to " + std::to_string(rows[last]);
         i = last + 1;
@@ -154,13 +154,13 @@ void SweepAssembler::describe(Scan& scan) {
     scan.warnings.clear();
     const auto warn = [&](std::string sentence) { scan.warnings.push_back(std::move(sentence)); };
     if (!now.complete()) warn(now.text() + ".");
-    const auto tellRows = [&](const char* what, const std::vector<int>& lines) {
+    const auto warnAboutRows = [&](const char* what, const std::vector<int>& lines) {
         if (!lines.empty()) warn(what + rowsText(lines) + " (" + std::to_string(lines.size()) + " in all).");
     };
     std::vector<int> gone;
     std::set_difference(now.lost.begin(), now.lost.end(), now.narrow.begin(), now.narrow.end(), std::back_inserter(gone));
-    tellRows("Telegrams were lost: ", gone);
-    tellRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
+    warnAboutRows("Telegrams were lost: ", gone);
+    warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
     if (!now.assumed.empty()) warn(now.assumed);
     if (angles.source == AngleSource::Time) warn("The line angles are reckoned from time alone: a change of speed bends the cloud.");

@@ -38,7 +38,7 @@ bool besideFilled(const InverseRange& inverse, int line, int beam) {
     return false;
 }
 
-// Every part of what is told must agree with the responses of the whole scan, to the last bit where it is a strength.
+// Every reported part must agree with the responses of the whole scan; strengths to the last bit.
 void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
     const DepthResponses whole = test::depthResponses(scan, settings);
     const InverseRange inverse = inverseRange(scan);

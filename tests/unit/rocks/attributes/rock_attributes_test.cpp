@@ -43,15 +43,15 @@ Scan ballsScan(const std::vector<Ball>& balls, int lines = 200, int beams = 260)
 }
 
 struct FoundBalls {
-    Segmentation leaves;
+    Segmentation segments;
     RegionMap map;
     std::vector<Rock> rocks;
 };
 FoundBalls found(const Scan& scan) {
     FoundBalls f;
-    f.leaves = test::rockLeavesOf(std::make_shared<const Scan>(scan));
-    f.map = rocksAt(f.leaves, mergeTree(f.leaves.count(), f.leaves.borders), {});
-    f.rocks = rockRows(f.leaves, f.map);
+    f.segments = test::segmentationOf(std::make_shared<const Scan>(scan));
+    f.map = rocksAt(f.segments, mergeTree(f.segments.count(), f.segments.borders), {});
+    f.rocks = rockRows(f.segments, f.map);
     return f;
 }
 
@@ -77,7 +77,7 @@ TEST(RockRows, ABallHasItsSizePlaceAndDistance) {
         EXPECT_GT(rock.confidence, 0.9);
         EXPECT_TRUE(rock.contacts.empty());
         EXPECT_TRUE(rock.rocksBehind.empty());
-        EXPECT_EQ(rockLabels(f.leaves, f.map)[rock.cell], rock.label);
+        EXPECT_EQ(rockLabels(f.segments, f.map)[rock.cell], rock.label);
     }
 }
 
@@ -107,7 +107,7 @@ TEST(RockRows, FreeHeightBelowEndsAtAnObjectOrAVoid) {
     EXPECT_LE(upper.freeHeightM, 0.6);
     // There was no return from below it.
     Scan silent = open;
-    const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
+    const Grid<std::uint32_t> labels = rockLabels(f.segments, f.map);
     for (std::size_t k = 0; k < silent.cells(); ++k) {
         if (labels[k] != 0) continue;
         silent.state[k] = CellState::NoReturn;
@@ -122,17 +122,17 @@ TEST(RockRows, FreeHeightBelowEndsAtAnObjectOrAVoid) {
 TEST(RockRows, CellsThatSawPastTheRimMakeNoRockLonger) {
     const FoundBalls f = found(ballsScan({{{0.3, 0.0, 5.0}, 0.5}}));
     ASSERT_EQ(f.rocks.size(), 1U);
-    Segmentation leaves = f.leaves;
-    Scan scan = *leaves.inputs.scan;
-    const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
+    Segmentation segments = f.segments;
+    Scan scan = *segments.inputs.scan;
+    const Grid<std::uint32_t> labels = rockLabels(f.segments, f.map);
     int changed = 0;
     for (std::size_t k = 0; k < scan.cells() && changed < 4; ++k) { // the first ones, at its upper rim
         if (labels[k] != 1 || scan.state[k] != CellState::Valid) continue;
         scan.rangeMm[k] += 9000.0F;
         ++changed;
     }
-    leaves.inputs.scan = std::make_shared<const Scan>(std::move(scan));
-    const std::vector<Rock> rocks = rockRows(leaves, f.map);
+    segments.inputs.scan = std::make_shared<const Scan>(std::move(scan));
+    const std::vector<Rock> rocks = rockRows(segments, f.map);
     EXPECT_NEAR(rocks[0].longestCaliperM, f.rocks[0].longestCaliperM, 0.05);
     EXPECT_NEAR(rocks[0].shortestCaliperM, f.rocks[0].shortestCaliperM, 0.05);
     EXPECT_NEAR(rocks[0].distanceM, f.rocks[0].distanceM, 0.01);
@@ -238,10 +238,10 @@ TEST(RockOutlines, EncloseTheCellsOfTheirLabelAndNoOthers) {
 
 TEST(RockHulls, HoldAllVisiblePoints) {
     const FoundBalls f = found(ballsScan({{{-1.0, 0.2, 5.0}, 0.5}, {{1.2, -0.3, 6.0}, 0.3}}));
-    const std::vector<Hull> hulls = rockHulls(f.leaves, f.map);
+    const std::vector<Hull> hulls = rockHulls(f.segments, f.map);
     ASSERT_EQ(hulls.size(), 2U);
-    const CartesianTables tables(*f.leaves.inputs.scan);
-    const Grid<std::uint32_t> labels = rockLabels(f.leaves, f.map);
+    const CartesianTables tables(*f.segments.inputs.scan);
+    const Grid<std::uint32_t> labels = rockLabels(f.segments, f.map);
     for (const Hull& hull : hulls) {
         ASSERT_GT(hull.triangles.size(), 20U);
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
@@ -250,7 +250,7 @@ TEST(RockHulls, HoldAllVisiblePoints) {
             const Eigen::Vector3d normal =
                 (tables.point(hull.cells.at(t[1])) - a).cross(tables.point(hull.cells.at(t[2])) - a).normalized();
             for (std::size_t k = 0; k < labels.size(); ++k) {
-                if (labels[k] == hull.label && f.leaves.inputs.surface->inverse.support[k] == Support::Measured) {
+                if (labels[k] == hull.label && f.segments.inputs.surface->inverse.support[k] == Support::Measured) {
                     ASSERT_LT(normal.dot(tables.point(k) - a), kHullToleranceM + 1e-9);
                 }
             }

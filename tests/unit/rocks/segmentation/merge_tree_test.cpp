@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-std::vector<SegmentBorder> randomBorders(std::mt19937& random, std::uint32_t leaves, int values) {
+std::vector<SegmentBorder> randomBorders(std::mt19937& random, std::uint32_t segments, int values) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, SegmentBorder> borders;
-    for (std::uint32_t n = 0; n < 3 * leaves; ++n) {
-        const std::uint32_t a = 1 + static_cast<std::uint32_t>(random()) % leaves;
-        const std::uint32_t b = 1 + static_cast<std::uint32_t>(random()) % leaves;
+    for (std::uint32_t n = 0; n < 3 * segments; ++n) {
+        const std::uint32_t a = 1 + static_cast<std::uint32_t>(random()) % segments;
+        const std::uint32_t b = 1 + static_cast<std::uint32_t>(random()) % segments;
         if (a >= b) continue;
         SegmentBorder border{a, b, 0, 0, 0, 0, 0};
         border.cracks = 1 + random() % 4;
@@ -31,9 +31,9 @@ std::vector<SegmentBorder> randomBorders(std::mt19937& random, std::uint32_t lea
 }
 
 // `apart`: pairs of segments that must never be in one group. `joined` come first.
-MergeTree slowTree(std::uint32_t leaves, const std::vector<SegmentBorder>& borders, const std::vector<SegmentPair>& pairs) {
-    std::vector<std::uint32_t> group(leaves + 1);
-    for (std::uint32_t n = 0; n <= leaves; ++n) group[n] = n;
+MergeTree slowTree(std::uint32_t segments, const std::vector<SegmentBorder>& borders, const std::vector<SegmentPair>& pairs) {
+    std::vector<std::uint32_t> group(segments + 1);
+    for (std::uint32_t n = 0; n <= segments; ++n) group[n] = n;
     MergeTree tree;
     const auto merge = [&](std::uint32_t x, std::uint32_t y, double height) {
         const auto [kept, gone] = std::minmax(group[x], group[y]);
@@ -75,25 +75,25 @@ void expectSame(const MergeTree& one, const MergeTree& other) {
 TEST(MergeTree, EqualsTheSlowOneAlsoWithManyTies) {
     std::mt19937 random(7);
     for (int round = 0; round < 60; ++round) {
-        const std::uint32_t leaves = 2 + static_cast<std::uint32_t>(random()) % 40;
-        const std::vector<SegmentBorder> borders = randomBorders(random, leaves, round % 2 == 0 ? 5 : 2000);
-        expectSame(mergeTree(leaves, borders), slowTree(leaves, borders, {}));
+        const std::uint32_t segments = 2 + static_cast<std::uint32_t>(random()) % 40;
+        const std::vector<SegmentBorder> borders = randomBorders(random, segments, round % 2 == 0 ? 5 : 2000);
+        expectSame(mergeTree(segments, borders), slowTree(segments, borders, {}));
     }
 }
 
 TEST(MergeTree, PairsAreJoinedFirstAndKeptApartForGood) {
     std::mt19937 random(11);
     for (int round = 0; round < 60; ++round) {
-        const std::uint32_t leaves = 8 + static_cast<std::uint32_t>(random()) % 30;
-        const std::vector<SegmentBorder> borders = randomBorders(random, leaves, 50);
+        const std::uint32_t segments = 8 + static_cast<std::uint32_t>(random()) % 30;
+        const std::vector<SegmentBorder> borders = randomBorders(random, segments, 50);
         // Segments 1 and 2 with some others to be separated from, and joins among the rest: no contradiction.
         const std::vector<SegmentPair> pairs{{1, 2, false}, {3, 4, true}, {1, 3, false}, {5, 6, true}};
-        const MergeTree tree = mergeTree(leaves, borders, pairs);
-        expectSame(tree, slowTree(leaves, borders, pairs));
-        const std::vector<std::uint32_t> group = groupsAt(tree, leaves, 1e9);
+        const MergeTree tree = mergeTree(segments, borders, pairs);
+        expectSame(tree, slowTree(segments, borders, pairs));
+        const std::vector<std::uint32_t> group = groupsAt(tree, segments, 1e9);
         EXPECT_NE(group[1], group[2]);
         EXPECT_NE(group[1], group[3]);
-        EXPECT_EQ(groupsAt(tree, leaves, -1e9)[3], groupsAt(tree, leaves, -1e9)[4]);
+        EXPECT_EQ(groupsAt(tree, segments, -1e9)[3], groupsAt(tree, segments, -1e9)[4]);
     }
 }
 

@@ -12,14 +12,14 @@ namespace {
 
 struct Found {
     test::RockScene scene;
-    Segmentation leaves;
+    Segmentation segments;
     MergeTree tree;
 };
 const Found& hangup() {
     static const Found found = [] {
         Found f{test::rockScene("hangup", 4711, 400, 457), {}, {}};
-        f.leaves = test::rockLeavesOf(f.scene.scan);
-        f.tree = mergeTree(f.leaves.count(), f.leaves.borders);
+        f.segments = test::segmentationOf(f.scene.scan);
+        f.tree = mergeTree(f.segments.count(), f.segments.borders);
         return f;
     }();
     return found;
@@ -27,48 +27,48 @@ const Found& hangup() {
 
 TEST(RockMap, FindsTheRocksOfASceneThatNobodyTunedOn) {
     const Found& f = hangup();
-    const RegionMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.segments, f.tree, {});
     EXPECT_GT(map.rocks, 40U);
-    EXPECT_GT(test::panopticQuality(f.leaves, map, f.scene.truth, 100), 0.80);
+    EXPECT_GT(test::panopticQuality(f.segments, map, f.scene.truth, 100), 0.80);
     RockSettings coarse;
     coarse.level = 4;
-    EXPECT_LT(test::panopticQuality(f.leaves, rocksAt(f.leaves, f.tree, coarse), f.scene.truth, 100),
-              test::panopticQuality(f.leaves, map, f.scene.truth, 100));
+    EXPECT_LT(test::panopticQuality(f.segments, rocksAt(f.segments, f.tree, coarse), f.scene.truth, 100),
+              test::panopticQuality(f.segments, map, f.scene.truth, 100));
 }
 
 TEST(RockMap, AgainGivesTheSameLabels) {
     const Found& f = hangup();
-    const Segmentation again = test::rockLeavesOf(f.scene.scan);
-    EXPECT_EQ(again.segment, f.leaves.segment);
+    const Segmentation again = test::segmentationOf(f.scene.scan);
+    EXPECT_EQ(again.segment, f.segments.segment);
     const MergeTree tree = mergeTree(again.count(), again.borders);
     for (const double level : {-4.0, 0.0, 2.5}) {
         RockSettings settings;
         settings.level = level;
-        EXPECT_EQ(rockLabels(again, rocksAt(again, tree, settings)), rockLabels(f.leaves, rocksAt(f.leaves, f.tree, settings)));
+        EXPECT_EQ(rockLabels(again, rocksAt(again, tree, settings)), rockLabels(f.segments, rocksAt(f.segments, f.tree, settings)));
     }
 }
 
 TEST(RockMap, RocksComeFirstAndTheLargestOfThemFirst) {
     const Found& f = hangup();
-    const RegionMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.segments, f.tree, {});
     for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
         EXPECT_EQ(n <= map.rocks, map.regions[n].kind == RegionKind::Rock);
         EXPECT_FALSE(n > 1 && n <= map.rocks && map.regions[n].sums.areaM2 > map.regions[n - 1].sums.areaM2);
         EXPECT_EQ(map.regions[n].kind == RegionKind::Fines, map.regions[n].sums.cells < 100U);
         EXPECT_LE(map.regions[n].nearShare, 1.0);
     }
-    const Grid<std::uint32_t> labels = rockLabels(f.leaves, map);
+    const Grid<std::uint32_t> labels = rockLabels(f.segments, map);
     std::vector<std::uint32_t> cells(map.rocks + 1);
     for (std::size_t k = 0; k < labels.size(); ++k) {
         ASSERT_LE(labels[k], map.rocks);
-        if (f.leaves.inputs.surface->inverse.support[k] == Support::Measured) ++cells[labels[k]];
+        if (f.segments.inputs.surface->inverse.support[k] == Support::Measured) ++cells[labels[k]];
     }
     for (std::uint32_t n = 1; n <= map.rocks; ++n) EXPECT_EQ(cells[n], map.regions[n].sums.cells);
 }
 
 TEST(RockMap, WhatIsARockIsSaidByItsSums) {
     const Found& f = hangup();
-    const RegionMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.segments, f.tree, {});
     for (std::uint32_t n = 1; n < map.regions.size(); ++n) {
         const Region& r = map.regions[n];
         if (r.kind == RegionKind::Fines) continue;
@@ -90,36 +90,36 @@ TEST(RockMap, WhatIsARockIsSaidByItsSums) {
 
 TEST(RockMap, BordersOfRegionsAreThoseOfTheirSegments) {
     const Found& f = hangup();
-    const RegionMap map = rocksAt(f.leaves, f.tree, {});
-    std::uint64_t ofLeaves = 0;
-    for (const SegmentBorder& border : f.leaves.borders)
-        ofLeaves += map.regionOfSegment[border.a] != map.regionOfSegment[border.b] ? border.cracks : 0;
+    const RegionMap map = rocksAt(f.segments, f.tree, {});
+    std::uint64_t ofSegments = 0;
+    for (const SegmentBorder& border : f.segments.borders)
+        ofSegments += map.regionOfSegment[border.a] != map.regionOfSegment[border.b] ? border.cracks : 0;
     std::uint64_t ofRegions = 0;
     for (const RegionBorder& border : map.borders) {
         EXPECT_LT(border.a, border.b);
         ofRegions += border.cracks;
     }
-    EXPECT_EQ(ofLeaves, ofRegions);
+    EXPECT_EQ(ofSegments, ofRegions);
     EXPECT_TRUE(std::is_sorted(map.borders.begin(), map.borders.end(),
                                [](const auto& x, const auto& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); }));
 }
 
 TEST(RockMap, ALevelFurtherUpOnlyJoins) {
     const Found& f = hangup();
-    std::vector<std::uint32_t> before = groupsAt(f.tree, f.leaves.count(), -4);
+    std::vector<std::uint32_t> before = groupsAt(f.tree, f.segments.count(), -4);
     for (double level = -3.5; level <= 4; level += 0.5) {
-        const std::vector<std::uint32_t> now = groupsAt(f.tree, f.leaves.count(), level);
-        for (std::size_t leaf = 1; leaf < now.size(); ++leaf) EXPECT_EQ(now[leaf], now[before[leaf]]);
+        const std::vector<std::uint32_t> now = groupsAt(f.tree, f.segments.count(), level);
+        for (std::size_t segment = 1; segment < now.size(); ++segment) EXPECT_EQ(now[segment], now[before[segment]]);
         before = now;
     }
 }
 
 TEST(RockMap, WhatAPersonSaysOfARegionHolds) {
     const Found& f = hangup();
-    const RegionMap map = rocksAt(f.leaves, f.tree, {});
+    const RegionMap map = rocksAt(f.segments, f.tree, {});
     const Region& first = map.regions[1];
     const std::vector<RockCall> called{{first.firstSegment, true}, {first.firstSegment, false}};
-    const RegionMap other = rocksAt(f.leaves, f.tree, {}, called);
+    const RegionMap other = rocksAt(f.segments, f.tree, {}, called);
     EXPECT_EQ(other.rocks, map.rocks - 1);
     const Region& now = other.regions[other.regionOfSegment[first.firstSegment]];
     EXPECT_EQ(now.kind, RegionKind::NotRock);
@@ -130,20 +130,20 @@ TEST(RockMap, OutsideTheRegionOfInterestNothingIsARock) {
     const Found& f = hangup();
     RockSettings settings;
     settings.region = {{100, 100}, {300, 350}};
-    const RegionMap map = rocksAt(f.leaves, f.tree, settings);
+    const RegionMap map = rocksAt(f.segments, f.tree, settings);
     EXPECT_GT(map.rocks, 3U);
-    EXPECT_LT(map.rocks, rocksAt(f.leaves, f.tree, {}).rocks);
-    const Grid<std::uint32_t> labels = regionLabels(f.leaves, map);
+    EXPECT_LT(map.rocks, rocksAt(f.segments, f.tree, {}).rocks);
+    const Grid<std::uint32_t> labels = regionLabels(f.segments, map);
     std::vector<std::uint32_t> inside(map.regions.size());
     for (int i = 100; i <= 300; ++i) {
         for (int j = 100; j <= 350; ++j) {
-            if (f.leaves.inputs.surface->inverse.isMeasured(i, j)) ++inside[labels.at(i, j)];
+            if (f.segments.inputs.surface->inverse.isMeasured(i, j)) ++inside[labels.at(i, j)];
         }
     }
     for (std::size_t n = 1; n < map.regions.size(); ++n)
         EXPECT_EQ(2 * inside[n] < map.regions[n].sums.cells, map.regions[n].kind == RegionKind::Outside);
     settings.region = {{100, 100}, {100, 350}, {300, 350}, {300, 100}};
-    EXPECT_EQ(rockLabels(f.leaves, rocksAt(f.leaves, f.tree, settings)), rockLabels(f.leaves, map));
+    EXPECT_EQ(rockLabels(f.segments, rocksAt(f.segments, f.tree, settings)), rockLabels(f.segments, map));
 }
 
 TEST(RegionOfInterest, HoldsItsOutlineAndNothingBeyond) {

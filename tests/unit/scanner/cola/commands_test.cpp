@@ -154,7 +154,7 @@ TEST(ColaCommands, DamagedAnswersAreTakenOrRefusedWithASentence) {
     int taken = 0, refused = 0;
     const auto count = [&](const auto& read) {
         ++(read ? taken : refused);
-        if (!read) EXPECT_FALSE(read.error().what.empty());
+        EXPECT_TRUE(read || !read.error().what.empty());
     };
     for (const char* text : {"sRA LMPscancfg 9C4 1 683 FFFF3CB0 1C3A90", "sRA STlms 7 0 8 16:21:48 A 28.06.2023 0 0 0", "sFA 3",
                              "sRA DeviceIdent 10 LMS10x_FieldEval 10 V1.36-21.10.2010", "sRA LMDscandatacfg 1 0 1 0 0 0 0 0 0 0 1 1"}) {
@@ -174,7 +174,7 @@ TEST(ColaCommands, DamagedAnswersAreTakenOrRefusedWithASentence) {
                 count(parseMeasuringState(*answer));
                 const auto words = parseText(*answer);
                 count(words);
-                if (words) EXPECT_LE(words->size(), bytes.size()); // nothing that was not sent
+                EXPECT_TRUE(!words || words->size() <= bytes.size()); // nothing that was not sent
             }
         }
     }

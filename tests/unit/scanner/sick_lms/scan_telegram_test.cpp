@@ -174,7 +174,8 @@ int expectEqualToTheReferences(const std::filesystem::path& folder) {
             for (std::size_t i = 0; i < std::min(frames.size(), expected.size()); ++i) {
                 const auto telegram = decodeScanTelegram(frames[i]);
                 EXPECT_TRUE(telegram) << told(telegram);
-                if (telegram) EXPECT_EQ(telegramJson(*telegram, false), expected[i]);
+                if (!telegram) continue;
+                EXPECT_EQ(telegramJson(*telegram, false), expected[i]);
             }
         }
         ++variants;

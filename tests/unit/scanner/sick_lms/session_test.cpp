@@ -180,8 +180,8 @@ TEST(ScannerSession, SilenceIsStaleThenLostThenLiveAgain) {
     // Watchdog: ten periods of 40 ms, never sooner.
     const auto& states = listener.states();
     for (std::size_t n = 1; n < states.size(); ++n) {
-        if (states[n - 1].phase == SessionPhase::Stale && states[n].phase == SessionPhase::Lost)
-            EXPECT_GT(states[n].since.monotonicNs - states[n - 1].since.monotonicNs, 150'000'000);
+        if (states[n - 1].phase != SessionPhase::Stale || states[n].phase != SessionPhase::Lost) continue;
+        EXPECT_GT(states[n].since.monotonicNs - states[n - 1].since.monotonicNs, 150'000'000);
     }
 }
 

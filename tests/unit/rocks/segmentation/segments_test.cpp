@@ -60,10 +60,10 @@ TEST(RockBarrier, ASurfaceWithoutBarriersIsOneSegment) {
     auto cracks = std::make_shared<edges::DepthCracks>();
     flat.responses = std::make_shared<const edges::DepthResponses>(edges::depthResponses(*surface, {}, cracks.get()));
     flat.cracks = cracks;
-    const Segmentation leaves = segmentRocks(flat);
-    EXPECT_EQ(leaves.count(), 1U);
-    EXPECT_TRUE(leaves.borders.empty());
-    EXPECT_TRUE(std::all_of(leaves.segment.cells.begin(), leaves.segment.cells.end(), [](std::uint32_t l) { return l == 1; }));
+    const Segmentation segments = segmentRocks(flat);
+    EXPECT_EQ(segments.count(), 1U);
+    EXPECT_TRUE(segments.borders.empty());
+    EXPECT_TRUE(std::all_of(segments.segment.cells.begin(), segments.segment.cells.end(), [](std::uint32_t l) { return l == 1; }));
 }
 
 // Joins basins one after the other. Each time it searches all cracks for the highest saddle that joins two.
@@ -123,20 +123,21 @@ Grid<std::uint32_t> slowBasins(const Grid<float>& distance, const CellLinks& lin
     return basin;
 }
 
-TEST(RockLeaves, BasinsAreThoseOfTheSlowWay) {
+TEST(Segments, BasinsAreThoseOfTheSlowWay) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const Inputs inputs = rockInputs(*boxes(seed));
         const Grid<float> distance = barrierDistance(inputs);
         const CellLinks links{inputs.surface->inverse.support, *inputs.cracks};
-        const Grid<std::uint32_t> leaf = segmentBasins(distance, links);
-        EXPECT_EQ(leaf, slowBasins(distance, links)) << "seed " << seed;
-        EXPECT_GT(*std::max_element(leaf.cells.begin(), leaf.cells.end()), 3U);
+        const Grid<std::uint32_t> segment = segmentBasins(distance, links);
+        EXPECT_EQ(segment, slowBasins(distance, links)) << "seed " << seed;
+        EXPECT_GT(*std::max_element(segment.cells.begin(), segment.cells.end()), 3U);
     }
 }
 
 // Depth of the crack between (i, j) and the next cell below the line through the cells up to `lengthM` away on both sides, in the same
 // segments, mm.
-double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& leaf, int i, int j, edges::Along along, double lengthM, double most) {
+double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& segment, int i, int j, edges::Along along, double lengthM,
+                   double most) {
     const int dy = along == edges::Along::Lines ? 1 : 0;
     const int dx = 1 - dy;
     const auto u = [&](int n) { return static_cast<double>(inputs.cracks->smoothed.at(i + n * dy, j + n * dx)); };
@@ -145,7 +146,7 @@ double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& leaf, int i,
     const double angle = static_cast<double>(dy == 1 ? steps.lineAt(i, j) : steps.beam[static_cast<std::size_t>(j)]);
     const double reach = std::clamp(std::round(lengthM * nearest / angle), 2.0, most);
     const auto same = [&](int n, int m) {
-        return leaf.contains(i + n * dy, j + n * dx) && leaf.at(i + n * dy, j + n * dx) == leaf.at(i + m * dy, j + m * dx);
+        return segment.contains(i + n * dy, j + n * dx) && segment.at(i + n * dy, j + n * dx) == segment.at(i + m * dy, j + m * dx);
     };
     int first = 0;
     while (-first < reach && same(first - 1, 0)) --first;
@@ -156,25 +157,26 @@ double slowDepthMm(const Inputs& inputs, const Grid<std::uint32_t>& leaf, int i,
     return 1000 * std::max(chord(0) - u(0), chord(1) - u(1)) / (nearest * nearest);
 }
 
-TEST(RockLeaves, BordersHoldEachCrackBetweenTwoSegmentsOnce) {
+TEST(Segments, BordersHoldEachCrackBetweenTwoSegmentsOnce) {
     const Inputs inputs = rockInputs(*boxes(2));
-    const Grid<std::uint32_t> leaf = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
-    const std::vector<SegmentBorder> borders = segmentBorders(inputs, leaf);
+    const Grid<std::uint32_t> segment = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
+    const std::vector<SegmentBorder> borders = segmentBorders(inputs, segment);
     std::map<std::pair<std::uint32_t, std::uint32_t>, SegmentBorder> slow;
-    const CrackMeasure measure(inputs, leaf);
-    for (int i = 0; i < leaf.lines; ++i) {
-        for (int j = 0; j < leaf.beams; ++j) {
+    const CrackMeasure measure(inputs, segment);
+    for (int i = 0; i < segment.lines; ++i) {
+        for (int j = 0; j < segment.beams; ++j) {
             for (const edges::Along along : {edges::Along::Beams, edges::Along::Lines}) {
                 const int y = along == edges::Along::Lines ? i + 1 : i;
                 const int x = along == edges::Along::Beams ? j + 1 : j;
-                if (!leaf.contains(y, x) || leaf.at(i, j) == leaf.at(y, x) || leaf.at(i, j) == kNoSegment || leaf.at(y, x) == kNoSegment)
+                if (!segment.contains(y, x) || segment.at(i, j) == segment.at(y, x) || segment.at(i, j) == kNoSegment ||
+                    segment.at(y, x) == kNoSegment)
                     continue;
-                const std::uint32_t p = leaf.at(i, j);
-                const std::uint32_t q = leaf.at(y, x);
+                const std::uint32_t p = segment.at(i, j);
+                const std::uint32_t q = segment.at(y, x);
                 SegmentBorder& border = slow[{std::min(p, q), std::max(p, q)}];
                 const CrackEvidence evidence = measure.at(i, j, along);
-                ASSERT_NEAR(evidence.valleyMm, slowDepthMm(inputs, leaf, i, j, along, 0.12, 12), 1e-6);
-                ASSERT_NEAR(evidence.wideMm, slowDepthMm(inputs, leaf, i, j, along, 0.5, 40), 1e-6);
+                ASSERT_NEAR(evidence.valleyMm, slowDepthMm(inputs, segment, i, j, along, 0.12, 12), 1e-6);
+                ASSERT_NEAR(evidence.wideMm, slowDepthMm(inputs, segment, i, j, along, 0.5, 40), 1e-6);
                 const double v = std::clamp(evidence.valleyMm / 30, -2.0, 2.0);
                 const double w = std::clamp(evidence.wideMm / 125, -2.0, 2.0);
                 ASSERT_NEAR(evidence.z, 7 * evidence.e1 + 9 * evidence.e2 + 0.5 * v + 1.5 * w - 9, 1e-9);
@@ -199,52 +201,53 @@ TEST(RockLeaves, BordersHoldEachCrackBetweenTwoSegmentsOnce) {
     }
 }
 
-TEST(RockLeaves, SumsAreThoseOfTheCells) {
-    const Segmentation leaves = test::rockLeavesOf(std::make_shared<Scan>(test::boxesScan(50, 70, 3, 0.03)));
-    std::vector<std::uint32_t> cells(leaves.sums.size());
-    for (std::size_t k = 0; k < leaves.segment.size(); ++k) {
-        if (leaves.inputs.surface->inverse.support[k] == Support::Measured) ++cells[leaves.segment[k]];
-        EXPECT_FALSE(leaves.inputs.surface->inverse.support[k] == Support::Void && leaves.segment[k] != kNoSegment);
+TEST(Segments, SumsAreThoseOfTheCells) {
+    const Segmentation segments = test::segmentationOf(std::make_shared<Scan>(test::boxesScan(50, 70, 3, 0.03)));
+    std::vector<std::uint32_t> cells(segments.sums.size());
+    for (std::size_t k = 0; k < segments.segment.size(); ++k) {
+        if (segments.inputs.surface->inverse.support[k] == Support::Measured) ++cells[segments.segment[k]];
+        EXPECT_FALSE(segments.inputs.surface->inverse.support[k] == Support::Void && segments.segment[k] != kNoSegment);
     }
     std::size_t inRuns = 0;
-    for (std::uint32_t leaf = 1; leaf <= leaves.count(); ++leaf) EXPECT_EQ(leaves.sums[leaf].cells, cells[leaf]);
-    for (const SegmentRun& run : leaves.beamRuns) inRuns += run.end - run.begin;
+    for (std::uint32_t segment = 1; segment <= segments.count(); ++segment) EXPECT_EQ(segments.sums[segment].cells, cells[segment]);
+    for (const SegmentRun& run : segments.beamRuns) inRuns += run.end - run.begin;
     std::size_t inOtherRuns = 0;
-    for (const SegmentRun& run : leaves.lineRuns) inOtherRuns += run.end - run.begin;
+    for (const SegmentRun& run : segments.lineRuns) inOtherRuns += run.end - run.begin;
     EXPECT_EQ(inRuns, inOtherRuns);
-    EXPECT_EQ(inRuns, leaves.segment.size() -
-                          static_cast<std::size_t>(std::count(leaves.segment.cells.begin(), leaves.segment.cells.end(), kNoSegment)));
+    EXPECT_EQ(inRuns, segments.segment.size() -
+                          static_cast<std::size_t>(std::count(segments.segment.cells.begin(), segments.segment.cells.end(), kNoSegment)));
 }
 
-TEST(RockLeaves, RefinementMovesARaggedBorderToTheStepAndNothingElse) {
+TEST(Segments, RefinementMovesARaggedBorderToTheStepAndNothingElse) {
     // Two planes at 4 m and 5 m; the border is a zigzag of three cells about the step.
     InverseRange inverse{Grid<float>(40, 40, 0.2F), Grid<Support>(40, 40, Support::Measured)};
-    Grid<std::uint32_t> leaf(40, 40);
+    Grid<std::uint32_t> segment(40, 40);
     Grid<std::uint32_t> wanted(40, 40);
     for (int i = 0; i < 40; ++i) {
         for (int j = 0; j < 40; ++j) {
             if (j < 20) inverse.u.at(i, j) = 0.25F;
             wanted.at(i, j) = j < 20 ? 1 : 2;
-            leaf.at(i, j) = j < 20 + i % 4 - 1 ? 1 : 2;
+            segment.at(i, j) = j < 20 + i % 4 - 1 ? 1 : 2;
         }
     }
     const Grid<float> none(40, 40);
-    refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 2);
-    EXPECT_EQ(leaf, wanted);
+    refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, segment, 2);
+    EXPECT_EQ(segment, wanted);
 }
 
 // One pass of the refinement as docs/rocks-method.md describes it, from the segments before it. 0 where a cell may not choose.
 class SlowPass {
 public:
-    SlowPass(const Inputs& inputs, double most, const Grid<std::uint32_t>& leaf)
-        : in_(inputs), most_(most), leaf_(leaf), inverse_(inputs.surface->inverse) {}
+    SlowPass(const Inputs& inputs, double most, const Grid<std::uint32_t>& segment)
+        : in_(inputs), most_(most), segment_(segment), inverse_(inputs.surface->inverse) {}
 
     [[nodiscard]] bool touches(int i, int j) const {
         bool other = false;
         for (int n = 0; n < 9; ++n) {
             const int y = i + n / 3 - 1;
             const int x = j + n % 3 - 1;
-            other = other || (leaf_.contains(y, x) && inverse_.support.at(y, x) != Support::Void && leaf_.at(y, x) != leaf_.at(i, j));
+            other =
+                other || (segment_.contains(y, x) && inverse_.support.at(y, x) != Support::Void && segment_.at(y, x) != segment_.at(i, j));
         }
         return other && inverse_.support.at(i, j) != Support::Void;
     }
@@ -253,16 +256,17 @@ public:
         for (int n = 0; n < 9; ++n) {
             const int y = i + n / 3 - 1;
             const int x = j + n % 3 - 1;
-            if (leaf_.contains(y, x) && leaf_.at(y, x) != kNoSegment) nearby[leaf_.at(y, x)] += n == 4 ? 0 : 1 - 0.5 * edge(i, j, y, x);
+            if (segment_.contains(y, x) && segment_.at(y, x) != kNoSegment)
+                nearby[segment_.at(y, x)] += n == 4 ? 0 : 1 - 0.5 * edge(i, j, y, x);
         }
-        std::uint32_t best = leaf_.at(i, j);
+        std::uint32_t best = segment_.at(i, j);
         double least = 1e9;
-        for (const auto& [leaf, counted] : nearby) {
-            const double off = deviations(i, j, leaf);
+        for (const auto& [segment, counted] : nearby) {
+            const double off = deviations(i, j, segment);
             const double cost = (off > most_ ? most_ + 0.01 * (off - most_) : off) - 2 * counted;
-            if ((leaf_.at(i, j) == kNoSegment && off >= 20) || cost >= least) continue;
+            if ((segment_.at(i, j) == kNoSegment && off >= 20) || cost >= least) continue;
             least = cost;
-            best = leaf;
+            best = segment;
         }
         return best;
     }
@@ -281,12 +285,12 @@ private:
         if (i == y || j == x) return step(i, j, y, x);
         return std::min(std::max(step(i, j, i, x), step(i, x, y, x)), std::max(step(i, j, y, j), step(y, j, y, x)));
     }
-    [[nodiscard]] double deviations(int i, int j, std::uint32_t leaf) const {
+    [[nodiscard]] double deviations(int i, int j, std::uint32_t segment) const {
         std::vector<Eigen::Vector3d> rows;
         std::vector<double> values;
         for (int y = i - 4; y <= i + 4; ++y) {
             for (int x = j - 4; x <= j + 4; ++x) {
-                if (!leaf_.contains(y, x) || leaf_.at(y, x) != leaf || touches(y, x)) continue;
+                if (!segment_.contains(y, x) || segment_.at(y, x) != segment || touches(y, x)) continue;
                 rows.emplace_back(1, x - j, y - i);
                 values.push_back(static_cast<double>(inverse_.u.at(y, x)));
             }
@@ -308,19 +312,19 @@ private:
 
     const Inputs& in_;
     double most_;
-    const Grid<std::uint32_t>& leaf_;
+    const Grid<std::uint32_t>& segment_;
     const InverseRange& inverse_;
 };
 
-TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
+TEST(Segments, RefinementIsThatOfTheSlowWay) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const double most = seed % 2 == 0 ? 5 : 30;
         const Inputs inputs = rockInputs(*boxes(seed));
-        Grid<std::uint32_t> leaf = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
-        const std::uint32_t count = *std::max_element(leaf.cells.begin(), leaf.cells.end());
-        Grid<std::uint32_t> slow = leaf;
+        Grid<std::uint32_t> segment = segmentBasins(barrierDistance(inputs), {inputs.surface->inverse.support, *inputs.cracks});
+        const std::uint32_t count = *std::max_element(segment.cells.begin(), segment.cells.end());
+        Grid<std::uint32_t> slow = segment;
         std::vector<std::uint32_t> cells(count + 1);
-        for (const std::uint32_t l : leaf.cells) ++cells[l];
+        for (const std::uint32_t l : segment.cells) ++cells[l];
         for (std::uint32_t& l : slow.cells) l = cells[l] < kSmallestSegment ? kNoSegment : l;
         const Grid<std::uint32_t> before = slow;
         for (int pass = 0; pass < 4; ++pass) {
@@ -332,13 +336,13 @@ TEST(RockLeaves, RefinementIsThatOfTheSlowWay) {
                 }
             }
         }
-        refineSegments(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, most, leaf, count);
-        EXPECT_EQ(leaf, slow) << "seed " << seed;
+        refineSegments(inputs.surface->inverse, *inputs.cracks, inputs.responses->noise, most, segment, count);
+        EXPECT_EQ(segment, slow) << "seed " << seed;
         EXPECT_NE(slow, before) << "seed " << seed;
     }
 }
 
-TEST(RockLeaves, DeviationsCountForLongerWhereBeamsOverlap) {
+TEST(Segments, DeviationsCountForLongerWhereBeamsOverlap) {
     const auto most = [](float step) { return mostDeviations({{step, step}, {step, step}, {1.0F, 1.0F}}); };
     EXPECT_EQ(most(0.0058F), 5.0);  // a third of a degree
     EXPECT_EQ(most(0.0029F), 30.0); // a sixth
@@ -347,19 +351,19 @@ TEST(RockLeaves, DeviationsCountForLongerWhereBeamsOverlap) {
     EXPECT_EQ(mostDeviations({}), 30.0);
 }
 
-TEST(RockLeaves, ASmallSegmentIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
+TEST(Segments, ASmallSegmentIsTakenByItsNeighbourOrStaysOpenWhereNothingFits) {
     InverseRange inverse{Grid<float>(40, 40, 0.2F), Grid<Support>(40, 40, Support::Measured)};
-    Grid<std::uint32_t> leaf(40, 40, 1U);
+    Grid<std::uint32_t> segment(40, 40, 1U);
     for (int n = 0; n < 3; ++n) {
-        leaf.at(10, 10 + n) = 2;
-        leaf.at(25, 10 + n) = 3;
+        segment.at(10, 10 + n) = 2;
+        segment.at(25, 10 + n) = 3;
         inverse.u.at(25, 10 + n) = 0.4F; // far in front of the plane
     }
-    const Grid<float> none(leaf.lines, leaf.beams);
-    refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, leaf, 3);
-    EXPECT_EQ(leaf.at(10, 11), 1U);
-    EXPECT_EQ(leaf.at(25, 11), kNoSegment);
-    EXPECT_EQ(std::count(leaf.cells.begin(), leaf.cells.end(), kNoSegment), 3);
+    const Grid<float> none(segment.lines, segment.beams);
+    refineSegments(inverse, {none, none, none, none, none}, {5, 0.2}, 30, segment, 3);
+    EXPECT_EQ(segment.at(10, 11), 1U);
+    EXPECT_EQ(segment.at(25, 11), kNoSegment);
+    EXPECT_EQ(std::count(segment.cells.begin(), segment.cells.end(), kNoSegment), 3);
 }
 
 TEST(RockInputs, AreTheSameHoweverTheyWereMade) {
