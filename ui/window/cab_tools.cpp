@@ -145,7 +145,7 @@ void CabMode::showSettings() {
 }
 
 TargetNumbers CabMode::numbers() const {
-    TargetNumbers numbers;
+    TargetNumbers values;
     const Targets& targets = window_.viewer().targets;
     const inspect::PinnedTarget* target = targets.active();
     if (target == nullptr) return values;
