@@ -111,7 +111,7 @@ TEST_F(LabBenchmark, OnlySomeMethodsAreComparedWhicheverTheyAre) {
         EXPECT_EQ(refused.code, 2) << only;
         EXPECT_EQ(refused.out, "");
         EXPECT_EQ(refused.err,
-                  "edgescan-cli: --only: no method is called \"nonsense\"; use thesis, roberts, sobel, prewitt, kirsch, robinson, "
+                  "edgescan-lab: --only: no method is called \"nonsense\"; use thesis, roberts, sobel, prewitt, kirsch, robinson, "
                   "marr-hildreth, log, log-eight, log-5x5, canny, log-range, jumps, outlines, edgescan+as-measured, edgescan+.\n");
     }
 }
