@@ -11,7 +11,7 @@ namespace edgescan {
 template <class T>
 struct TableRow {
     const char* key;   ///< flag name without "--", key in presets and records
-    const char* label; ///< text beside the slider
+    const char* label; ///< label of the slider
     const char* unit;  ///< "" if it has none
     const char* help;  ///< one sentence
     double minimum;

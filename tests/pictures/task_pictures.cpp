@@ -146,7 +146,7 @@ bool calibrated(WindowFixture& on, const Bell& bell) {
     return eventually([&] { return calibrating->found() != nullptr; });
 }
 
-// With the dialogs that stand over the window.
+// With the dialogs above the window.
 QImage pictureOf(MainWindow& window) {
     QImage picture = window.screenshot().convertToFormat(QImage::Format_RGB32);
     QPainter painter(&picture);

@@ -1,4 +1,4 @@
-// The folder `shared` beside the project: scans and telegrams of others, which are no part of it. What must hold in every clone is also
+// The folder `shared` next to the project: scans and telegrams of others, which do not belong to it. What must hold in every clone is also
 // tested with files of the project's own (tests/data).
 #pragma once
 

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Answers with ten times the question; a negative one fails. A question below 10 waits until it may end, or nobody waits for it.
+/// Answers with ten times the question; a negative one fails. A question below 10 waits until it may end, or no caller waits for it.
 struct Asked {
     explicit Asked(Older older = Older::Dropped)
         : derived(

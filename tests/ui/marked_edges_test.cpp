@@ -91,8 +91,8 @@ private slots:
         for (const std::size_t k : unwanted) markByKey(on, k, Qt::Key_X);
         markByKey(on, wanted.front(), Qt::Key_X); // wrong at first, then corrected
         markByKey(on, wanted.front(), Qt::Key_E);
-        QCOMPARE(on.viewer.markedEdges.marks().wanted.size(), std::size_t{3});
-        QCOMPARE(on.viewer.markedEdges.marks().unwanted.size(), std::size_t{2});
+        QCOMPARE(on.viewer.markedEdges.part().wanted.size(), std::size_t{3});
+        QCOMPARE(on.viewer.markedEdges.part().unwanted.size(), std::size_t{2});
         // The marks appear at their cells in all views, with different icons and words.
         const auto& tags = on.viewer.views.cloud().marks().targets;
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
@@ -135,7 +135,7 @@ private slots:
         QVERIFY(on.settled() && on.viewer.engine.settings() == loose);
         // Marks of another scan are not shown on this one.
         QVERIFY(on.open(slot_));
-        QVERIFY(on.viewer.markedEdges.marks().empty());
+        QVERIFY(on.viewer.markedEdges.part().empty());
     }
 
     void theRangeGateHidesInAllViewsAndCanBeTakenBack() {

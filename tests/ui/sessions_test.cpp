@@ -378,7 +378,7 @@ private slots:
         QVERIFY(atRest(on));
         MainWindow& w = on.window;
         QVERIFY(w.viewer().targets.notebook().empty() && w.viewer().selection.cells().empty() && w.viewer().selection.hidden().empty());
-        QVERIFY(w.viewer().markedEdges.marks().empty() && w.viewer().comparing.pictureA() == nullptr);
+        QVERIFY(w.viewer().markedEdges.part().empty() && w.viewer().comparing.pictureA() == nullptr);
         QCOMPARE(w.viewer().rocks.settings().level, 0.0);
         while (on.viewer.undo.canRedo()) QTest::keyClick(&on.window, Qt::Key_Y, Qt::ControlModifier);
         QTRY_VERIFY(w.viewer().comparing.pictureA() != nullptr);

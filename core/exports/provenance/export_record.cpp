@@ -1,4 +1,4 @@
-// The record of an export: everything docs/operator.md, "S7" lists, or null and the reason.
+// The record of an export: all values of docs/operator.md, "S7", each with its value, or null and the reason.
 #include "core/exports/provenance/provenance.h"
 
 #include "core/base/bounded_json.h"
@@ -33,7 +33,7 @@ constexpr const char* kNotInFile = "the scan file does not say";
 
 Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-/// A text for each key, or null for all that are empty and why.
+/// The text of each key; for all empty ones null with the reason.
 Json known(std::initializer_list<std::pair<const char*, std::string>> texts) {
     Json object = Json::object();
     bool all = true;
@@ -64,7 +64,7 @@ Json scanJson(const Scan& scan) {
     return object;
 }
 
-/// One line more in a list of runs [first, count].
+/// Adds a line to a list of runs [first, count].
 void addToRuns(Json& runs, int line) {
     if (!runs.empty() && runs.back()[0].get<int>() + runs.back()[1].get<int>() == line)
         runs.back()[1] = runs.back()[1].get<int>() + 1;
@@ -72,7 +72,7 @@ void addToRuns(Json& runs, int line) {
         runs.push_back({line, 1});
 }
 
-/// Lines of which nothing arrived, and those of which some beams did not.
+/// Lines without any data, and lines with missing beams.
 Json acquisitionJson(const Scan& scan, const Acquisition& a) {
     Json gaps = Json::array(), inPart = Json::array();
     int received = 0;

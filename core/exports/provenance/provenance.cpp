@@ -1,4 +1,4 @@
-// Writing exports with their records.
+// Writes exports with their records.
 #include "core/exports/provenance/provenance.h"
 
 #include "core/base/bounded_json.h"
@@ -30,13 +30,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kToleranceM = 6e-4; // LAS rounds to half of a millimetre; a whole one must survive (docs/operator.md, "S9")
+constexpr double kToleranceM = 6e-4; // LAS rounds to half a millimetre; whole millimetres must be preserved (docs/operator.md, "S9")
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What has to hold of the file besides its bytes.
+/// The expected content of the file, in addition to its bytes.
 struct Expected {
     std::size_t count = 0; ///< points or cells
     std::optional<PointBounds> bounds;
@@ -52,13 +52,14 @@ Expected expectedOf(ExportContent content, const edges::Detection& detection, co
     return Expected{bounds.count, bounds};
 }
 
-/// The one that was asked for.
+/// The requested file.
 const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& path) {
     const auto named = std::ranges::find_if(files, [&](const FileBytes& file) { return file.path.extension() == path.extension(); });
     return named == files.end() ? files.front() : *named;
 }
 
-/// Of clouds, and of whole scans whose file has no room for it: the grid that the points are of, so that they open as its cells again.
+/// The grid of the points for clouds, and for whole scans whose format has no place for it; with it the points open as cells of the grid
+/// again.
 std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
     const files::Format* format = files::writtenFormat(path);
     const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
@@ -86,7 +87,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
-/// What would be read of the bytes, before anything is written: numbers that a format cannot tell are no fault of the disk.
+/// Reads the bytes before they are written: if a format cannot hold the numbers, the error must not blame the disk.
 Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
     const auto refused = [&](const std::string& what) {
@@ -104,7 +105,7 @@ Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     return Done{};
 }
 
-/// Read again piece by piece, each beside what it should be.
+/// Reads the file piece by piece and compares it with the expected bytes.
 bool holds(const fs::path& path, std::span<const std::byte> bytes) {
     constexpr std::size_t kPiece = std::size_t{1} << 18U; // stays in the cache
     std::ifstream file(path, std::ios::binary);
@@ -119,7 +120,7 @@ bool holds(const fs::path& path, std::span<const std::byte> bytes) {
     return file.eof() && bytes.empty();
 }
 
-/// What did not arrive as it was written is taken away again.
+/// Removes files whose content on the disk differs from what was written.
 Result<Done> readBack(const std::vector<FileContent>& contents) {
     for (const FileContent& content : contents) {
         if (holds(content.path, content.bytes)) continue;

@@ -9,7 +9,7 @@
 
 namespace edgescan::files::recognition {
 
-/// A return and where it lies on a grid.
+/// A return and its place on a grid.
 struct OnCell {
     std::uint32_t point = 0;
     double range = 0.0;

@@ -10,7 +10,7 @@
 namespace edgescan::files::recognition {
 namespace {
 
-constexpr double kTelling = 1.0 / 12;  // of a step: a more precise angle shows whether it lies on a group
+constexpr double kTelling = 1.0 / 12;  // of a step: a more precise angle shows whether it is on a group
 constexpr double kLeastTelling = 0.05; // of the returns
 constexpr double kSideSure = 0.6;      // error of the plane angle, radians
 

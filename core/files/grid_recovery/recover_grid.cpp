@@ -102,7 +102,7 @@ void describeLikeAScanner(Fit& fit, Axis axis) {
         turnOver(fit);
 }
 
-/// Shifted by whole turns so that the smallest beam angle lies in [-180, 180), or one turn lower where the largest would lie beyond 360.
+/// Shifted by whole turns so that the smallest beam angle is in [-180, 180), or one turn lower where the largest would lie beyond 360.
 void shiftBeams(std::vector<double>& degrees) {
     const auto [least, most] = std::minmax_element(degrees.begin(), degrees.end());
     double turns = std::floor((*least + 180.0 + 1e-6) / 360.0);

@@ -29,7 +29,7 @@ constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres th
 
 std::string number(double value) { return significantText(value, 3); }
 
-/// The axes of the picture: forward, left, up as rows. Up is the z axis unless the cloud lies above or below the sensor.
+/// The axes of the picture: forward, left, up as rows. Up is the z axis unless the cloud is above or below the sensor.
 Eigen::Matrix3d viewOf(const std::vector<Eigen::Vector3d>& directions) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     std::size_t steep = 0;
@@ -45,7 +45,7 @@ Eigen::Matrix3d viewOf(const std::vector<Eigen::Vector3d>& directions) {
     Eigen::Vector3d forward = level.norm() > 0.2 ? Eigen::Vector3d(level.normalized()) : Eigen::Vector3d::UnitX();
     if (!upright) {
         forward = mean.normalized();
-        // Looking down (or up) the picture lies like a map: x to the right.
+        // Looking down (or up) the picture is oriented like a map: x to the right.
         if (std::abs(forward.z()) > 0.95) up = Eigen::Vector3d::UnitY();
         up = (up - up.dot(forward) * forward).normalized();
     }

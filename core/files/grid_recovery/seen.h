@@ -38,7 +38,8 @@ struct Angle {
 /// n is at most `places`.
 [[nodiscard]] std::vector<std::size_t> spreadInOrder(std::span<const double> wanted, std::span<const double> weights, std::size_t places);
 
-/// Where an angle lies among ascending centres, in places: 2.5 is midway between the third and the fourth. Beyond the ends at their steps.
+/// The place of an angle among ascending centres, in places: 2.5 is midway between the third and the fourth. Beyond the ends at their
+/// steps.
 [[nodiscard]] double placeAmong(const std::vector<double>& centres, double angle);
 
 } // namespace edgescan::files::recognition

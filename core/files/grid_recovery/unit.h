@@ -26,7 +26,7 @@ struct RangeUnit {
 [[nodiscard]] std::optional<double> unitToldBy(const std::string& warning);
 
 /// Status codes of a SICK LMS2xx in place of whole millimetres; empty when the scan shows none: they are the
-/// largest values there are, nothing else lies among them, and they repeat as no range does. `rangeMm` lines x beams.
+/// largest values there are, no other value is among them, and they repeat as no range does. `rangeMm` lines x beams.
 [[nodiscard]] std::vector<std::uint32_t> lms2xxStatusCodes(const Grid<float>& rangeMm, const Grid<CellState>& state,
                                                            const PolarGeometry& geometry);
 

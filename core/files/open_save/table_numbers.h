@@ -12,7 +12,7 @@ namespace edgescan::files {
 /// A binary file does not say how its numbers were rounded; when all are whole thousandths, say, they were.
 [[nodiscard]] Precision withDecimals(Precision precision, const std::vector<Eigen::Vector3d>& points);
 
-/// Of every point about the table's sensor, in the numbers of the file; 0 where it is no return.
+/// Of every point about the table's sensor, in the numbers of the file; 0 where it is not a return.
 [[nodiscard]] std::vector<double> rangesOf(const PointTable& table);
 
 /// The unit that the user gave, that the file says, or that the numbers show, in this order.

@@ -29,7 +29,7 @@ struct RecordField {
 struct PointFields {
     RecordField x, y, z;
     std::optional<RecordField> rangeMm, state, line, beam, intensity, filledSdMm;
-    std::vector<RecordField> scanner; ///< three or none
+    std::vector<RecordField> scanner; ///< three or zero
     std::optional<double> unitMm;     ///< where the names of x y z say it
     bool rowsAndColumns = false;      ///< line and beam are called row and column
 };

@@ -1,4 +1,4 @@
-// Session files.
+// Reads and writes session files.
 #include "core/inspect/session_file/session_file.h"
 
 #include "core/base/bounded_json.h"
@@ -40,7 +40,7 @@ Json runsJson(const std::vector<CellRun>& runs) {
     return list;
 }
 
-/// Stays as runs: a few bytes may say very many cells.
+/// Stored as runs: a few bytes may represent very many cells.
 std::vector<CellRun> runsFrom(JsonFields& fields, const char* key, std::size_t cells) {
     const nlohmann::json& list = fields.value(key);
     std::vector<CellRun> runs;
@@ -58,7 +58,7 @@ std::vector<CellRun> runsFrom(JsonFields& fields, const char* key, std::size_t c
     return runs;
 }
 
-/// Cells in any order, none twice.
+/// Cells in any order, without duplicates.
 std::vector<std::uint32_t> cellsFrom(JsonFields& fields, const char* key, std::size_t cells) {
     const nlohmann::json& list = fields.value(key);
     std::vector<std::uint32_t> found;
@@ -115,7 +115,7 @@ Json cameraJson(const SessionCamera& camera) {
             {"parallel", camera.parallel}};
 }
 
-/// A camera that a picture can be drawn with: it looks somewhere, and its upward direction is none of the view's.
+/// A valid camera: its viewing direction is defined, and its upward direction is not parallel to it.
 SessionCamera cameraFrom(JsonFields fields) {
     SessionCamera camera;
     camera.position = fields.neededVector("position");
@@ -138,7 +138,7 @@ Result<edges::Settings> usableSettings(JsonFields& fields, const std::string& wh
     return settings;
 }
 
-/// What has a reader of its own.
+/// The parts of the state with their own readers.
 Result<Done> nestedFrom(JsonFields& fields, const std::string& where, ReadSession& read) {
     ViewerState& state = read.state;
     const NotebookScan& of = state.scan.identity;

@@ -10,18 +10,18 @@ namespace edgescan::inspect {
 
 inline constexpr const char* kSessionEnding = ".edgescan-session.json";
 
-/// The text of a session file in `folder`: paths are relative to it where they lie in or below the folder above it, and absolute too.
-/// `savedUtc`: ISO 8601, or empty.
+/// The text of a session file in `folder`. Paths in or below the folder above `folder` are stored both relative to `folder` and absolute;
+/// other paths only absolute. `savedUtc`: ISO 8601, or empty.
 [[nodiscard]] std::string sessionText(const ViewerState& state, const std::filesystem::path& folder, const std::string& savedUtc);
 
-/// What a session file says, with the places where its scan may lie.
+/// The content of a session file, and the possible places of its scan.
 struct ReadSession {
     ViewerState state;
     std::string savedUtc;
-    std::vector<std::filesystem::path> places; ///< of the scan, the likeliest first; empty for the demo
+    std::vector<std::filesystem::path> places; ///< of the scan, the most likely first; empty for the demo
 };
 /// `folder`: of the file, for its relative paths. Error: damaged, another format, unknown keys, cells that the scan does not have, numbers
-/// out of bounds; nothing is taken by halves.
+/// out of bounds. A faulty file is never partly loaded.
 Result<ReadSession> sessionFromText(std::string_view text, const std::filesystem::path& folder, const std::string& where);
 /// The same from a file.
 Result<ReadSession> readSession(const std::filesystem::path& path);

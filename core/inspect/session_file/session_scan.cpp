@@ -1,4 +1,4 @@
-// Scans of sessions, and where they lie.
+// Reads and writes the scan of a session, and finds its file.
 #include "core/inspect/session_file/session_scan.h"
 
 #include "core/base/bounded_json.h"
@@ -19,7 +19,8 @@ constexpr int kMostSide = 1'000'000;
 constexpr std::uint64_t kMostSessionCells = std::uint64_t{1} << 28U;
 const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast", "recording"}; // as SessionScan::Kind
 
-/// Relative where it stays meaningful when both are moved together: from the folder above `folder` downwards. Else empty.
+/// The relative path if it remains valid when both files are moved together: for paths in or below the folder above `folder`. Otherwise
+/// empty.
 std::string relativePath(const fs::path& path, const fs::path& folder) {
     const fs::path relative = path.lexically_relative(folder);
     const auto up = std::ranges::count(relative, fs::path(".."));
@@ -48,7 +49,7 @@ std::vector<fs::path> pathsFrom(JsonFields fields, const fs::path& folder) {
     return paths;
 }
 
-/// The first that exists, else the first.
+/// The first existing path; if no path exists, the first one.
 std::string pathThere(const std::vector<fs::path>& paths) {
     std::error_code none;
     for (const fs::path& path : paths) {

@@ -1,4 +1,4 @@
-// The scan of a session as JSON: kind, paths, hash, how it is read.
+// The scan of a session as JSON: kind, paths, hash, reading options.
 #pragma once
 
 #include "core/base/json_fields.h"
@@ -9,10 +9,10 @@ namespace edgescan::inspect {
 [[nodiscard]] nlohmann::ordered_json sessionScanJson(const SessionScan& scan, const std::filesystem::path& folder);
 
 struct PlacedSessionScan {
-    SessionScan scan;                          ///< with the likeliest of the paths
-    std::vector<std::filesystem::path> places; ///< all, the likeliest first
+    SessionScan scan;                          ///< with the most likely of the paths
+    std::vector<std::filesystem::path> places; ///< all paths, the most likely first
 };
-/// Error: as sessionFromText().
+/// Error: those of sessionFromText().
 Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const std::filesystem::path& folder, const std::string& where);
 
 } // namespace edgescan::inspect

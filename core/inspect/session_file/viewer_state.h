@@ -1,4 +1,4 @@
-// All that a person did at one scan, as one value: what a session keeps, and what undo takes back (docs/session.md).
+// All of the operator's work on one scan, as one value: sessions store it, and undo restores it (docs/session.md).
 #pragma once
 
 #include "core/edges/settings/settings.h"
@@ -19,41 +19,41 @@
 
 namespace edgescan::inspect {
 
-/// The first lines of a sweep that is being recorded: they stay as they are while the file grows, or is cut off by a crash.
+/// The first lines of a sweep that is being recorded. They do not change while the file grows, or if a crash truncates it.
 struct ScanHead {
     int lines = 0;
-    std::string sha256; ///< of their ranges
+    std::string sha256; ///< SHA-256 of their ranges
     bool operator==(const ScanHead&) const = default;
 };
-/// Of the first `lines` lines, or of those that there are.
+/// For the first `lines` lines, or for all lines if there are fewer.
 [[nodiscard]] ScanHead scanHead(const Scan& scan, int lines = 16);
 
-/// A scan that a session is about: where it lay, how it was read, and by what it is known again.
+/// The scan of a session: its path, its reading options, and the values that identify it.
 struct SessionScan {
     enum class Kind : std::uint8_t { File, Demo, DemoAfterBlast, Recording };
 
     Kind kind = Kind::File;
     std::filesystem::path path; ///< absolute; empty for the demo
-    NotebookScan identity;      ///< of a recording that is still being written without a hash, and with the lines that there were
-    ScanHead head;              ///< of a recording alone
-    ReadingOptions reading;     ///< paths of pose and calibration absolute; no progress
+    NotebookScan identity;      ///< for a recording that is still being written: without a hash, and with the number of lines at that time
+    ScanHead head;              ///< only for a recording
+    ReadingOptions reading;     ///< paths of pose and calibration are absolute; without progress
 };
 
-/// Of a file, or of a recording that was being written.
+/// For a file, and for a recording that was being written.
 [[nodiscard]] constexpr bool hasPath(SessionScan::Kind kind) {
     return kind == SessionScan::Kind::File || kind == SessionScan::Kind::Recording;
 }
 
-/// A file that was read with these; all paths absolute.
+/// A file that was read with these options; all paths are absolute.
 [[nodiscard]] SessionScan fileScan(const std::filesystem::path& path, ReadingOptions reading, const NotebookScan& identity = {});
 
-/// A of A/B.
+/// A, the earlier scan of a comparison A/B.
 struct EarlierScan {
     SessionScan scan;
     edges::Settings settings;
 };
 
-/// Local metres of the cloud, as ui/views/cloud has it.
+/// Local metres of the cloud, as in ui/views/cloud.
 struct SessionCamera {
     Eigen::Vector3d position{0, 0, 0}, focus{0, 0, 1}, up{0, 1, 0};
     double viewAngleDeg = 45.0; ///< vertical
@@ -61,7 +61,7 @@ struct SessionCamera {
     bool operator==(const SessionCamera&) const = default;
 };
 
-/// What part of the images is seen: x = beam, y = line.
+/// The visible part of the images: x = beam, y = line.
 struct SessionImages {
     double beam = 0, line = 0; ///< in the middle
     double zoom = 1;           ///< pixels per line
@@ -70,7 +70,7 @@ struct SessionImages {
 
 struct TuningPart {
     edges::Settings settings;
-    std::string preset; ///< name or path; empty: none
+    std::string preset; ///< name or path; empty: no preset
 };
 
 struct TargetsPart {
@@ -78,7 +78,7 @@ struct TargetsPart {
     std::optional<std::uint32_t> active; ///< the cell whose card is shown
 };
 
-/// In order, none empty.
+/// In order, without empty runs.
 struct SelectionPart {
     std::vector<CellRun> selected, hidden;
 };
@@ -88,7 +88,7 @@ struct ViewPart {
     std::optional<SessionImages> images; ///< empty: the whole image
 };
 
-/// What one sees and has done at a scan, as one value. Each controller has one part of it.
+/// The operator's view of a scan and work on it, as one value. Each controller owns one part of it.
 struct ViewerState {
     SessionScan scan;
     TuningPart tuning;
@@ -98,13 +98,14 @@ struct ViewerState {
     edges::EdgeMarks marks;
     std::optional<EarlierScan> earlier; ///< A
     ViewPart view;
-    std::map<std::string, bool> switches;      ///< of menus, by key
-    std::map<std::string, std::string> looks;  ///< of the views, what is no switch: colours of the cloud, range window, size of points ...
-    std::map<std::string, std::string> layout; ///< of docks and splitters: base64, by name
-    std::filesystem::path keptIn;              ///< of what is saved by itself: the file that the person saved it as; may be empty
+    std::map<std::string, bool> switches; ///< switches of menus, by key
+    /// settings of the views that are not switches: colours of the cloud, range window, size of points ...
+    std::map<std::string, std::string> looks;
+    std::map<std::string, std::string> layout; ///< state of docks and splitters: base64, by name
+    std::filesystem::path keptIn;              ///< for automatic saves: the file under which the operator saved the session; may be empty
 };
 
-/// What of it names cells below `cells` alone: a recording may have lost its last lines in a crash.
+/// The state without references to cells from `cells` on: a recording may have lost its last lines in a crash.
 [[nodiscard]] ViewerState cutTo(ViewerState state, std::size_t cells);
 
 } // namespace edgescan::inspect

@@ -207,7 +207,7 @@ TEST(SimRoundedRock, AFoldIsACreaseOnlyWhileItTurnsWithinOneCell) {
     EXPECT_GT(ridge, 20);
     EXPECT_EQ(sharp.unscored(), 0);
 
-    const Cube hardly(0.01); // 5 mm: nobody can see it
+    const Cube hardly(0.01); // 5 mm: not visible
     EXPECT_NEAR(static_cast<double>(hardly.count(EdgeClass::Crease)), static_cast<double>(ridge), 3.0);
 
     const Cube worn(0.3); // 150 mm: 90 degrees over 7 cells

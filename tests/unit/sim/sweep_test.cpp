@@ -286,7 +286,7 @@ TEST(SimSweep, StaircaseStepsAreThoseOfItsTreadsAtAnyDistance) {
         for (const double step : {50.0, 80.0, 120.0, 200.0, 300.0, 500.0})
             EXPECT_EQ(std::ranges::count(treads, step, &StaircaseTread::stepMm), 1) << step;
         const EdgeTruth truth = edgeTruth(*result.truth);
-        for (int j = 240; j < 900; ++j) { // every step that is scored is one edge between the cells beside it
+        for (int j = 240; j < 900; ++j) { // every step that is scored is one edge between the two cells next to it
             const int a = result.truth->object.at(10, j);
             const int b = result.truth->object.at(10, j + 1);
             if (a == b || a == 0 || b == 0) continue;

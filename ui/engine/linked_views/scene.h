@@ -1,4 +1,4 @@
-// What the two images and the cloud show: a value, made by a pure function of the state, the picture and what lies over it.
+// What the two images and the cloud show: a value, made by a pure function of the state, the picture and the overlays.
 #pragma once
 
 #include "ui/engine/worker_bridge/picture.h"

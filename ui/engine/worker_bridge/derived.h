@@ -140,7 +140,7 @@ private:
         }
         {
             const std::lock_guard lock(mutex_);
-            std::swap(unread_, answer); // the one before, if nobody read it, is freed below
+            std::swap(unread_, answer); // the one before, if it was not read, is freed below
         }
         QMetaObject::invokeMethod(
             &quiet_, [this, number] { take(number); }, Qt::QueuedConnection);

@@ -1,4 +1,4 @@
-// Sweep assembly: every telegram is in its row, every lost one is told, nothing is made up.
+// Sweep assembly: every telegram is in its row, every lost one is reported, nothing is invented.
 #include "tests/support/cola_vectors.h"
 #include "tests/support/live_lines.h"
 

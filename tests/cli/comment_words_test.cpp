@@ -1,0 +1,149 @@
+// Comments are in plain English: no comment of core, ui, app, tests or packaging contains a word of the list below.
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgescan {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+
+/// Consecutive comment lines of a file, joined by line feeds.
+struct CommentBlock {
+    std::size_t line = 0; ///< its first line, from 1
+    std::string text;
+};
+
+/// The column at which a comment begins in a line of C++, or npos. `raw` is the end of an open raw string literal, or empty.
+std::size_t commentColumn(const std::string& line, std::string& raw) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (!raw.empty()) {
+            const std::size_t end = line.find(raw, i);
+            if (end == std::string::npos) return end;
+            i = end + raw.size() - 1;
+            raw.clear();
+        } else if (line.compare(i, 2, "//") == 0) {
+            return i;
+        } else if (line.compare(i, 2, "R\"") == 0 && line.find('(', i) != std::string::npos) {
+            const std::size_t open = line.find('(', i);
+            raw = ")" + line.substr(i + 2, open - i - 2) + "\"";
+            i = open;
+        } else if (line[i] == '"' || (line[i] == '\'' && (i == 0 || std::isalnum(static_cast<unsigned char>(line[i - 1])) == 0))) {
+            for (const char quote = line[i++]; i < line.size() && line[i] != quote; ++i)
+                if (line[i] == '\\') ++i;
+        }
+    }
+    return std::string::npos;
+}
+
+/// The same for a line of Python or CMake: a number sign outside of quotes, at the beginning or behind a blank.
+std::size_t hashColumn(const std::string& line) {
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quote != 0)
+            quote = c == quote ? '\0' : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        else if (c == '#' && (i == 0 || line[i - 1] == ' '))
+            return i;
+    }
+    return std::string::npos;
+}
+
+std::vector<CommentBlock> commentsOf(const std::string& source, bool isCpp) {
+    std::vector<CommentBlock> blocks;
+    std::istringstream lines(source);
+    std::string line, raw;
+    bool continues = false;
+    for (std::size_t n = 1; std::getline(lines, line); ++n) {
+        const std::size_t column = isCpp ? commentColumn(line, raw) : hashColumn(line);
+        const bool whole = column != std::string::npos && line.find_first_not_of(' ') == column;
+        if (column != std::string::npos) {
+            if (!continues || !whole) blocks.push_back({n, {}});
+            CommentBlock& block = blocks.back();
+            if (n > block.line) block.text += '\n';
+            block.text += line.substr(std::min(line.find_first_not_of("/#<", column), line.size()));
+        }
+        continues = column != std::string::npos;
+    }
+    return blocks;
+}
+
+/// A banned word of a comment and its line, counted from the comment's first one; an empty word if there is none. Text in quotes or
+/// backquotes is a message or an identifier, and does not count.
+std::pair<std::string, std::size_t> bannedWord(const std::string& comment) {
+    static const std::regex quoted("\"[^\"]*\"|`[^`]*`");
+    static const std::regex banned(
+        R"(\b(told|tells?|stands?|lies|sits?|sittings?|beside|anew|nobody|somebody|whoever|none\s+of|(there\s+)?(is|are)\s+no(?!\s+longer)|or\s+none)\b(?!-))",
+        std::regex::icase);
+    std::string text = comment;
+    for (std::smatch match; std::regex_search(text, match, quoted);) {
+        const std::size_t at = static_cast<std::size_t>(match.position());
+        for (std::size_t i = at; i < at + static_cast<std::size_t>(match.length()); ++i)
+            if (text[i] != '\n') text[i] = '_';
+    }
+    for (std::sregex_iterator it(text.begin(), text.end(), banned), end; it != end; ++it) {
+        if ((*it)[2].matched) continue; // "there is no" is plain English
+        const auto until = text.begin() + it->position();
+        return {it->str(), static_cast<std::size_t>(std::count(text.begin(), until, '\n'))};
+    }
+    return {};
+}
+
+TEST(CommentWords, TheTestFindsABannedWord) {
+    for (const char* comment : {"The cell tells the line.", "It is no edge.", "A rock, or none.", "Nobody knows.", "They lie beside it.",
+                                "none\nof them", "what the file\nTold"})
+        EXPECT_NE(bannedWord(comment).first, "") << comment;
+    for (const char* comment : {"There is no range.", "0 if there\nare no cells", "`told` is a member", "\"the beams lie beside it\"",
+                                "an understanding", "satellites", "a standard deviation", "belies", "\"two\nlines told\" apart"})
+        EXPECT_EQ(bannedWord(comment).first, "") << comment;
+    EXPECT_EQ(bannedWord("one\ntwo\nthree sits").second, 2U);
+}
+
+TEST(CommentWords, TheTestFindsComments) {
+    const auto blocks =
+        commentsOf("int a; // one\n// two\n  /// three\nf(\"// four\", '\"', R\"x(// five\n// six)x\"); ///< seven\n\n// eight\n", true);
+    ASSERT_EQ(blocks.size(), 3U);
+    EXPECT_EQ(blocks[0].text, " one\n two\n three");
+    EXPECT_EQ(blocks[1].line, 5U);
+    EXPECT_EQ(blocks[1].text, " seven");
+    EXPECT_EQ(blocks[2].text, " eight");
+    const auto hashes = commentsOf("# one\nset(A \"#two\") # three\n", false);
+    ASSERT_EQ(hashes.size(), 2U);
+    EXPECT_EQ(hashes[1].text, " three");
+}
+
+TEST(CommentWords, EveryCommentIsInPlainEnglish) {
+    std::size_t comments = 0;
+    const auto check = [&](const fs::path& path) {
+        const std::string extension = path.extension().string();
+        const bool isCpp = extension == ".h" || extension == ".cpp";
+        if (!isCpp && extension != ".py" && extension != ".cmake" && path.filename() != "CMakeLists.txt") return;
+        for (const CommentBlock& block : commentsOf(test::fileText(path), isCpp)) {
+            ++comments;
+            const auto [word, line] = bannedWord(block.text);
+            EXPECT_EQ(word, "") << fs::relative(path, kRoot).string() << ':' << block.line + line << ": the comment contains \"" << word
+                                << "\" (CONTRIBUTING.md, \"Rules\")";
+        }
+    };
+    check(kRoot / "CMakeLists.txt");
+    for (const char* folder : {"core", "ui", "app", "tests", "packaging"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+            if (entry.is_regular_file()) check(entry.path());
+    }
+    EXPECT_GT(comments, 5000U);
+}
+
+} // namespace
+} // namespace edgescan
