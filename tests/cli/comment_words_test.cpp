@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+const fs::path kTree = EDGESCAN_SOURCE_DIR;
 
 /// Consecutive comment lines of a file, joined by line feeds.
 struct CommentBlock {
@@ -133,13 +133,13 @@ TEST(CommentWords, EveryCommentIsInPlainEnglish) {
         for (const CommentBlock& block : commentsOf(test::fileText(path), isCpp)) {
             ++comments;
             const auto [word, line] = bannedWord(block.text);
-            EXPECT_EQ(word, "") << fs::relative(path, kRoot).string() << ':' << block.line + line << ": the comment contains \"" << word
+            EXPECT_EQ(word, "") << fs::relative(path, kTree).string() << ':' << block.line + line << ": the comment contains \"" << word
                                 << "\" (CONTRIBUTING.md, \"Rules\")";
         }
     };
-    check(kRoot / "CMakeLists.txt");
+    check(kTree / "CMakeLists.txt");
     for (const char* folder : {"core", "ui", "app", "tests", "packaging"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+        for (const auto& entry : fs::recursive_directory_iterator(kTree / folder))
             if (entry.is_regular_file()) check(entry.path());
     }
     EXPECT_GT(comments, 5000U);
