@@ -66,7 +66,7 @@ void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
         ASSERT_PRED2(same, probe.jump.after, whole.jump[k]) << line << " " << beam;
         ASSERT_PRED2(same, probe.crease.after, whole.crease[k]) << line << " " << beam;
         exact += probe.jump.after == whole.jump[k] && probe.crease.after == whole.crease[k] ? 1 : 0;
-        EXPECT_EQ(probe.noiseMm, whole.noise.at(5.0));
+        EXPECT_EQ(probe.noiseAt5mMm, whole.noise.at(5.0));
         double jump = 0;
         for (const DepthStepAtCell& step : probe.steps) {
             EXPECT_NEAR(step.stepMm / step.limitMm(), step.strength, 1e-3 * step.strength);
