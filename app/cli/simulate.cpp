@@ -139,7 +139,9 @@ CLI::Option& add(CLI::App& command, const char* group, std::string_view key, sim
         row.set(settings, numberTyped(flag, text, row.limits(), row.decimals == 0));
     };
     CLI::Option& option = *command.add_option_function<std::string>(flag, take, row.help)->type_name(rangeName(row.limits()))->group(group);
-    return *option.default_str(shortestText(row.get(settings)));
+    std::string usual;
+    appendShortest(usual, row.get(settings));
+    return *option.default_str(usual);
 }
 
 void addSceneFlags(CLI::App& command, Simulate& simulate) {
