@@ -400,7 +400,7 @@ TEST(E57, FilesOfOtherPrograms) {
     for (const auto& p : cube) EXPECT_EQ(p.cwiseAbs().maxCoeff(), 0.5);
     EXPECT_EQ(pointsOf("testWithNormals.e57"), (std::vector<Eigen::Vector3d>{{1, 0, 0}, {2, 0, 0}}));
     const auto moved = pointsOf("translationWithoutRotation.e57");
-    ASSERT_EQ(moved.size(), 4U);
+    ASSERT_EQ(moved.size(), 3U); // of four; the fourth is at the scanner itself: a beam without a return
     Eigen::AlignedBox3d place;
     for (const auto& p : moved) place.extend(p);
     EXPECT_EQ(place.min(), Eigen::Vector3d(4, 5, 6));

@@ -35,7 +35,7 @@ Matrix3d matrixOf(const json& j) {
 
 /// The cases that tests/oracle/frames_cases.py computes independently of the program, then those of ../shared, if they exist.
 json cases() {
-    json all = json::parse(std::ifstream(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/georef/frames_cases.json"))["cases"];
+    json all = json::parse(std::ifstream(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/scan/georef/frames_cases.json"))["cases"];
     if (std::ifstream file((edgescan::test::sharedFolder() / "protocol/vectors/frames_example.json").string()); file) {
         const json shared = json::parse(file);
         for (const json& one : shared["cases"]) all.push_back(one);

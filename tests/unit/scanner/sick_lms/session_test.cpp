@@ -189,11 +189,13 @@ TEST(ScannerSession, AShortSilenceIsStaleOnly) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 200;
     settings.faults.stallEvery = 40;
-    settings.faults.stallS = 0.8;
+    settings.faults.stallS = 4.2;
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
+    SessionSettings staleInAStall = settingsFor(*scanner);
+    staleInAStall.timeouts.silence = 6s; // stale after half of it, lost after the whole
     {
-        ScannerSession session(settingsFor(*scanner), listener.events());
+        ScannerSession session(staleInAStall, listener.events());
         EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
     }
     EXPECT_TRUE(listener.story().starts_with("CONNECTING IDENTIFYING LIVE STALE LIVE")) << listener.story();
