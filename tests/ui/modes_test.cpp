@@ -113,9 +113,10 @@ class ModesTest : public QObject {
         if (!folder.isEmpty()) pictureOf(on).save(folder + "/" + where + ".png");
         return found;
     }
+    /// False if the window needs more room than that.
     static bool resizedTo(WindowFixture& on, QSize size) {
         on.window.resize(size);
-        return eventually([&] { return on.window.size() == size; });
+        return eventually([&] { return on.window.size() == size.expandedTo(on.window.minimumSizeHint()); }) && on.window.size() == size;
     }
 
 private slots:
