@@ -27,7 +27,7 @@ import edgescan
 
 CLI = os.environ["EDGESCAN_CLI"]
 SOURCE = pathlib.Path(os.environ["EDGESCAN_SOURCE"])
-SHARED = pathlib.Path(os.environ.get("EDGESCAN_SHARED", os.environ["EDGESCAN_SHARED_DIR"]))
+SHARED = pathlib.Path(os.environ.get("EDGESCAN_SHARED") or os.environ["EDGESCAN_SHARED_DIR"])
 FOLDER = tempfile.TemporaryDirectory(prefix="edgescan-python-")
 HERE = pathlib.Path(FOLDER.name)
 
