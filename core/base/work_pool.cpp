@@ -5,10 +5,15 @@
 #include <utility>
 
 namespace edgescan {
+namespace {
+
+constexpr std::size_t kThreadsEach = 2; // of each urgency
+
+} // namespace
 
 WorkPool::WorkPool() {
-    threads_.reserve(kUrgencies);
-    for (std::size_t n = 0; n < kUrgencies; ++n) threads_.emplace_back([this, n] { loop(n); });
+    threads_.reserve(kThreadsEach * kUrgencies);
+    for (std::size_t n = 0; n < kThreadsEach * kUrgencies; ++n) threads_.emplace_back([this, n] { loop(n / kThreadsEach); });
 }
 
 WorkPool::~WorkPool() {
@@ -62,7 +67,9 @@ void WorkPool::runWork(Lane& lane, std::unique_lock<std::mutex>& lock) {
     idle_.notify_all();
 }
 
-Lane::~Lane() {
+Lane::~Lane() { end(); }
+
+void Lane::end() {
     drop();
     std::unique_lock lock(pool_.mutex_);
     pool_.idle_.wait(lock, [this] { return !running_; });

@@ -18,7 +18,8 @@ inline constexpr std::size_t kUrgencies = 3;
 
 class Lane;
 
-/// One thread for each urgency, which also takes what is more urgent: slow work never keeps urgent work waiting.
+/// Two threads for each urgency, which also take more urgent work: slow work never delays urgent work, and one long piece of work does not
+/// delay all others of its urgency.
 class WorkPool {
 public:
     WorkPool();
@@ -58,6 +59,8 @@ public:
     void post(Work work);
     /// What waits does not start any more.
     void drop();
+    /// As the destructor: drops what waits, waits for what runs.
+    void end();
 
 private:
     friend class WorkPool;

@@ -69,18 +69,18 @@ TEST(WorkPool, ALaneRunsOneAtATimeAndWhatWaitsIsReplaced) {
 
 TEST(WorkPool, SlowWorkKeepsNoThreadFromWhatIsMoreUrgent) {
     WorkPool pool;
-    Held minutes(pool, Urgency::Later);
-    ASSERT_TRUE(waitUntil([&] { return minutes.began.load(); }));
-    Held more(pool, Urgency::Later), seconds(pool, Urgency::Soon);
-    ASSERT_TRUE(waitUntil([&] { return seconds.began.load(); })) << "what takes minutes has one thread";
-    Held rocks(pool, Urgency::Soon);
+    Held minutes(pool, Urgency::Later), more(pool, Urgency::Later);
+    ASSERT_TRUE(waitUntil([&] { return minutes.began && more.began; })) << "two pieces of one urgency run at a time";
+    Held stillMore(pool, Urgency::Later), seconds(pool, Urgency::Soon), rocks(pool, Urgency::Soon);
+    ASSERT_TRUE(waitUntil([&] { return seconds.began && rocks.began; })) << "work of minutes has two threads";
+    Held opening(pool, Urgency::Soon);
     std::atomic<bool> answered{false};
     Lane picture(pool, Urgency::Now);
     picture.post([&] { answered = true; });
-    EXPECT_TRUE(waitUntil([&] { return answered.load(); })) << "what takes seconds has two";
-    EXPECT_FALSE(more.began || rocks.began);
-    minutes.mayEnd = seconds.mayEnd = rocks.mayEnd = true;
-    EXPECT_TRUE(waitUntil([&] { return rocks.began && more.began; }));
+    EXPECT_TRUE(waitUntil([&] { return answered.load(); })) << "work of seconds has four";
+    EXPECT_FALSE(stillMore.began || opening.began);
+    for (Held* held : {&minutes, &more, &stillMore, &seconds, &rocks, &opening}) held->mayEnd = true;
+    EXPECT_TRUE(waitUntil([&] { return stillMore.began && opening.began; }));
 }
 
 TEST(WorkPool, ALaneThatGoesWaitsForItsWork) {

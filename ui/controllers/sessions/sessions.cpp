@@ -42,7 +42,7 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
     : engine_(engine), files_(files), live_(live), notice_(notice), memory_(memory), undo_(undo), parts_(std::move(parts)),
       autosaves_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/sessions"),
       written_(
-          Urgency::Now, [this](const Job& job) { return write(job); },
+          Urgency::Soon, [this](const Job& job) { return write(job); }, // the hash of a closed recording may take seconds
           [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Warning, tr("The session is not saved (%1).").arg(what)); },
           Older::Delivered) {
@@ -63,7 +63,9 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
 }
 
 Sessions::~Sessions() {
-    if (soon_.isActive() || written_.behind()) {
+    const bool pending = soon_.isActive() || written_.behind();
+    written_.end(); // an older state must not be written after the last one
+    if (pending) {
         if (const auto last = job()) {
             for (const QString& path : {last->own, last->file}) {
                 if (!path.isEmpty())

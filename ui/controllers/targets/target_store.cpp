@@ -17,12 +17,13 @@ constexpr std::uint64_t kMostNotebookBytes = std::uint64_t{1} << 20U;
 TargetStore::TargetStore(const QString& folder)
     : folder_(folder),
       written_(
-          Urgency::Now, [](const Texts& texts) { return write(texts); },
+          Urgency::Soon, [](const Texts& texts) { return write(texts); },
           [this](const Texts& texts, const std::shared_ptr<const std::string>& trouble) { take(texts, *trouble); },
           [this](const QString& what) { emit failed(tr("The targets could not be kept (%1).").arg(what)); }, Older::Delivered) {}
 
 TargetStore::~TargetStore() {
-    if (!waiting_.empty()) (void)write(waiting_); // written again if the worker had begun: the bytes are the same
+    written_.end(); // older targets must not be written after the last ones
+    if (!waiting_.empty()) (void)write(waiting_);
 }
 
 QString TargetStore::pathOf(const inspect::NotebookScan& scan) const {

@@ -69,7 +69,7 @@ public:
         quiet_.setSingleShot(true);
         QObject::connect(&quiet_, &QTimer::timeout, &quiet_, [this] { start(); });
     }
-    ~Derived() { oldest_ = std::numeric_limits<std::uint64_t>::max(); }
+    ~Derived() { end(); }
     Derived(const Derived&) = delete;
     Derived& operator=(const Derived&) = delete;
 
@@ -90,6 +90,13 @@ public:
         lane_.drop();
         oldest_ = asked_ + 1;
         settled_ = asked_;
+    }
+
+    /// For a destructor that finishes the work itself: nothing runs or is delivered afterwards; behind() stays as it was.
+    void end() {
+        quiet_.stop();
+        oldest_ = std::numeric_limits<std::uint64_t>::max();
+        lane_.end();
     }
 
     /// The newest question; null before the first.
