@@ -253,7 +253,7 @@ private slots:
         slider->setSliderDown(false);
         QVERIFY(window.viewer().engine.settings().lower > 20);
         QCOMPARE(window.viewer().engine.settings().kernel, 7);
-        QUndoStack& undo = window.viewer().tuning.undoStack();
+        QUndoStack& undo = window.viewer().undo;
         undo.undo();
         QCOMPARE(window.viewer().engine.settings().lower, edges::Settings{}.lower);
         QCOMPARE(window.viewer().engine.settings().kernel, 7);

@@ -38,7 +38,6 @@ public:
     void askOpenPreset();
     void askSavePreset();
 
-    [[nodiscard]] QUndoStack& undoStack() { return undo_; }
     /// Milliseconds from the last change of a setting to the shown picture; for a new scan the time of the method.
     [[nodiscard]] double updateMs() const { return updateMs_; }
 

@@ -31,7 +31,6 @@ public:
     [[nodiscard]] CabFrame& frame() { return *frame_; }
     [[nodiscard]] CornerPicture& corner() { return *corner_; }
     /// True: the large pane is an image and the cloud is in the corner.
-    [[nodiscard]] bool swapped() const { return swapped_; }
 
 signals:
     void changed(bool on);

@@ -33,7 +33,6 @@ public:
     [[nodiscard]] QTableView* table() const { return table_; }
     [[nodiscard]] QDoubleSpinBox* smallest() const { return smallest_; }
     [[nodiscard]] QCheckBox* sureOnly() const { return sureOnly_; }
-    [[nodiscard]] QPushButton* exportButton() const { return export_; }
     [[nodiscard]] SizeCurveView* sizeCurve() const { return curve_; }
     [[nodiscard]] QString remark() const;
 

@@ -70,7 +70,6 @@ public:
     [[nodiscard]] const std::shared_ptr<const CloudGeometry>& geometryOfCloud() const { return cloud_; }
 
     [[nodiscard]] bool edgesVisible() const { return edgesVisible_; }
-    [[nodiscard]] bool cloudDimmed() const { return cloudDimmed_; }
     [[nodiscard]] bool shaded() const { return shaded_; }
     /// Spacing of the lines of the ground grid, metres; 0: the grid is hidden.
     [[nodiscard]] double groundStepM() const { return groundStepM_; }
@@ -81,7 +80,6 @@ public:
     [[nodiscard]] QColor background() const { return background_; }
     [[nodiscard]] const EdgeColours& edgeColours() const { return edgeColours_; }
     [[nodiscard]] bool edgesByClass() const { return byClass_; }
-    [[nodiscard]] MousePreset mousePreset() const { return mousePreset_; }
     [[nodiscard]] bool isParallel() const { return pose_.parallel; }
     [[nodiscard]] bool isTurntable() const { return turntable_; }
 
