@@ -9,8 +9,8 @@
 #include "core/base/number_text.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
-#include "core/exports/provenance/provenance.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/provenance.h"
+#include "core/exports/report.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/exports/provenance/export_kinds.h"
+#include "core/exports/export_kinds.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,7 @@
 #include "app/shared/json_output.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/live_feed/live_feed.h"
 
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ struct Record {
 };
 
 void showStatus(const files::LiveStatus& status) {
-    std::string line = scanner::sessionPhaseName(status.session.phase);
+    std::string line = scanner::connectionPhaseName(status.session.phase);
     line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
             std::to_string(status.statistics.reconnects) + " reconnects";
     if (const auto remarks = status.sweep.irregular.sentences(); !remarks.empty())
@@ -44,7 +44,7 @@ void showStatus(const files::LiveStatus& status) {
 
 // True if the recording has the requested sweeps or lines, or can no longer get them.
 bool finished(const Record& record, const files::LiveStatus& status, std::chrono::steady_clock::time_point start) {
-    if (interrupted() || status.session.phase == scanner::SessionPhase::Stopped) return true;
+    if (interrupted() || status.session.phase == scanner::ConnectionPhase::Stopped) return true;
     if (status.recording && status.recording->ended) return true;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);

@@ -6,7 +6,7 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // edgescan-cli verify: rebuilds exports from their records and compares them.
-#include "core/exports/provenance/verify.h"
+#include "core/exports/verify.h"
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/sidecar_grid.h"
 
 #include <nlohmann/json.hpp>

@@ -4,8 +4,8 @@
 #include "app/shared/options.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
-#include "core/exports/provenance/report.h"
-#include "core/exports/provenance/why_report.h"
+#include "core/exports/report.h"
+#include "core/exports/why_report.h"
 
 #include <nlohmann/json.hpp>
 

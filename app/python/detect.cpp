@@ -6,7 +6,7 @@
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/formats/formats.h"
 #include "core/scan/georef/placed_points.h"
 

@@ -2,7 +2,7 @@
 #include "app/python/module.h"
 
 #include "core/base/version.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 
 #include "app/python/module.h"
 
-#include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
+#include "core/edges/pipeline/threshold_map.h"
 
 #include <mutex>
 

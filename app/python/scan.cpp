@@ -1,7 +1,7 @@
 // Scans in Python: opening them, and their cells as arrays.
 #include "app/python/module.h"
 
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"

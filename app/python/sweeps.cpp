@@ -148,7 +148,7 @@ public:
     [[nodiscard]] py::dict status() const {
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
         py::dict dict;
-        dict["phase"] = scanner::sessionPhaseName(status.session.phase);
+        dict["phase"] = scanner::connectionPhaseName(status.session.phase);
         dict["sentence"] = status.session.sentence;
         dict["scanner"] = status.scanner ? py::object(py::str(status.scanner->words())) : py::object(py::none());
         dict["lines"] = status.lines;

@@ -2,7 +2,7 @@
 #include "app/shared/exits.h"
 
 #include "core/base/foreign_text.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 
 #include <nlohmann/json.hpp>
 

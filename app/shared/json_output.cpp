@@ -2,7 +2,7 @@
 #include "app/shared/json_output.h"
 
 #include "core/base/whole_file.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 
 namespace edgescan::cli {
 

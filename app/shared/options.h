@@ -5,7 +5,7 @@
 #include "app/shared/numbers.h"
 #include "app/shared/typed_settings.h"
 #include "core/base/result.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/grid/scan.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/edges/settings/presets.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/scan/grid/scan.h"
 
 #include <map>

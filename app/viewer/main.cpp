@@ -7,7 +7,7 @@
 #include "core/base/version.h"
 #include "ui/base/language/languages.h"
 #include "ui/controllers/sessions/sessions.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
 #include "ui/window/cab_mode.h"
@@ -36,7 +36,7 @@ void quitInTime(const std::string& screenshot) {
 }
 
 // Opens the scans and files of the command line.
-void openWanted(ui::MainWindow& window, ui::Memory& memory, const CommandLine& wanted, const ParsedCommandLine& understood) {
+void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const CommandLine& wanted, const ParsedCommandLine& understood) {
     QStringList files;
     for (const std::string& file : wanted.files) files << QString::fromStdString(file);
     if (!wanted.session.empty())
@@ -49,16 +49,16 @@ void openWanted(ui::MainWindow& window, ui::Memory& memory, const CommandLine& w
         window.viewer().files.openDemo();
     else if (!understood.scanner) {
         window.sessions().offerToContinue();
-        ui::showStart(window, memory);
+        ui::showStart(window, preferences);
     }
     if (const auto& scanner = understood.scanner)
         window.viewer().live.connectTo(QString::fromStdString(scanner->host), scanner->port, understood.sweep);
 }
 
 int runViewer(QApplication& application, const CommandLine& wanted, const ParsedCommandLine& understood) {
-    ui::Memory memory(wanted.noSettings ? QString() : ui::Memory::usualPath());
-    ui::useLanguage(wanted.language.empty() ? memory.text("language") : QString::fromStdString(wanted.language));
-    ui::MainWindow window(memory);
+    ui::Preferences preferences(wanted.noSettings ? QString() : ui::Preferences::usualPath());
+    ui::useLanguage(wanted.language.empty() ? preferences.text("language") : QString::fromStdString(wanted.language));
+    ui::MainWindow window(preferences);
     if (understood.settings) {
         if (const auto preset = cli::presetOf(wanted.method)) window.viewer().tuning.startWith(*preset, *understood.settings);
     }
@@ -70,7 +70,7 @@ int runViewer(QApplication& application, const CommandLine& wanted, const Parsed
         screenshotWhenShown(window, {wanted.screenshot, wanted.screenshotLines, !wanted.live.empty(), wanted.compare});
     if (wanted.quitAfter > 0)
         QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });
-    openWanted(window, memory, wanted, understood);
+    openWanted(window, preferences, wanted, understood);
     return QApplication::exec();
 }
 

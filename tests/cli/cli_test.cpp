@@ -3,7 +3,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/command_text.h"
 #include "core/edges/settings/presets.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/run_program.h"

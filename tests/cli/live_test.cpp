@@ -1,7 +1,7 @@
 // serve, record and replay from outside: a scan that is served, recorded and played again has the edges of the file.
 #include "core/edges/gray/steady_window.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scanner/emulator/sent_sweep.h"

@@ -1,6 +1,6 @@
 // Any bytes as a pose or a calibration file: the result is usable numbers or an error sentence.
 #include "core/scan/georef/calibration.h"
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 #include "tests/support/robot_files.h"
 
 #include <cstdint>

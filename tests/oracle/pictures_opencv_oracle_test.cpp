@@ -1,9 +1,9 @@
 // OpenCV reads the pictures that EdgeScan writes, and EdgeScan reads those of OpenCV.
 #include "core/containers/png/png.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scan/grid/range_picture.h"
+#include "core/scan/grid/range_image.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>

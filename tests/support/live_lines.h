@@ -4,7 +4,7 @@
 #include "core/files/recording/writer.h"
 #include "core/scan/grid/scan.h"
 #include "core/scanner/sick_lms/scan_telegram.h"
-#include "core/scanner/sweep_assembly/sweep.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <cmath>
 #include <cstdint>

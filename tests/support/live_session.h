@@ -3,7 +3,7 @@
 
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
-#include "core/scanner/sick_lms/scanner_session.h"
+#include "core/scanner/sick_lms/scanner_connection.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/scans.h"
 #include "tests/support/wait_until.h"
@@ -44,7 +44,7 @@ inline scanner::ScannerTimeouts hasty() {
 class Listener {
 public:
     [[nodiscard]] scanner::SessionEvents events() {
-        return {[this](const scanner::SessionState& state) { add(states_, state); },
+        return {[this](const scanner::ConnectionState& state) { add(states_, state); },
                 [this](const scanner::ScannerIdentity& who) { add(identities_, who); },
                 [this](const scanner::ColaFrame& frame) { add(frames_, frame); },
                 [this](const scanner::ColaFrame& frame) { add(sent_, frame); }};
@@ -56,7 +56,7 @@ public:
         std::unique_lock lock(mutex_);
         return changed_.wait_for(lock, kPatience, [&] { return done(*this); });
     }
-    [[nodiscard]] bool waitForPhase(scanner::SessionPhase phase) {
+    [[nodiscard]] bool waitForPhase(scanner::ConnectionPhase phase) {
         return waitFor([phase](const Listener& l) { return l.entered(phase) > 0; });
     }
     [[nodiscard]] bool waitForScans(std::size_t count) {
@@ -64,12 +64,13 @@ public:
     }
 
     // Call these after the session is destroyed, or inside waitFor.
-    [[nodiscard]] const std::vector<scanner::SessionState>& states() const { return states_; }
+    [[nodiscard]] const std::vector<scanner::ConnectionState>& states() const { return states_; }
     [[nodiscard]] const std::vector<scanner::ScannerIdentity>& identities() const { return identities_; }
     [[nodiscard]] const std::vector<scanner::ColaFrame>& frames() const { return frames_; }
     [[nodiscard]] const std::vector<scanner::ColaFrame>& sent() const { return sent_; }
-    [[nodiscard]] long entered(scanner::SessionPhase phase) const {
-        return std::count_if(states_.begin(), states_.end(), [phase](const scanner::SessionState& state) { return state.phase == phase; });
+    [[nodiscard]] long entered(scanner::ConnectionPhase phase) const {
+        return std::count_if(states_.begin(), states_.end(),
+                             [phase](const scanner::ConnectionState& state) { return state.phase == phase; });
     }
     [[nodiscard]] std::vector<scanner::ScanTelegram> telegrams() const {
         std::vector<scanner::ScanTelegram> telegrams;
@@ -81,9 +82,9 @@ public:
     /// "CONNECTING IDENTIFYING LIVE".
     [[nodiscard]] std::string story() const {
         std::string story;
-        for (const scanner::SessionState& state : states_) {
+        for (const scanner::ConnectionState& state : states_) {
             if (!story.empty()) story += ' ';
-            story += scanner::sessionPhaseName(state.phase);
+            story += scanner::connectionPhaseName(state.phase);
         }
         return story;
     }
@@ -112,7 +113,7 @@ private:
 
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<scanner::SessionState> states_;
+    std::vector<scanner::ConnectionState> states_;
     std::vector<scanner::ScannerIdentity> identities_;
     std::vector<scanner::ColaFrame> frames_;
     std::vector<scanner::ColaFrame> sent_;

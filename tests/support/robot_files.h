@@ -3,7 +3,7 @@
 
 #include "core/base/utc_time.h"
 #include "core/scan/georef/calibration.h"
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 
 #include <nlohmann/json.hpp>
 

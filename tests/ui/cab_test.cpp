@@ -264,7 +264,7 @@ private slots:
         action->trigger();
         QVERIFY(on.window.cab().on() && action->isChecked());
         QVERIFY(!action->isEnabled()); // cab mode cannot be left by a tap in the menu
-        QVERIFY(on.memory.flag("view/cab", false));
+        QVERIFY(on.preferences.flag("view/cab", false));
         QToolButton* locked = tool(on.window, "cab-locked");
         QTest::mouseClick(locked, Qt::LeftButton);
         QVERIFY(on.window.cab().on());
@@ -276,7 +276,7 @@ private slots:
         QVERIFY2(held.elapsed() >= kHoldMs, qPrintable(QString::number(held.elapsed())));
         QTest::mouseRelease(locked, Qt::LeftButton);
         QVERIFY(action->isEnabled() && !action->isChecked());
-        QVERIFY(!on.memory.flag("view/cab", true));
+        QVERIFY(!on.preferences.flag("view/cab", true));
         QTRY_VERIFY(on.window.menuBar()->isVisible() && on.viewer.views.gray().isVisible());
         QTRY_VERIFY(std::abs(on.viewer.views.gray().width() - before) <= 4);
         QVERIFY(on.window.findChild<QDockWidget*>("dock-edges")->isVisible());

@@ -4,8 +4,8 @@
 #include "core/scan/grid/placement.h"
 #include "tests/support/run_program.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/base/linked_pictures.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/two_pictures.h"
 #include "ui/controllers/files/calibrating.h"
 #include "ui/panels/dialogs/calibration_card.h"
 #include "ui/panels/live/state_badge.h"
@@ -174,7 +174,7 @@ private slots:
         QVERIFY(on.found());
         const QRect room = on.card->screen()->availableGeometry();
         QTRY_VERIFY2(room.contains(on.card->geometry()), "the card has grown beyond the screen");
-        const LinkedPictures& pictures = on.card->pictures();
+        const TwoPictures& pictures = on.card->pictures();
         const auto white = [](const QImage& image) {
             return countPixels(image, [](QRgb pixel) { return (pixel & 0xffffffU) == 0xffffffU; });
         };

@@ -1,5 +1,5 @@
 // Filled gaps in the real window: counted, striped, named in the status line, and removed again.
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/dialogs/export_dialog.h"

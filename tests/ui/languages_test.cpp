@@ -231,10 +231,10 @@ private slots:
             QVERIFY(on.window.findChild<QAction*>("language-en")->isChecked());
             spanish->trigger();
             QVERIFY(on.viewer.notice.isVisible());
-            QCOMPARE(on.memory.text("language"), QString("es"));
+            QCOMPARE(on.preferences.text("language"), QString("es"));
         }
-        const Memory memory(ini);
-        QVERIFY(useLanguage(memory.text("language"), kTexts));
+        const Preferences preferences(ini);
+        QVERIFY(useLanguage(preferences.text("language"), kTexts));
         WindowFixture on(ini);
         QVERIFY(on.show());
         QVERIFY(on.window.findChild<QAction*>("language-es")->isChecked());

@@ -62,7 +62,7 @@ private slots:
         {
             WindowFixture large(ini);
             large.window.resize(5000, 4000);
-            large.memory.keep("window/geometry", large.window.saveGeometry());
+            large.preferences.keep("window/geometry", large.window.saveGeometry());
         }
         WindowFixture again(ini);
         QVERIFY(again.show());

@@ -1,7 +1,7 @@
 // The real window with a live scanner and with recordings: the picture grows, keeps its place, is marked when stale, is recorded and played
 // again.
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 #include "tests/support/own_sockets.h"

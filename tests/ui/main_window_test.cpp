@@ -2,7 +2,7 @@
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/edges/settings/slider_scale.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -184,7 +184,7 @@ private slots:
         const auto copied = [&] { // a new name each time: Qt caches files that it read
             killed = QString("%1.%2").arg(ini).arg(++copies);
             QFile::copy(ini, killed);
-            const Memory there(killed);
+            const Preferences there(killed);
             return there.bytes("window/geometry") == window.saveGeometry() && there.settings(edges::Settings{}).ratio == 2.5;
         };
         QTRY_VERIFY(copied());
@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(settings.ratio, 2.5);
         QVERIFY(!again.window.viewer().panel.ratioLocked());
         QCOMPARE(again.window.size(), QSize(1234, 777));
-        QCOMPARE(again.memory.recentFiles(), QStringList(QFileInfo(QString::fromStdString(real_)).absoluteFilePath()));
+        QCOMPARE(again.preferences.recentFiles(), QStringList(QFileInfo(QString::fromStdString(real_)).absoluteFilePath()));
     }
 
     void whatTheCommandLineAskedForIsNotRemembered() {
@@ -237,7 +237,7 @@ private slots:
                      {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
         QVERIFY(viewer.waitForFinished(kPatienceMs));
         QCOMPARE(viewer.exitCode(), 0);
-        QVERIFY(Memory(config + "/edgescan/viewer.ini").settings(own) == own);
+        QVERIFY(Preferences(config + "/edgescan/viewer.ini").settings(own) == own);
     }
 
     void aSingleEditIsAStepOfItsOwn() {

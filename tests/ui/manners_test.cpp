@@ -2,7 +2,7 @@
 // restored.
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
-#include "core/exports/provenance/verify.h"
+#include "core/exports/verify.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"

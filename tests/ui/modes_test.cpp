@@ -166,7 +166,7 @@ private slots:
     void theStartPageHasNoHoles() {
         WindowFixture on;
         QVERIFY(on.show());
-        StartPage* page = showStart(on.window, on.memory);
+        StartPage* page = showStart(on.window, on.preferences);
         QTRY_VERIFY(page->isVisible());
         for (const QSize size : {QSize(1280, 800), QSize(1600, 900), QSize(1366, 768), QSize(1900, 1000)}) {
             QVERIFY(resizedTo(on, size));

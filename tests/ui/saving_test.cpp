@@ -256,7 +256,7 @@ private slots:
         // After saving elsewhere the dialog begins there, until that folder is deleted.
         const QString elsewhere = path("elsewhere");
         QVERIFY(QDir().mkpath(elsewhere));
-        on.memory.keepFolder("presets", elsewhere + "/mine.json");
+        on.preferences.keepFolder("presets", elsewhere + "/mine.json");
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), QDir(elsewhere).canonicalPath());
         QVERIFY(QDir().rmdir(elsewhere));
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), folder);

@@ -5,7 +5,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/scan_look.h"
-#include "ui/controllers/sessions/session_store.h"
+#include "ui/controllers/sessions/session_in_picture.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
@@ -323,12 +323,12 @@ private slots:
         const QString gone = inFolder("start/gone.json");
         qputenv("XDG_CACHE_HOME", inFolder("start/cache").toUtf8());
         WindowFixture on(inFolder("start/viewer.ini"));
-        on.memory.keepRecentFile(gone);
-        on.memory.keepRecentFile(QString::fromStdString(other_));
-        on.memory.keepRecentFile(QString::fromStdString(boxes_));
+        on.preferences.keepRecentFile(gone);
+        on.preferences.keepRecentFile(QString::fromStdString(other_));
+        on.preferences.keepRecentFile(QString::fromStdString(boxes_));
         on.window.resize(1280, 800);
         QVERIFY(on.show() && on.activate());
-        StartPage* page = showStart(on.window, on.memory);
+        StartPage* page = showStart(on.window, on.preferences);
         QTRY_VERIFY(page->isVisible() && page->settled());
         QListWidget& list = page->list();
         QCOMPARE(list.count(), 3);
@@ -357,7 +357,7 @@ private slots:
         QTRY_VERIFY(page->isHidden());
         QCOMPARE(QString::fromStdString(on.picture().detection->scan->path), QString::fromStdString(other_));
         // Connecting a scanner closes it too.
-        on.memory.keepRecentFile(gone);
+        on.preferences.keepRecentFile(gone);
         page->show();
         on.viewer.live.panel().hide();
         QTest::mouseClick(page->findChild<QAbstractButton*>("start-connect"), Qt::LeftButton);

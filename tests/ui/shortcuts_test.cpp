@@ -138,9 +138,9 @@ private slots:
             const QList<KeyedCommand> all = keyedCommands(on.window.actions());
             const KeyedCommand top = commandOf(on.window, "View/Top");
             const KeyedCommand front = commandOf(on.window, "View/Front");
-            QVERIFY(changeKey(top, QKeySequence(), all, on.memory));
-            QVERIFY(changeKey(front, QKeySequence("7"), all, on.memory));
-            QVERIFY(changeKey(top, QKeySequence("1"), all, on.memory));
+            QVERIFY(changeKey(top, QKeySequence(), all, on.preferences));
+            QVERIFY(changeKey(front, QKeySequence("7"), all, on.preferences));
+            QVERIFY(changeKey(top, QKeySequence("1"), all, on.preferences));
         }
         WindowFixture again(ini);
         QCOMPARE(commandOf(again.window, "View/Top").action->shortcut(), QKeySequence("1"));

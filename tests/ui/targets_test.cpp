@@ -1,6 +1,6 @@
 // The operator's work in the real window, with real events: targets and their card, measuring, selecting, the source of the picture.
 #include "core/base/whole_file.h"
-#include "core/exports/provenance/verify.h"
+#include "core/exports/verify.h"
 #include "core/inspect/measure/cell_sets.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"

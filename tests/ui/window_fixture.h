@@ -6,7 +6,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"
 #include "tests/ui/patience.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/parameter_row.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -25,7 +25,7 @@ namespace edgescan::ui {
 
 struct WindowFixture {
     /// Without a path no settings are stored.
-    explicit WindowFixture(const QString& iniPath = {}) : memory(iniPath), window(memory) {}
+    explicit WindowFixture(const QString& iniPath = {}) : preferences(iniPath), window(preferences) {}
 
     [[nodiscard]] bool show() {
         window.show();
@@ -54,7 +54,7 @@ struct WindowFixture {
     [[nodiscard]] const Picture& picture() { return *viewer.engine.picture(); }
     [[nodiscard]] QSlider* slider(const char* key) { return viewer.panel.row(key)->slider(); }
 
-    Memory memory;
+    Preferences preferences;
     MainWindow window;
     Viewer& viewer = window.viewer();
 };

@@ -2,7 +2,7 @@
 #include "ui/controllers/audit_trail.h"
 
 #include "core/base/version.h"
-#include "core/edges/explain/probe.h"
+#include "core/edges/explain/cell_values.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "ui/base/notice_bar.h"

@@ -7,7 +7,7 @@
 #include "ui/controllers/files/files.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -58,9 +58,9 @@ Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& readi
     return earlierPicture(exactText(scan.path.string()), scan.reading, settings);
 }
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
-                     QUndoStack& undo)
-    : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), memory_(memory), undo_(undo),
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice,
+                     Preferences& preferences, QUndoStack& undo)
+    : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       reader_(
           Urgency::Soon, [](const Reading& reading) { return pictureOf(reading); },
           [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
@@ -162,7 +162,7 @@ void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
 
 void Comparing::askScan() {
     const QString path =
-        QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), memory_.folder("scans"), Files::filters());
+        QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), preferences_.folder("scans"), Files::filters());
     if (!path.isEmpty()) compareWith(path);
 }
 

@@ -17,7 +17,7 @@ namespace edgescan::ui {
 class ChangeLegend;
 class Files;
 class LinkedViews;
-class Memory;
+class Preferences;
 class NoticeBar;
 class Engine;
 
@@ -25,7 +25,7 @@ class Engine;
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Memory& memory,
+    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Preferences& preferences,
               QUndoStack& undo);
 
     /// A new picture is on the screen.
@@ -91,7 +91,7 @@ private:
     ChangeLegend& legend_;
     const Files& files_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     QUndoStack& undo_;
     std::shared_ptr<const Picture> pictureA_;
     std::optional<inspect::EarlierScan> earlier_;

@@ -4,7 +4,7 @@
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/confidence/confidence_legend.h"
 
 #include <utility>
@@ -19,8 +19,8 @@ constexpr const char* kLeast = "view/confidence-least";
 
 } // namespace
 
-Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory)
-    : engine_(engine), views_(views), targets_(targets), legend_(legend), memory_(memory),
+Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Preferences& preferences)
+    : engine_(engine), views_(views), targets_(targets), legend_(legend), preferences_(preferences),
       confidence_(
           Urgency::Later, [this](const std::shared_ptr<const Picture>& picture, const Asker& asker) { return workOut(*picture, asker); },
           [this](const std::shared_ptr<const Picture>&, const std::shared_ptr<const edges::EdgeConfidence>& known) {
@@ -38,9 +38,9 @@ Confidence::Confidence(Engine& engine, LinkedViews& views, Targets& targets, Con
               show();
           },
           [this](const QString& what) { failed(what); }) {
-    legend_.setLeast(memory_.text(kLeast).toInt());
+    legend_.setLeast(preferences_.text(kLeast).toInt());
     connect(&legend_, &ConfidenceLegend::leastRequested, this, [this](int percent) {
-        memory_.keep(kLeast, QString::number(percent));
+        preferences_.keep(kLeast, QString::number(percent));
         draw();
         emit changed();
     });

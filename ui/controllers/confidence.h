@@ -13,7 +13,7 @@ namespace edgescan::ui {
 
 class ConfidenceLegend;
 class LinkedViews;
-class Memory;
+class Preferences;
 class Engine;
 class Targets;
 
@@ -21,7 +21,7 @@ class Targets;
 class Confidence : public QObject {
     Q_OBJECT
 public:
-    Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Memory& memory);
+    Confidence(Engine& engine, LinkedViews& views, Targets& targets, ConfidenceLegend& legend, Preferences& preferences);
 
     /// A new picture is on the screen.
     void followPicture();
@@ -60,7 +60,7 @@ private:
     LinkedViews& views_;
     Targets& targets_;
     ConfidenceLegend& legend_;
-    Memory& memory_;
+    Preferences& preferences_;
     bool on_ = false;
     bool forCard_ = false; // the card shows a cell with an edge
     bool failed_ = false;

@@ -1,7 +1,7 @@
 // The contact sheet of the slider in use: computed off the GUI thread, picture by picture; a click adopts a value.
 #pragma once
 
-#include "core/edges/tuning/contact_sheet.h"
+#include "core/edges/tuning/values_of_setting.h"
 #include "ui/engine/worker_bridge/derived.h"
 
 #include <QImage>

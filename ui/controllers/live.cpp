@@ -7,7 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/timeline.h"
 
@@ -22,8 +22,8 @@
 namespace edgescan::ui {
 namespace {
 
-scanner::SweepSettings rememberedSweep(const Memory& memory) {
-    const auto json = parseJson(memory.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
+scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
+    const auto json = parseJson(preferences.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
     scanner::SweepMetadata metadata;
     if (json && json->is_object()) {
         for (const auto& [key, value] : json->items()) {
@@ -35,13 +35,15 @@ scanner::SweepSettings rememberedSweep(const Memory& memory) {
 
 } // namespace
 
-Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory)
-    : engine_(engine), panel_(panel), timeline_(timeline), views_(views), files_(files), notice_(notice), memory_(memory),
+Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice,
+           Preferences& preferences)
+    : engine_(engine), panel_(panel), timeline_(timeline), views_(views), files_(files), notice_(notice), preferences_(preferences),
       scanner_(engine) {
-    panel_.setSweep(rememberedSweep(memory_));
-    panel_.setAddress(memory_.text("live/host"), memory_.text("live/port", "2112").toInt());
+    panel_.setSweep(rememberedSweep(preferences_));
+    panel_.setAddress(preferences_.text("live/host"), preferences_.text("live/port", "2112").toInt());
     panel_.hide();
-    recordingFolder_ = memory_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
+    recordingFolder_ =
+        preferences_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
     connectPanel();
     connectScanner();
     connect(&engine_, &Engine::opened, this, &Live::loadTimeline);
@@ -88,9 +90,9 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     panel_.setAddress(host, port);
     panel_.setSweep(sweep);
     panel_.show();
-    memory_.keep("live/host", host);
-    memory_.keep("live/port", QString::number(port));
-    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
+    preferences_.keep("live/host", host);
+    preferences_.keep("live/port", QString::number(port));
+    preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     timeline_.clear();
     files_.leave();
     scanner::SessionSettings scanner;
@@ -103,7 +105,7 @@ void Live::useSweep() {
     const scanner::SweepSettings sweep = panel_.sweep();
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
-    memory_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
+    preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep came too long ago to be put into their new places.").arg(*gone);
     if (scanner_.recording())
@@ -176,7 +178,7 @@ void Live::keepLastMinute() { scanner_.keepRecent(newRecordingPath("last-minute"
 
 void Live::setRecordingFolder(const QString& folder) {
     recordingFolder_ = folder;
-    memory_.keep("folder/recordings", folder);
+    preferences_.keep("folder/recordings", folder);
 }
 
 void Live::askRecordingFolder() {

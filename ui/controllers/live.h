@@ -10,7 +10,7 @@ namespace edgescan::ui {
 class Files;
 class LinkedViews;
 class LivePanel;
-class Memory;
+class Preferences;
 class NoticeBar;
 class Timeline;
 struct ReplayedSweep;
@@ -19,7 +19,8 @@ struct ReplayedSweep;
 class Live : public QObject {
     Q_OBJECT
 public:
-    Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice, Memory& memory);
+    Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice,
+         Preferences& preferences);
 
     /// A new picture is on the screen.
     void followPicture();
@@ -56,7 +57,7 @@ private:
     LinkedViews& views_;
     Files& files_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     ScannerLink scanner_;
     std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as read from the file
     QString recordingFolder_;

@@ -2,7 +2,7 @@
 #include "ui/controllers/scan_look.h"
 
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -16,8 +16,8 @@ constexpr const char* kColourBy = "view/colour-by";
 
 } // namespace
 
-ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory)
-    : engine_(engine), views_(views), plate_(plate), window_(window), memory_(memory),
+ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Preferences& preferences)
+    : engine_(engine), views_(views), plate_(plate), window_(window), preferences_(preferences),
       colours_(
           Urgency::Now,
           [](const Asked& asked) {
@@ -26,8 +26,8 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
           },
           [this](const Asked& asked, const std::shared_ptr<const Answer>& answer) { take(asked, *answer); },
           [](const QString&) {}) { // gray is true as well
-    by_ = colourOfKey(memory_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
-    const QStringList kept = memory_.text(kLocked).split(' ');
+    by_ = colourOfKey(preferences_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
+    const QStringList kept = preferences_.text(kLocked).split(' ');
     if (kept.size() == 2 && kept[1].toDouble() > kept[0].toDouble()) {
         views_.setRangeWindow(RangeSpan{kept[0].toDouble(), kept[1].toDouble()});
         views_.keepRangeWindow(true);
@@ -35,7 +35,7 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
     }
     const auto remember = [this] {
         const auto span = window_.locked() ? views_.rangeWindow() : std::nullopt;
-        memory_.keep(kLocked, span ? QString("%1 %2").arg(span->nearM).arg(span->farM) : QString());
+        preferences_.keep(kLocked, span ? QString("%1 %2").arg(span->nearM).arg(span->farM) : QString());
     };
     connect(&window_, &RangeWindow::windowRequested, this, [this](double nearM, double farM) {
         views_.setRangeWindow(RangeSpan{nearM, farM});
@@ -57,7 +57,7 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
 void ScanLook::setColourBy(ColourBy by) {
     if (by == by_) return;
     by_ = by;
-    memory_.keep(kColourBy, QString(colourKey(by)));
+    preferences_.keep(kColourBy, QString(colourKey(by)));
     followPicture();
     emit colourByChanged(by);
     emit changed();

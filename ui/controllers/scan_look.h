@@ -14,14 +14,14 @@
 namespace edgescan::ui {
 
 class LinkedViews;
-class Memory;
+class Preferences;
 class ScalePlate;
 
 /// GUI thread only; colours and histogram are computed off the GUI thread. The objects passed to it must outlive it.
 class ScanLook : public QObject {
     Q_OBJECT
 public:
-    ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Memory& memory);
+    ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Preferences& preferences);
 
     /// A new picture is on the screen.
     void followPicture();
@@ -59,7 +59,7 @@ private:
     LinkedViews& views_;
     ScalePlate& plate_;
     RangeWindow& window_;
-    Memory& memory_;
+    Preferences& preferences_;
     ColourBy by_ = ColourBy::Nothing;
     std::shared_ptr<const CloudGeometry> counted_; // of the histogram
     Derived<Asked, Answer> colours_;               // last

@@ -14,7 +14,7 @@
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/worker_bridge/in_background.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -22,8 +22,8 @@
 namespace edgescan::ui {
 
 ScanReport::ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
-                       NoticeBar& notice, Memory& memory)
-    : engine_(engine), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), memory_(memory) {}
+                       NoticeBar& notice, Preferences& preferences)
+    : engine_(engine), files_(files), rocks_(rocks), targets_(targets), comparing_(comparing), notice_(notice), preferences_(preferences) {}
 
 void ScanReport::ask() {
     if (!engine_.picture()) {
@@ -34,7 +34,7 @@ void ScanReport::ask() {
     question.title = tr("Report");
     question.extension = ".html";
     const QString name = shownName(exactText(engine_.picture()->detection->scan->name), 80).replace(' ', '-').replace('/', '-');
-    question.place = QDir(memory_.folder("exports")).filePath(name + "_report.html");
+    question.place = QDir(preferences_.folder("exports")).filePath(name + "_report.html");
     question.filters << tr("Page for any browser (*.html)");
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) writeTo(path);
@@ -77,7 +77,7 @@ void ScanReport::writeTo(const QString& path) {
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
     if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the previous picture
     const exports::PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
-    memory_.keepFolder("exports", path);
+    preferences_.keepFolder("exports", path);
     ++working_;
     inBackground(
         this,

@@ -10,7 +10,7 @@ namespace edgescan::ui {
 
 class Comparing;
 class Files;
-class Memory;
+class Preferences;
 class NoticeBar;
 class Rocks;
 class Targets;
@@ -20,7 +20,7 @@ class ScanReport : public QObject {
     Q_OBJECT
 public:
     ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
-               NoticeBar& notice, Memory& memory);
+               NoticeBar& notice, Preferences& preferences);
 
     /// Asks for the path.
     void ask();
@@ -44,7 +44,7 @@ private:
     const Targets& targets_;
     const Comparing& comparing_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     int working_ = 0;
 };
 

@@ -8,7 +8,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/engine/worker_bridge/edge_counter.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/tuning/edges_panel.h"
 
 #include <QFileDialog>
@@ -35,15 +35,15 @@ QString describe(const edges::Settings& before, const edges::Settings& after) {
 
 } // namespace
 
-Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : engine_(engine), panel_(panel), notice_(notice), memory_(memory), undo_(undo), counts_(new EdgeCounter(this)) {
+Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Preferences& preferences, QUndoStack& undo)
+    : engine_(engine), panel_(panel), notice_(notice), preferences_(preferences), undo_(undo), counts_(new EdgeCounter(this)) {
     connect(&panel_, &EdgesPanel::edited, this, &Tuning::change);
     connect(&panel_, &EdgesPanel::editEnded, this, [this] { drag_ = nextDrag(); });
     connect(&panel_, &EdgesPanel::refused, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connect(&panel_, &EdgesPanel::presetChosen, this, &Tuning::usePreset);
     connect(&panel_, &EdgesPanel::openPresetRequested, this, &Tuning::askOpenPreset);
     connect(&panel_, &EdgesPanel::savePresetRequested, this, &Tuning::askSavePreset);
-    connect(&panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { memory_.keep("edges/ratio-locked", locked); });
+    connect(&panel_, &EdgesPanel::ratioLockChanged, this, [this](bool locked) { preferences_.keep("edges/ratio-locked", locked); });
     connect(counts_, &EdgeCounter::outdated, &panel_, &EdgesPanel::forgetCounts);
     connect(counts_, &EdgeCounter::counted, &panel_, &EdgesPanel::showCounts);
     connect(&engine_, &Engine::settingsChanged, this, &Tuning::noteChange);
@@ -51,17 +51,17 @@ Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& mem
 }
 
 void Tuning::recall() {
-    const QString preset = memory_.text("edges/preset");
+    const QString preset = preferences_.text("edges/preset");
     if (const auto found = edges::findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_.setPreset(*found);
-    if (!memory_.flag("edges/ratio-locked", true)) panel_.setRatioLocked(false);
-    useSettings(memory_.settings(engine_.settings()));
+    if (!preferences_.flag("edges/ratio-locked", true)) panel_.setRatioLocked(false);
+    useSettings(preferences_.settings(engine_.settings()));
 }
 
 void Tuning::noteChange() {
     sinceChange_.start();
     panel_.show(engine_.settings());
     panel_.setBehind(engine_.behind());
-    if (!starting_) memory_.keepSettings(engine_.settings());
+    if (!starting_) preferences_.keepSettings(engine_.settings());
 }
 
 void Tuning::followPicture() {
@@ -97,7 +97,7 @@ const edges::Parameter& Tuning::lastChanged() const {
 
 void Tuning::usePreset(const edges::Preset& preset) {
     panel_.setPreset(preset);
-    memory_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
+    preferences_.keep("edges/preset", exactText(preset.path.empty() ? preset.name : preset.path));
     change(preset.settings, false);
     panel_.show(engine_.settings());
 }
@@ -132,9 +132,9 @@ void Tuning::startWith(const edges::Preset& preset, const edges::Settings& setti
 
 void Tuning::askOpenPreset() {
     const QString path =
-        QFileDialog::getOpenFileName(panel_.window(), tr("Open preset"), memory_.folder("presets"), tr("EdgeScan presets (*.json)"));
+        QFileDialog::getOpenFileName(panel_.window(), tr("Open preset"), preferences_.folder("presets"), tr("EdgeScan presets (*.json)"));
     if (path.isEmpty()) return;
-    memory_.keepFolder("presets", path);
+    preferences_.keepFolder("presets", path);
     if (const Result<edges::Preset> preset = edges::findPreset(path.toStdString()); preset)
         usePreset(*preset);
     else
@@ -142,7 +142,7 @@ void Tuning::askOpenPreset() {
 }
 
 void Tuning::askSavePreset() {
-    SaveQuestion question{tr("Save preset"), memory_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
+    SaveQuestion question{tr("Save preset"), preferences_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
     // Scans use this extension too.
     question.keeps = [](const QString& there) {
         return edges::findPreset(there.toStdString()) ? QString()
@@ -150,7 +150,7 @@ void Tuning::askSavePreset() {
     };
     const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;
-    memory_.keepFolder("presets", path);
+    preferences_.keepFolder("presets", path);
     const edges::Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", engine_.settings(), path.toStdString()};
     if (const Result<Done> written = writeWholeFile(path.toStdString(), edges::presetText(preset)); written)
         usePreset(preset);

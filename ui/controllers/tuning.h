@@ -14,14 +14,14 @@ namespace edgescan::ui {
 
 class EdgeCounter;
 class EdgesPanel;
-class Memory;
+class Preferences;
 class NoticeBar;
 
 /// GUI thread only. The objects passed to it must outlive it.
 class Tuning : public QObject {
     Q_OBJECT
 public:
-    Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Preferences& preferences, QUndoStack& undo);
 
     /// A new picture is on the screen.
     void followPicture();
@@ -49,7 +49,7 @@ private:
     Engine& engine_;
     EdgesPanel& panel_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     QUndoStack& undo_;
     EdgeCounter* counts_; // child
     int drag_ = 0;        // number of the current drag, for undo

@@ -10,7 +10,7 @@
 #include "ui/controllers/scan_look.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/engine/linked_views/cell_cursor.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/confidence/confidence_legend.h"
 #include "ui/panels/keys/shortcuts.h"
@@ -66,7 +66,7 @@ constexpr int kRememberAfterMs = 300;
 
 } // namespace
 
-MainWindow::MainWindow(Memory& memory, QWidget* parent) : QMainWindow(parent), viewer_(memory), rail_(new DockRail) {
+MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
@@ -81,7 +81,7 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent) : QMainWindow(parent), v
     addDock(tr("Edges"), "dock-edges", &viewer_.panel);
     connect(rail_, &DockRail::changedByOperator, this, [this](QDockWidget* dock, bool open) {
         dock->setProperty(kByHand, open ? "open" : "folded");
-        viewer_.memory.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
+        viewer_.preferences.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
         arrange();
     });
     addRockDocks(*this, viewer_.rocks, viewer_.rocksPanel, viewer_.rockTable);
@@ -96,20 +96,20 @@ MainWindow::MainWindow(Memory& memory, QWidget* parent) : QMainWindow(parent), v
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
     const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
-                                  cabCommand(*cab_, viewer_.memory)};
+                                  cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
-        addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.memory, menu.source);
-    recallKeys(keyedCommands(actions()), viewer_.memory);
+        addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
+    recallKeys(keyedCommands(actions()), viewer_.preferences);
     addToolButtons(*this);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(viewer_.views, this);
     connectSession();
-    sessions_ = sessionsOf(*this, viewer_.memory);
+    sessions_ = sessionsOf(*this, viewer_.preferences);
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
     restoreLayout();
-    if (viewer_.memory.flag("view/cab", false)) cab_->set(true);
+    if (viewer_.preferences.flag("view/cab", false)) cab_->set(true);
     viewer_.statusLine.showRenderer(checkGl().renderer);
 }
 
@@ -162,7 +162,7 @@ void MainWindow::layOutViews() {
 QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
-    dock->setProperty(kByHand, viewer_.memory.text("window/" + dock->objectName()));
+    dock->setProperty(kByHand, viewer_.preferences.text("window/" + dock->objectName()));
     dock->setWidget(content);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     rail_->add(dock);

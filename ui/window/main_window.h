@@ -19,7 +19,7 @@ namespace edgescan::ui {
 
 class CabMode;
 class DockRail;
-class Memory;
+class Preferences;
 class Pane;
 class Sessions;
 
@@ -27,7 +27,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
     /// `memory` must outlive the window.
-    explicit MainWindow(Memory& memory, QWidget* parent = nullptr);
+    explicit MainWindow(Preferences& preferences, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     [[nodiscard]] Viewer& viewer() { return viewer_; }

@@ -7,7 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
 #include "ui/controllers/files/calibrating.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/sheets.h"
 #include "ui/panels/keys/key_editing.h"
@@ -87,15 +87,15 @@ Command editMenu(Viewer& v, QMainWindow& window) {
 Command mouseMenu(Viewer& v, QMainWindow& window) {
     auto* presets = new QActionGroup(&window);
     CloudView& cloud = v.cloud;
-    Memory& memory = v.memory;
+    Preferences& preferences = v.preferences;
     const auto preset = [&](const char* text, const QString& name, MousePreset mouse) {
-        Command made = toggle(text, "", nullptr, false, [&cloud, &memory, name, mouse](bool) {
+        Command made = toggle(text, "", nullptr, false, [&cloud, &preferences, name, mouse](bool) {
             cloud.setMousePreset(mouse);
-            memory.keep("view/mouse", name);
+            preferences.keep("view/mouse", name);
         });
-        return linked(made, [&cloud, &memory, presets, name, mouse](QAction& action) {
+        return linked(made, [&cloud, &preferences, presets, name, mouse](QAction& action) {
             presets->addAction(&action);
-            if (memory.text("view/mouse", "default") != name) return;
+            if (preferences.text("view/mouse", "default") != name) return;
             action.setChecked(true);
             cloud.setMousePreset(mouse);
         });
@@ -115,7 +115,7 @@ Command languageMenu(Viewer& v, QMainWindow& window) {
     for (const Language& language : kLanguages) {
         const QString code = language.code;
         Command made{.text = QString::fromUtf8(language.name), .set = [&v, code](bool) {
-                         v.memory.keep("language", code);
+                         v.preferences.keep("language", code);
                          v.notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window speaks this language from its next start on."));
                      }};
         menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
@@ -187,7 +187,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
          command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
          command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(v, window),
-         themeMenu(window, v.memory), languageMenu(v, window), kLine});
+         themeMenu(window, v.preferences), languageMenu(v, window), kLine});
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
     add({command("Reset &Layout", "", commands.resetLayout), commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
@@ -195,7 +195,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
 }
 
 Command calibrateCommand(Viewer& v, QMainWindow& window) {
-    auto* calibrating = new Calibrating(v.engine, v.files, v.notice, v.memory, &window);
+    auto* calibrating = new Calibrating(v.engine, v.files, v.notice, v.preferences, &window);
     QObject::connect(calibrating, &Calibrating::saved, &v.audit, [&v](const QString& path) { v.audit.noteExport("calibration", path); });
     return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
 }
@@ -381,7 +381,7 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             measureMenu(viewer),
             submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
                               command("&Keys and Mouse", "F1; H; ?", showKeys),
-                              command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.memory); }),
+                              command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); }),
                               command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }
 

@@ -2,7 +2,7 @@
 #include "ui/window/session_menu.h"
 
 #include "ui/base/pane.h"
-#include "ui/controllers/sessions/session_store.h"
+#include "ui/controllers/sessions/session_in_picture.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/window/cab_mode.h"
@@ -41,8 +41,8 @@ std::vector<StatePart> partsOf(MainWindow& w) {
 
 } // namespace
 
-std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Memory& memory) {
-    auto sessions = std::make_unique<Sessions>(w.viewer().engine, w.viewer().files, w.viewer().live, w.viewer().notice, memory,
+std::unique_ptr<Sessions> sessionsOf(MainWindow& w, Preferences& preferences) {
+    auto sessions = std::make_unique<Sessions>(w.viewer().engine, w.viewer().files, w.viewer().live, w.viewer().notice, preferences,
                                                w.viewer().undo, partsOf(w));
     w.viewer().exports.setCarried([made = sessions.get()](const QImage& image, const QString& path) {
         return withSession(image, made->textFor(QFileInfo(path).absolutePath()));

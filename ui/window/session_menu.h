@@ -11,7 +11,7 @@ namespace edgescan::ui {
 class MainWindow;
 class Sessions;
 
-[[nodiscard]] std::unique_ptr<Sessions> sessionsOf(MainWindow& window, Memory& memory);
+[[nodiscard]] std::unique_ptr<Sessions> sessionsOf(MainWindow& window, Preferences& preferences);
 [[nodiscard]] std::vector<Command> sessionCommands(MainWindow& window);
 
 } // namespace edgescan::ui

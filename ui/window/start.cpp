@@ -3,7 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/sessions/sessions.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/sheets.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/start/start_page.h"
@@ -73,8 +73,8 @@ private:
 
 } // namespace
 
-StartPage* showStart(MainWindow& w, Memory& memory) {
-    const QString cache = memory.dataFolder().isEmpty()
+StartPage* showStart(MainWindow& w, Preferences& preferences) {
+    const QString cache = preferences.dataFolder().isEmpty()
                               ? QString()
                               : QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/edgescan/recent";
     auto* page = new StartPage(cache, &w);
@@ -87,17 +87,17 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
     QObject::connect(page, &StartPage::continueRequested, &w, [&w] { w.sessions().continueLast(); });
     QObject::connect(page, &StartPage::demoRequested, &w, [&w] { w.viewer().files.openDemo(); });
     QObject::connect(page, &StartPage::scanRequested, &w, [&w](const QString& path) { w.sessions().open({path}); });
-    QObject::connect(page, &StartPage::locateRequested, &w, [&w, &memory, page](const QString& path) {
+    QObject::connect(page, &StartPage::locateRequested, &w, [&w, &preferences, page](const QString& path) {
         const QString now =
-            QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), memory.folder("scans"), Files::filters());
+            QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), preferences.folder("scans"), Files::filters());
         if (now.isEmpty()) return;
-        memory.forgetRecentFile(path);
-        memory.keepRecentFile(now);
-        page->showRecent(memory.recentFiles());
+        preferences.forgetRecentFile(path);
+        preferences.keepRecentFile(now);
+        page->showRecent(preferences.recentFiles());
         w.sessions().open({now});
     });
-    QObject::connect(page, &StartPage::clearRequested, &w, [&memory, page] {
-        memory.forgetRecentFiles();
+    QObject::connect(page, &StartPage::clearRequested, &w, [&preferences, page] {
+        preferences.forgetRecentFiles();
         page->showRecent({});
     });
     QObject::connect(page, &StartPage::cabRequested, &w, [&w] {
@@ -105,7 +105,7 @@ StartPage* showStart(MainWindow& w, Memory& memory) {
     });
     QObject::connect(page, &StartPage::keysRequested, &w, [&w] { showShortcuts(&w, w.actions()); });
     QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
-    page->showRecent(memory.recentFiles());
+    page->showRecent(preferences.recentFiles());
     page->showSession(w.sessions().toGoOn());
     page->show();
     page->setFocus();

@@ -4,10 +4,10 @@
 namespace edgescan::ui {
 
 class MainWindow;
-class Memory;
+class Preferences;
 class StartPage;
 
 /// Covers views and panels until a picture is shown or a scanner is connected. The window owns it.
-StartPage* showStart(MainWindow& window, Memory& memory);
+StartPage* showStart(MainWindow& window, Preferences& preferences);
 
 } // namespace edgescan::ui

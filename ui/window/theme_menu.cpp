@@ -2,7 +2,7 @@
 #include "ui/window/theme_menu.h"
 
 #include "ui/base/themes.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/window/cab_mode.h"
 
 #include <QAction>
@@ -10,16 +10,16 @@
 
 namespace edgescan::ui {
 
-Command themeMenu(QObject& parent, Memory& memory) {
+Command themeMenu(QObject& parent, Preferences& preferences) {
     constexpr const char* kKey = "view/theme";
-    const Theme& remembered = themeOf(memory.text(kKey));
+    const Theme& remembered = themeOf(preferences.text(kKey));
     if (&remembered != &themeInUse()) useColours(remembered);
     auto* group = new QActionGroup(&parent);
     Command menu = submenu("&Theme", {});
     for (const Theme& theme : themes()) {
-        Command made = toggle(theme.label, "", nullptr, false, [&memory, &theme](bool) {
+        Command made = toggle(theme.label, "", nullptr, false, [&preferences, &theme](bool) {
             useColours(theme);
-            memory.keep(kKey, QString(theme.key));
+            preferences.keep(kKey, QString(theme.key));
         });
         menu.submenu.push_back(linked(made, [group, &theme](QAction& action) {
             group->addAction(&action);
@@ -30,11 +30,11 @@ Command themeMenu(QObject& parent, Memory& memory) {
     return menu;
 }
 
-Command cabCommand(CabMode& cab, Memory& memory) {
+Command cabCommand(CabMode& cab, Preferences& preferences) {
     constexpr const char* kKey = "view/cab";
-    const auto use = [&cab, &memory](bool on) {
+    const auto use = [&cab, &preferences](bool on) {
         cab.set(on);
-        memory.keep(kKey, on);
+        preferences.keep(kKey, on);
     };
     QObject::connect(&cab, &CabMode::leaveRequested, &cab, [use] { use(false); });
     return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {

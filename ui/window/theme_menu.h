@@ -6,12 +6,12 @@
 namespace edgescan::ui {
 
 class CabMode;
-class Memory;
+class Preferences;
 
 /// One entry per theme; the choice is remembered and applied at once.
-[[nodiscard]] Command themeMenu(QObject& parent, Memory& memory);
+[[nodiscard]] Command themeMenu(QObject& parent, Preferences& preferences);
 
 /// View > Cab Mode: this command switches it on; only holding Locked switches it off.
-[[nodiscard]] Command cabCommand(CabMode& cab, Memory& memory);
+[[nodiscard]] Command cabCommand(CabMode& cab, Preferences& preferences);
 
 } // namespace edgescan::ui

@@ -2,7 +2,7 @@
 #include "ui/window/viewer.h"
 
 #include "ui/base/notice_bar.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/confidence/confidence_legend.h"
 #include "ui/panels/live/live_panel.h"
@@ -22,20 +22,21 @@
 
 namespace edgescan::ui {
 
-Viewer::Viewer(Memory& ofPerson)
-    : memory(ofPerson), gray(*new ImageView), edges(*new ImageView(gray.viewPort())), cloud(*new CloudView),
+Viewer::Viewer(Preferences& ofPerson)
+    : preferences(ofPerson), gray(*new ImageView), edges(*new ImageView(gray.viewPort())), cloud(*new CloudView),
       scalePlate(*new ScalePlate(&cloud)), panel(*new EdgesPanel), livePanel(*new LivePanel), timeline(*new Timeline),
       rocksPanel(*new RocksPanel), rockTable(*new RockTable), targetsPanel(*new TargetsPanel), tools(*new ToolBar), origin(*new StateBadge),
       notice(*new NoticeBar), statusLine(*new StatusLine), warnings(*new WarningButton), legend(*new EdgeLegend),
       changeLegend(*new ChangeLegend), confidenceLegend(*new ConfidenceLegend), rangeWindow(*new RangeWindow),
-      views(engine, gray, edges, cloud), files(engine, notice, memory, undo), opening(engine, files, notice),
-      exports(engine, files, notice, memory), tuning(engine, panel, notice, memory, undo),
-      live(engine, livePanel, timeline, views, files, notice, memory), explanation(views, notice),
-      rocks(engine, views, rocksPanel, rockTable, notice, memory, undo), targets(engine, views, rocks, targetsPanel, notice, memory, undo),
-      measures(views, targets, notice), selection(engine, views, rocks, notice, undo),
-      comparing(engine, views, changeLegend, files, notice, memory, undo), confidence(engine, views, targets, confidenceLegend, memory),
-      markedEdges(engine, views, targets, undo, notice), look(engine, views, scalePlate, rangeWindow, memory),
-      report(engine, files, rocks, targets, comparing, notice, memory), audit(memory.place(), engine, views, undo, notice) {
+      views(engine, gray, edges, cloud), files(engine, notice, preferences, undo), opening(engine, files, notice),
+      exports(engine, files, notice, preferences), tuning(engine, panel, notice, preferences, undo),
+      live(engine, livePanel, timeline, views, files, notice, preferences), explanation(views, notice),
+      rocks(engine, views, rocksPanel, rockTable, notice, preferences, undo),
+      targets(engine, views, rocks, targetsPanel, notice, preferences, undo), measures(views, targets, notice),
+      selection(engine, views, rocks, notice, undo), comparing(engine, views, changeLegend, files, notice, preferences, undo),
+      confidence(engine, views, targets, confidenceLegend, preferences), markedEdges(engine, views, targets, undo, notice),
+      look(engine, views, scalePlate, rangeWindow, preferences), report(engine, files, rocks, targets, comparing, notice, preferences),
+      audit(preferences.place(), engine, views, undo, notice) {
     followPictures();
 }
 

@@ -30,7 +30,7 @@ class EdgeLegend;
 class EdgesPanel;
 class ImageView;
 class LivePanel;
-class Memory;
+class Preferences;
 class NoticeBar;
 class RockTable;
 class RocksPanel;
@@ -45,9 +45,9 @@ class WarningButton;
 /// GUI thread only.
 struct Viewer {
     /// `memory` must outlive it.
-    explicit Viewer(Memory& memory);
+    explicit Viewer(Preferences& preferences);
 
-    Memory& memory;
+    Preferences& preferences;
     Engine engine;
     QUndoStack undo;
 

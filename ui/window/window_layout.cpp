@@ -3,7 +3,7 @@
 
 #include "ui/base/pane.h"
 #include "ui/base/window_room.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -96,25 +96,25 @@ void MainWindow::showRangeWindow() {
 
 void MainWindow::remember() {
     if (cab_->on()) return; // the layout outside cab mode is the one to store
-    viewer_.memory.keep("window/geometry", saveGeometry());
-    viewer_.memory.keep("window/state", saveState());
-    viewer_.memory.keep("window/views", splitter_->saveState());
-    viewer_.memory.keep("window/images", images_->saveState());
-    viewer_.memory.keep("window/images-width", QString::number(arrangedImages_));
-    viewer_.memory.keep("window/panel-width", QString::number(arrangedPanel_));
+    viewer_.preferences.keep("window/geometry", saveGeometry());
+    viewer_.preferences.keep("window/state", saveState());
+    viewer_.preferences.keep("window/views", splitter_->saveState());
+    viewer_.preferences.keep("window/images", images_->saveState());
+    viewer_.preferences.keep("window/images-width", QString::number(arrangedImages_));
+    viewer_.preferences.keep("window/panel-width", QString::number(arrangedPanel_));
 }
 
 void MainWindow::restoreLayout() {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
     const QSize title(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
     resize(usualWindow({screen.topLeft(), screen.size() - title}));
-    restoreGeometry(viewer_.memory.bytes("window/geometry"));
-    restoreState(viewer_.memory.bytes("window/state"));
-    images_->restoreState(viewer_.memory.bytes("window/images"));
+    restoreGeometry(viewer_.preferences.bytes("window/geometry"));
+    restoreState(viewer_.preferences.bytes("window/state"));
+    images_->restoreState(viewer_.preferences.bytes("window/images"));
     images_->setOrientation(Qt::Vertical); // a former version may have stored them side by side
-    splitter_->restoreState(viewer_.memory.bytes("window/views"));
-    arrangedImages_ = viewer_.memory.text("window/images-width").toInt();
-    arrangedPanel_ = viewer_.memory.text("window/panel-width").toInt();
+    splitter_->restoreState(viewer_.preferences.bytes("window/views"));
+    arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
+    arrangedPanel_ = viewer_.preferences.text("window/panel-width").toInt();
     // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
     const QScreen* at = nullptr;
     for (const QScreen* each : QGuiApplication::screens()) {
@@ -139,7 +139,7 @@ void MainWindow::resetLayout() {
     if (maximised_ != nullptr) maximise(maximised_);
     for (QDockWidget* dock : docks_) {
         dock->setProperty(kByHand, QString());
-        viewer_.memory.keep("window/" + dock->objectName(), QString());
+        viewer_.preferences.keep("window/" + dock->objectName(), QString());
         dock->setFloating(false);
         addDockWidget(Qt::RightDockWidgetArea, dock);
     }

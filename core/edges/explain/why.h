@@ -1,7 +1,7 @@
 // Explains why a cell is an edge, or why it is not.
 #pragma once
 
-#include "core/edges/explain/probe.h"
+#include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/judgement.h"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/edges/gray/gradient_masks.h"
-#include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/judgement.h"
+#include "core/edges/pipeline/threshold_map.h"
 
 namespace edgescan::edges {
 

@@ -1,8 +1,8 @@
 // Runs the method. Repeats only the stages whose inputs changed since the last run.
 #pragma once
 
-#include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
+#include "core/edges/pipeline/threshold_map.h"
 
 namespace edgescan::edges {
 

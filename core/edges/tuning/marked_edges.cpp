@@ -2,9 +2,9 @@
 #include "core/edges/tuning/marked_edges.h"
 
 #include "core/base/number_text.h"
-#include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/threshold_map.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 

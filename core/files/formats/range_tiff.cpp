@@ -1,8 +1,8 @@
 // Range pictures as TIFF, through libtiff where the program was built with it.
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
+#include "core/files/formats/gray_pictures.h"
 #include "core/files/formats/range_geometry.h"
-#include "core/files/formats/range_picture.h"
 
 #ifdef EDGESCAN_WITH_TIFF
 #include <tiffio.h>

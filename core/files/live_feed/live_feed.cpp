@@ -16,11 +16,11 @@ LiveFeed::LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSetting
                    std::size_t keptBytes)
     : changed_(std::move(changed)), sweepSettings_(sweep), recent_(kKeptNs, keptBytes), feed_(sweep) {
     scanner::SessionEvents events;
-    events.stateChanged = [this](const scanner::SessionState& state) {
+    events.stateChanged = [this](const scanner::ConnectionState& state) {
         {
             const std::lock_guard lock(mutex_);
             state_ = state;
-            if (state.phase == scanner::SessionPhase::Lost) feed_.assembler().reconnected();
+            if (state.phase == scanner::ConnectionPhase::Lost) feed_.assembler().reconnected();
         }
         changed_();
     };
@@ -33,7 +33,7 @@ LiveFeed::LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSetting
     };
     events.frameReceived = [this](const scanner::ColaFrame& frame) { received(frame); };
     events.frameSent = [this](const scanner::ColaFrame& frame) { record(sentMessage(frame, clock_)); };
-    session_ = std::make_unique<scanner::ScannerSession>(std::move(scanner), std::move(events));
+    session_ = std::make_unique<scanner::ScannerConnection>(std::move(scanner), std::move(events));
 }
 
 LiveFeed::~LiveFeed() { session_->stop(); }

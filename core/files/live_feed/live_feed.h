@@ -3,7 +3,7 @@
 
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
-#include "core/scanner/sick_lms/scanner_session.h"
+#include "core/scanner/sick_lms/scanner_connection.h"
 
 #include <deque>
 #include <functional>
@@ -16,7 +16,7 @@ namespace edgescan::files {
 /// Everything that the health of a live scan is derived from (docs/operator.md, "S2", "S4", "S5"). A copy, true at the moment it was asked
 /// for.
 struct LiveStatus {
-    scanner::SessionState session;
+    scanner::ConnectionState session;
     std::optional<scanner::ScannerIdentity> scanner;
     scanner::SessionStatistics statistics;
     scanner::SweepProgress sweep;
@@ -74,14 +74,14 @@ private:
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the session
     scanner::SweepFeed feed_;
-    scanner::SessionState state_;
+    scanner::ConnectionState state_;
     std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
     bool starting_ = false;          // a recorder is being made
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0;
-    std::deque<std::int64_t> lineNs_;                  // of the last lines, monotonic
-    std::unique_ptr<scanner::ScannerSession> session_; // last: its thread uses all of the above
+    std::deque<std::int64_t> lineNs_;                     // of the last lines, monotonic
+    std::unique_ptr<scanner::ScannerConnection> session_; // last: its thread uses all of the above
 };
 
 } // namespace edgescan::files

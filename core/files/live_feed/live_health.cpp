@@ -23,11 +23,11 @@ std::optional<double> ageOf(const LiveStatus& status, const scanner::SweepProgre
 }
 
 Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
-    const scanner::SessionPhase phase = status.session.phase;
-    if (phase == scanner::SessionPhase::Stopped) return Liveness::Stopped;
-    if (!ageSeconds) return phase == scanner::SessionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
-    if (phase == scanner::SessionPhase::Lost || phase == scanner::SessionPhase::Connecting) return Liveness::Lost;
-    const bool late = phase != scanner::SessionPhase::Live || *ageSeconds >= kStaleAfterSeconds;
+    const scanner::ConnectionPhase phase = status.session.phase;
+    if (phase == scanner::ConnectionPhase::Stopped) return Liveness::Stopped;
+    if (!ageSeconds) return phase == scanner::ConnectionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
+    if (phase == scanner::ConnectionPhase::Lost || phase == scanner::ConnectionPhase::Connecting) return Liveness::Lost;
+    const bool late = phase != scanner::ConnectionPhase::Live || *ageSeconds >= kStaleAfterSeconds;
     return late ? Liveness::Stale : Liveness::Live;
 }
 

@@ -2,7 +2,7 @@
 #include "core/files/open_save/apply_options.h"
 
 #include "core/scan/angle_correction/straighten_scan.h"
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 #include "core/scan/grid/given_angles.h"
 
 namespace edgescan::files {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/files/recording/recording.h"
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 #include "core/scan/grid/reading_options.h"
 
 #include <optional>

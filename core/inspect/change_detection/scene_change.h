@@ -1,7 +1,7 @@
 // Changes between two scans of one place, cell by cell on the grid of the later one.
 #pragma once
 
-#include "core/inspect/change_detection/line_up.h"
+#include "core/inspect/change_detection/common_grid.h"
 #include "core/scan/grid/inverse_range.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The values on the card of a picked cell (docs/targets.md).
 #pragma once
 
-#include "core/edges/explain/probe.h"
+#include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/inspect/measure/boom_at.h"
 #include "core/inspect/measure/surface_at.h"

@@ -1,7 +1,7 @@
 // A comparison as pictures: the edges of each method, and their agreement with the truth.
 #pragma once
 
-#include "core/exports/provenance/contact_sheet.h"
+#include "core/exports/titled_tiles.h"
 #include "core/lab/peers/comparison.h"
 
 namespace edgescan::lab {

@@ -1,7 +1,7 @@
 // Rocks found in a simulated scene as a picture: which true rocks were found, and what was found in place of the others.
 #pragma once
 
-#include "core/exports/provenance/contact_sheet.h"
+#include "core/exports/titled_tiles.h"
 #include "core/lab/score/rock_evaluation.h"
 
 namespace edgescan::lab {

@@ -1,5 +1,5 @@
 // Computes the place of a scan from calibration and readings, and warns about doubtful values.
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"

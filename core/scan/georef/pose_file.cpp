@@ -1,5 +1,5 @@
 // Reads pose files.
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 
 #include "core/base/inputs.h"
 #include "core/base/json_fields.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scanner/cola/frames.h"
-#include "core/scanner/sweep_assembly/sweep.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 // The state of a sweep so far: as a scan and as text.
-#include "core/scanner/sweep_assembly/sweep.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include "core/base/number_text.h"
 #include "core/base/utc_time.h"

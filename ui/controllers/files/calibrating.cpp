@@ -15,7 +15,7 @@
 #include "ui/controllers/files/files.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/in_background.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/calibration_card.h"
 
 #include <QDir>
@@ -64,8 +64,8 @@ Result<inspect::CalibrationSource> sourceOf(const std::string& file) {
 
 } // namespace
 
-Calibrating::Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent)
-    : QObject(parent), engine_(engine), files_(files), notice_(notice), memory_(memory),
+Calibrating::Calibrating(Engine& engine, Files& files, NoticeBar& notice, Preferences& preferences, QObject* parent)
+    : QObject(parent), engine_(engine), files_(files), notice_(notice), preferences_(preferences),
       calibration_(
           Urgency::Later,
           [this](const Question& question, const Asker& asker) {
@@ -130,7 +130,7 @@ void Calibrating::ask() {
 }
 
 void Calibrating::askAdd() {
-    add(QFileDialog::getOpenFileNames(card_, tr("Scans of the same assembly"), memory_.folder("scans"), Files::filters()));
+    add(QFileDialog::getOpenFileNames(card_, tr("Scans of the same assembly"), preferences_.folder("scans"), Files::filters()));
 }
 
 void Calibrating::add(const QStringList& paths) {
@@ -143,7 +143,7 @@ void Calibrating::add(const QStringList& paths) {
 
 void Calibrating::askBase() {
     const QString path = QFileDialog::getOpenFileName(card_, tr("The robot's calibration"),
-                                                      base_.isEmpty() ? memory_.folder("exports") : base_, tr("Calibration (*.json)"));
+                                                      base_.isEmpty() ? preferences_.folder("exports") : base_, tr("Calibration (*.json)"));
     if (!path.isEmpty()) setBase(path);
 }
 
@@ -263,7 +263,7 @@ void Calibrating::askSave() {
     question.title = tr("Save the calibration");
     question.extension = ".json";
     const QString name = QFileInfo(screenPath_).completeBaseName() + "_calibration.json";
-    question.place = QDir(memory_.folder("exports")).filePath(name);
+    question.place = QDir(preferences_.folder("exports")).filePath(name);
     question.filters << tr("Calibration (*.json)");
     const QString path = askWhereToSave(card_, question);
     if (!path.isEmpty()) saveTo(path);
@@ -278,7 +278,7 @@ void Calibrating::saveTo(const QString& path) {
             const Result<Done> written = writeWholeFile(path.toStdString(), answer->file);
             return [this, path, answer, written] {
                 if (!written) return notice_.showError(written.error());
-                memory_.keepFolder("exports", path);
+                preferences_.keepFolder("exports", path);
                 notice_.showSaved(path, tr("a calibration"));
                 emit saved(path);
                 if (found_ != answer) return; // another question was asked meanwhile

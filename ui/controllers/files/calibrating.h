@@ -22,7 +22,7 @@ namespace edgescan::ui {
 
 class CalibrationCard;
 class Files;
-class Memory;
+class Preferences;
 class NoticeBar;
 class Engine;
 
@@ -30,7 +30,7 @@ class Engine;
 class Calibrating : public QObject {
     Q_OBJECT
 public:
-    Calibrating(Engine& engine, Files& files, NoticeBar& notice, Memory& memory, QObject* parent);
+    Calibrating(Engine& engine, Files& files, NoticeBar& notice, Preferences& preferences, QObject* parent);
 
     /// Shows the card for the scan on the screen.
     void show();
@@ -89,7 +89,7 @@ private:
     Engine& engine_;
     Files& files_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     CalibrationCard* card_ = nullptr;
     QString screenPath_; // path of the card's scan
     QStringList others_;

@@ -12,7 +12,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/file_filters.h"
 #include "ui/controllers/files/files.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/export_dialog.h"
 
 #include <QBuffer>
@@ -53,8 +53,8 @@ Result<Done> savePng(const QImage& image, const QString& path) {
     return writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
 }
 
-Exports::Exports(Engine& engine, const Files& files, NoticeBar& notice, Memory& memory)
-    : engine_(engine), files_(files), notice_(notice), memory_(memory) {
+Exports::Exports(Engine& engine, const Files& files, NoticeBar& notice, Preferences& preferences)
+    : engine_(engine), files_(files), notice_(notice), preferences_(preferences) {
     connect(&engine_, &Engine::saved, this, &Exports::reportSaved);
 }
 
@@ -80,10 +80,10 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     const bool cloud = exports::isCloud(dialog.content());
     SaveQuestion question;
     question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
-    question.extension = cloud ? memory_.text("export/extension", ".pcd") : ".png";
+    question.extension = cloud ? preferences_.text("export/extension", ".pcd") : ".png";
     QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
     if (dialog.options().selection) name += "_selected";
-    question.place = QDir(memory_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
+    question.place = QDir(preferences_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
     if (!cloud)
         question.filters << tr("PNG picture (*.png)");
     else
@@ -97,8 +97,8 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
 }
 
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count) {
-    memory_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
-    if (exports::isCloud(what)) memory_.keep("export/extension", "." + QFileInfo(path).suffix());
+    preferences_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
+    if (exports::isCloud(what)) preferences_.keep("export/extension", "." + QFileInfo(path).suffix());
     notice_.showSaved(path, QString("%1 %2").arg(count).arg(exports::countedThings(exports::exportKind(what))));
 }
 
@@ -106,9 +106,9 @@ void Exports::askScreenshot(const QImage& image) {
     const QString time = QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd'T'HHmmss'Z'");
     const QString path = askWhereToSave(
         notice_.window(),
-        {tr("Save screenshot"), QDir(memory_.folder("images")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
+        {tr("Save screenshot"), QDir(preferences_.folder("images")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
     if (path.isEmpty()) return;
-    memory_.keepFolder("images", path);
+    preferences_.keepFolder("images", path);
     if (const Result<Done> written = saveScreenshot(image, path); !written)
         notice_.showError(written.error());
     else

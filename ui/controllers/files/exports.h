@@ -12,7 +12,7 @@
 namespace edgescan::ui {
 
 class Files;
-class Memory;
+class Preferences;
 class NoticeBar;
 
 /// As a PNG, whole or not at all.
@@ -22,7 +22,7 @@ Result<Done> savePng(const QImage& image, const QString& path);
 class Exports : public QObject {
     Q_OBJECT
 public:
-    Exports(Engine& engine, const Files& files, NoticeBar& notice, Memory& memory);
+    Exports(Engine& engine, const Files& files, NoticeBar& notice, Preferences& preferences);
 
     /// Asks what, in which coordinates and where to.
     void ask(exports::ExportContent wanted);
@@ -46,7 +46,7 @@ private:
     Engine& engine_;
     const Files& files_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     std::shared_ptr<const std::vector<std::uint32_t>> selection_; // null: none
     Carry carry_;
 };

@@ -7,7 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/file_filters.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/reading_dialog.h"
 
 #include <QDir>
@@ -38,8 +38,8 @@ QStringList scansInFolder(const QString& path) {
 
 } // namespace
 
-Files::Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : engine_(engine), notice_(notice), memory_(memory), undo_(undo) {
+Files::Files(Engine& engine, NoticeBar& notice, Preferences& preferences, QUndoStack& undo)
+    : engine_(engine), notice_(notice), preferences_(preferences), undo_(undo) {
     connect(&engine_, &Engine::opened, this, &Files::noteOpened);
     // A refused or cancelled reading leaves the screen with the former options.
     connect(&engine_, &Engine::workEnded, this, [this] {
@@ -76,7 +76,7 @@ QString Files::filters() {
     return tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + tr("All files (*)");
 }
 
-void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), memory_.folder("scans"), filters())); }
+void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), preferences_.folder("scans"), filters())); }
 
 void Files::reload() {
     if (!path_.isEmpty()) engine_.open(path_, options_);
@@ -157,8 +157,8 @@ void Files::noteOpened(const QString& path) {
     shownOptions_ = options_;
     notice_.hide();
     if (path.isEmpty()) return;
-    memory_.keepRecentFile(path);
-    memory_.keepFolder("scans", path);
+    preferences_.keepRecentFile(path);
+    preferences_.keepFolder("scans", path);
 }
 
 void Files::showWarnings() {
@@ -176,7 +176,7 @@ void Files::showWarnings() {
 
 void Files::fillRecent(QMenu& menu) {
     menu.clear();
-    const QStringList files = memory_.recentFiles();
+    const QStringList files = preferences_.recentFiles();
     for (const QString& path : files) {
         QAction* action = menu.addAction(shownName(QFileInfo(path).fileName() + "  -  " + QFileInfo(path).path()).replace('&', "&&"), this,
                                          [this, path] { open({path}); });
@@ -184,7 +184,7 @@ void Files::fillRecent(QMenu& menu) {
     }
     if (files.isEmpty()) menu.addAction(tr("No file yet; demos are not listed"))->setEnabled(false);
     menu.addSeparator();
-    menu.addAction(tr("Clear"), this, [this] { memory_.forgetRecentFiles(); });
+    menu.addAction(tr("Clear"), this, [this] { preferences_.forgetRecentFiles(); });
 }
 
 std::optional<inspect::SessionScan> Files::scanShown(const Scan& scan) const {

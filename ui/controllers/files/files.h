@@ -12,14 +12,14 @@ class QUndoStack;
 
 namespace edgescan::ui {
 
-class Memory;
+class Preferences;
 class NoticeBar;
 
 /// GUI thread only. The objects passed to it must outlive it.
 class Files : public QObject {
     Q_OBJECT
 public:
-    Files(Engine& engine, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Files(Engine& engine, NoticeBar& notice, Preferences& preferences, QUndoStack& undo);
 
     /// Opens the first file; step() opens the others.
     void open(const QStringList& paths, const ReadingOptions& options = {});
@@ -66,7 +66,7 @@ private:
 
     Engine& engine_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     QString path_;                // on the screen; empty: the demo or a scanner
     ReadingOptions options_;      // of the scan on the screen, or of the one that is being opened
     ReadingOptions shownOptions_; // of the scan on the screen

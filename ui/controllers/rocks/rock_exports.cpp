@@ -5,7 +5,7 @@
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -57,7 +57,7 @@ void Rocks::askExport() {
         question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
     question.extension = rockFiles().front().file->extension;
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
-    question.place = QDir(memory_.folder("exports")).filePath(name + question.extension);
+    question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);

@@ -25,9 +25,10 @@ bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::
 
 } // namespace
 
-Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo)
-    : engine_(engine), views_(views), panel_(panel), table_(table), notice_(notice), memory_(memory), undo_(undo), drag_(views, this),
-      sidecar_(this) {
+Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Preferences& preferences,
+             QUndoStack& undo)
+    : engine_(engine), views_(views), panel_(panel), table_(table), notice_(notice), preferences_(preferences), undo_(undo),
+      drag_(views, this), sidecar_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);

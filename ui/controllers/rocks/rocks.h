@@ -22,7 +22,7 @@ class QUndoStack;
 namespace edgescan::ui {
 
 class LinkedViews;
-class Memory;
+class Preferences;
 class NoticeBar;
 class RocksPanel;
 class RockTable;
@@ -47,7 +47,8 @@ struct OperatorEdits {
 class Rocks : public QObject {
     Q_OBJECT
 public:
-    Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Preferences& preferences,
+          QUndoStack& undo);
 
     /// A new picture is on the screen.
     void followPicture();
@@ -128,7 +129,7 @@ private:
     RocksPanel& panel_;
     RockTable& table_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     QUndoStack& undo_;
     bool on_ = false;
     RockTool tool_ = RockTool::None;

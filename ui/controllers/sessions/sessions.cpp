@@ -9,9 +9,9 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
 #include "ui/controllers/live.h"
-#include "ui/controllers/sessions/session_store.h"
+#include "ui/controllers/sessions/session_in_picture.h"
 #include "ui/engine/worker_bridge/in_background.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -37,10 +37,10 @@ bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
 
 } // namespace
 
-Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo,
+Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Preferences& preferences, QUndoStack& undo,
                    std::vector<StatePart> parts)
-    : engine_(engine), files_(files), live_(live), notice_(notice), memory_(memory), undo_(undo), parts_(std::move(parts)),
-      autosaves_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/sessions"),
+    : engine_(engine), files_(files), live_(live), notice_(notice), preferences_(preferences), undo_(undo), parts_(std::move(parts)),
+      autosaves_(preferences.dataFolder().isEmpty() ? QString() : preferences.dataFolder() + "/sessions"),
       written_(
           Urgency::Soon, [this](const Job& job) { return write(job); }, // the hash of a closed recording may take seconds
           [this](const Job&, const std::shared_ptr<const QString>& trouble) { take(*trouble); },
@@ -182,22 +182,22 @@ void Sessions::askSaveAs() {
     if (!taken()) return saveAs({});
     const QString scan = QFileInfo(files_.path().isEmpty() ? "demo" : files_.path()).completeBaseName();
     SaveQuestion question{
-        tr("Save session"), QDir(memory_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
+        tr("Save session"), QDir(preferences_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
     question.keeps = [](const QString& there) {
         return inspect::readSession(there.toStdString()) ? QString()
                                                          : tr("%1 is no session and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(notice_.window(), question);
     if (path.isEmpty()) return;
-    memory_.keepFolder("sessions", path);
+    preferences_.keepFolder("sessions", path);
     saveAs(path);
 }
 
 void Sessions::ask() {
-    const QString path = QFileDialog::getOpenFileName(notice_.window(), tr("Open session"), memory_.folder("sessions"),
+    const QString path = QFileDialog::getOpenFileName(notice_.window(), tr("Open session"), preferences_.folder("sessions"),
                                                       filterOfSessions() + ";;" + tr("Screenshots (*.png)"));
     if (path.isEmpty()) return;
-    memory_.keepFolder("sessions", path);
+    preferences_.keepFolder("sessions", path);
     openSession(path);
 }
 
@@ -259,7 +259,7 @@ void Sessions::askForPlace(const QString& sentence) {
     notice_.showNotice(NoticeBar::Kind::Warning, sentence);
     notice_.offer(tr("Locate…"), [this] {
         const QString path =
-            QFileDialog::getOpenFileName(notice_.window(), tr("Where is the scan now?"), memory_.folder("scans"), Files::filters());
+            QFileDialog::getOpenFileName(notice_.window(), tr("Where is the scan now?"), preferences_.folder("scans"), Files::filters());
         if (!path.isEmpty()) locate(path);
     });
 }

@@ -20,14 +20,15 @@ namespace edgescan::ui {
 class Engine;
 class Files;
 class Live;
-class Memory;
+class Preferences;
 class NoticeBar;
 
 /// GUI thread only. What it is given must outlive it; files are read and written by the pool.
 class Sessions : public QObject {
     Q_OBJECT
 public:
-    Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Memory& memory, QUndoStack& undo, std::vector<StatePart> parts);
+    Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Preferences& preferences, QUndoStack& undo,
+             std::vector<StatePart> parts);
     /// Writes pending changes.
     ~Sessions() override;
 
@@ -83,7 +84,7 @@ private:
     Files& files_;
     Live& live_;
     NoticeBar& notice_;
-    Memory& memory_;
+    Preferences& preferences_;
     QUndoStack& undo_;
     std::vector<StatePart> parts_; // in the order in which they are given back
     Autosaves autosaves_;

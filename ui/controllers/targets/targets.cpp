@@ -7,7 +7,7 @@
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
 
@@ -20,9 +20,10 @@
 
 namespace edgescan::ui {
 
-Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo)
+Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Preferences& preferences,
+                 QUndoStack& undo)
     : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
-      store_(memory.dataFolder().isEmpty() ? QString() : memory.dataFolder() + "/targets"),
+      store_(preferences.dataFolder().isEmpty() ? QString() : preferences.dataFolder() + "/targets"),
       worked_(
           Urgency::Now, [this](const Question& question) { return workOut(question); },
           [this](const Question&, const std::shared_ptr<const KnownTargets>& known) { take(*known); },

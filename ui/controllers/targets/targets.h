@@ -21,7 +21,7 @@ class QUndoStack;
 namespace edgescan::ui {
 
 class LinkedViews;
-class Memory;
+class Preferences;
 class NoticeBar;
 class Rocks;
 class Engine;
@@ -47,7 +47,8 @@ struct KnownConfidence {
 class Targets : public QObject {
     Q_OBJECT
 public:
-    Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Memory& memory, QUndoStack& undo);
+    Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Preferences& preferences,
+            QUndoStack& undo);
 
     /// A new picture is on the screen.
     void followPicture();

@@ -1,7 +1,7 @@
 // Links the two images and the cloud: the same picture, the same cell under the mouse, the same place while a scan grows.
 #pragma once
 
-#include "core/edges/explain/probe.h"
+#include "core/edges/explain/cell_values.h"
 #include "ui/base/gestures.h"
 #include "ui/engine/linked_views/scene.h"
 #include "ui/engine/worker_bridge/engine.h"

@@ -1,8 +1,8 @@
 // Counts the edges at every threshold while the operator changes nothing.
 #pragma once
 
-#include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
+#include "core/edges/pipeline/threshold_map.h"
 #include "ui/engine/worker_bridge/derived.h"
 
 #include <QObject>

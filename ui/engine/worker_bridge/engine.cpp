@@ -2,7 +2,7 @@
 #include "ui/engine/worker_bridge/engine.h"
 
 #include "core/edges/pipeline/work_memory.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/shown_text.h"

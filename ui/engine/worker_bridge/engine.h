@@ -6,7 +6,7 @@
 #include "core/edges/gray/steady_window.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/settings.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"

@@ -1,8 +1,8 @@
 // The calibration card: question on the left, seam on the right, file and Apply below.
 #include "ui/panels/dialogs/calibration_card.h"
 
-#include "ui/base/linked_pictures.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/two_pictures.h"
 #include "ui/base/window_room.h"
 
 #include <QComboBox>
@@ -39,8 +39,7 @@ QLabel* plainWords(const char* name) {
 CalibrationCard::CalibrationCard(QWidget* parent)
     : QDialog(parent), scans_(new QListWidget), base_(plainWords("calibration-base")), start_(new QPushButton(tr("&Calibrate"))),
       progress_(new QProgressBar), verdict_(plainWords("calibration-verdict")), table_(new QTableWidget),
-      about_(plainWords("calibration-about")), which_(new QComboBox), pictures_(new LinkedPictures),
-      saved_(plainWords("calibration-saved")) {
+      about_(plainWords("calibration-about")), which_(new QComboBox), pictures_(new TwoPictures), saved_(plainWords("calibration-saved")) {
     setObjectName("calibration-card");
     setWindowTitle(tr("Calibrate the Assembly"));
     auto* row = new QHBoxLayout;

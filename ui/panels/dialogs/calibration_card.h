@@ -20,7 +20,7 @@ class QTableWidget;
 
 namespace edgescan::ui {
 
-class LinkedPictures;
+class TwoPictures;
 
 /// The seam before and after.
 struct CalibrationPicture {
@@ -56,7 +56,7 @@ public:
     [[nodiscard]] bool working() const { return working_; }
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] QString about() const;
-    [[nodiscard]] const LinkedPictures& pictures() const { return *pictures_; }
+    [[nodiscard]] const TwoPictures& pictures() const { return *pictures_; }
 
 signals:
     void addRequested();
@@ -87,7 +87,7 @@ private:
     QTableWidget* table_;
     QLabel* about_;
     QComboBox* which_;
-    LinkedPictures* pictures_;
+    TwoPictures* pictures_;
     QWidget* answer_ = nullptr;
     QLabel* saved_;
     QPushButton* save_ = nullptr;

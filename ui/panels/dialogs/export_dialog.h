@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 
 #include <QDialog>
 

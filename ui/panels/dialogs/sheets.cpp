@@ -2,7 +2,7 @@
 #include "ui/panels/dialogs/sheets.h"
 
 #include "core/base/version.h"
-#include "core/exports/provenance/report.h"
+#include "core/exports/report.h"
 #include "ui/base/shown_text.h"
 
 #include <QAction>

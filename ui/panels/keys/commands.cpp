@@ -1,7 +1,7 @@
 // Makes menus and shortcuts from a table of commands.
 #include "ui/panels/keys/commands.h"
 
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/keys/shortcuts.h"
 
 #include <QAbstractButton>
@@ -16,18 +16,18 @@
 namespace edgescan::ui {
 namespace {
 
-void makeSwitch(QAction& action, const Command& command, Memory& memory) {
+void makeSwitch(QAction& action, const Command& command, Preferences& preferences) {
     action.setCheckable(true);
     if (command.remembered == nullptr) {
         QObject::connect(&action, &QAction::triggered, &action, command.set);
         return;
     }
     if (command.inSessions) action.setProperty(kInSessions, command.remembered);
-    action.setChecked(memory.flag(command.remembered, command.on));
+    action.setChecked(preferences.flag(command.remembered, command.on));
     command.set(action.isChecked()); // also for the initial state of the action
-    QObject::connect(&action, &QAction::toggled, &action, [&memory, set = command.set, key = command.remembered](bool on) {
+    QObject::connect(&action, &QAction::toggled, &action, [&preferences, set = command.set, key = command.remembered](bool on) {
         set(on);
-        memory.keep(key, on);
+        preferences.keep(key, on);
     });
 }
 
@@ -55,11 +55,11 @@ Command linked(Command command, std::function<void(QAction&)> link) {
     return command;
 }
 
-void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory, const QString& path) {
+void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Preferences& preferences, const QString& path) {
     for (const Command& command : commands) {
         if (!command.submenu.empty() || command.fill) {
             QMenu* submenu = menu.addMenu(command.text);
-            addCommands(*submenu, command.submenu, window, memory, path.isEmpty() ? command.source : path + "/" + command.source);
+            addCommands(*submenu, command.submenu, window, preferences, path.isEmpty() ? command.source : path + "/" + command.source);
             if (command.fill) QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, fill = command.fill] { fill(*submenu); });
             continue;
         }
@@ -70,7 +70,7 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
         QAction* action = command.made != nullptr ? command.made : new QAction(command.text, &menu);
         if (*command.keys != '\0') action->setShortcuts(QKeySequence::listFromString(command.keys));
         if (command.run) QObject::connect(action, &QAction::triggered, action, command.run);
-        if (command.set) makeSwitch(*action, command, memory);
+        if (command.set) makeSwitch(*action, command, preferences);
         if (command.link) command.link(*action);
         const QString own =
             action->objectName().isEmpty() && action->parent() != nullptr ? action->parent()->objectName() : action->objectName();

@@ -13,7 +13,7 @@ class QWidget;
 
 namespace edgescan::ui {
 
-class Memory;
+class Preferences;
 
 /// Property of an action: the key under which a session file stores this switch.
 inline constexpr const char* kInSessions = "kept-in-sessions";
@@ -46,7 +46,7 @@ inline const Command kLine{};
 
 /// Adds the commands to the menu, and their shortcuts to `window`, so that they also work while the menu bar is hidden. A remembered switch
 /// gets its value from the memory, which must outlive the menu. `path`: of the menu, in the language of the source.
-void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Memory& memory, const QString& path = {});
+void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Preferences& preferences, const QString& path = {});
 
 /// Keys of the focused widget: Space presses the focused button. Home and End move the focused slider. Page Up and Page Down move the
 /// focused slider, number or list. In other widgets these keys are shortcuts.

@@ -17,24 +17,24 @@ QString keysOf(const QAction& action) {
 
 } // namespace
 
-void editKeys(QWidget& window, Memory& memory) {
+void editKeys(QWidget& window, Preferences& preferences) {
     const QList<KeyedCommand> commands = keyedCommands(window.actions());
     std::vector<ShortcutRow> rows;
     for (const KeyedCommand& command : commands) {
         const auto isUsual = [command] { return command.action->shortcuts() == command.usual; };
-        const auto change = [command, commands, &memory](const QKeySequence& key) {
-            if (changeKey(command, key, commands, memory)) return QString();
+        const auto change = [command, commands, &preferences](const QKeySequence& key) {
+            if (changeKey(command, key, commands, preferences)) return QString();
             return QObject::tr("%1 belongs to %2: nothing was changed.")
                 .arg(key.toString(QKeySequence::NativeText), ownerOf(key, commands, command.action));
         };
-        const auto reset = [command, commands, &memory] {
-            if (resetKey(command, commands, memory)) return QString();
+        const auto reset = [command, commands, &preferences] {
+            if (resetKey(command, commands, preferences)) return QString();
             return QObject::tr("A key of %1 belongs to another command by now: change that one first.").arg(command.shown);
         };
         rows.push_back({command.shown, [command] { return keysOf(*command.action); }, isUsual, change, reset});
     }
     ShortcutEditor editor(
-        std::move(rows), [&commands, &memory] { resetAllKeys(commands, memory); }, &window);
+        std::move(rows), [&commands, &preferences] { resetAllKeys(commands, preferences); }, &window);
     editor.exec();
 }
 

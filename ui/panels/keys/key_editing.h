@@ -5,9 +5,9 @@ class QWidget;
 
 namespace edgescan::ui {
 
-class Memory;
+class Preferences;
 
 /// Shows the table of the window's commands. Changes are valid at once and are remembered.
-void editKeys(QWidget& window, Memory& memory);
+void editKeys(QWidget& window, Preferences& preferences);
 
 } // namespace edgescan::ui

@@ -1,7 +1,7 @@
 // Shortcuts changed by the operator.
 #include "ui/panels/keys/shortcuts.h"
 
-#include "ui/engine/worker_bridge/memory.h"
+#include "ui/engine/worker_bridge/preferences.h"
 
 #include <QAction>
 #include <QMenu>
@@ -23,11 +23,11 @@ QString plainName(QString text) { return text.remove('&').remove(QStringLiteral(
 
 QString kept(const QString& id) { return "keys/" + QString(id).replace('/', '|'); }
 
-void remember(const KeyedCommand& command, Memory& memory) {
+void remember(const KeyedCommand& command, Preferences& preferences) {
     const QList<QKeySequence> now = command.action->shortcuts();
     const bool usual = now == command.usual;
     const QString keys = QKeySequence::listToString(now, QKeySequence::PortableText);
-    memory.keep(kept(command.id), usual ? QString() : keys.isEmpty() ? QString(kNone) : keys);
+    preferences.keep(kept(command.id), usual ? QString() : keys.isEmpty() ? QString(kNone) : keys);
 }
 
 // Keys that views and fields handle themselves.
@@ -78,33 +78,33 @@ QString ownerOf(const QKeySequence& key, const QList<KeyedCommand>& commands, co
     return ofTheWindow(key);
 }
 
-bool changeKey(const KeyedCommand& command, const QKeySequence& key, const QList<KeyedCommand>& commands, Memory& memory) {
+bool changeKey(const KeyedCommand& command, const QKeySequence& key, const QList<KeyedCommand>& commands, Preferences& preferences) {
     if (!ownerOf(key, commands, command.action).isEmpty()) return false;
     command.action->setShortcuts(key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key});
-    remember(command, memory);
+    remember(command, preferences);
     return true;
 }
 
-bool resetKey(const KeyedCommand& command, const QList<KeyedCommand>& commands, Memory& memory) {
+bool resetKey(const KeyedCommand& command, const QList<KeyedCommand>& commands, Preferences& preferences) {
     QList<QKeySequence> free;
     for (const QKeySequence& key : command.usual) {
         if (ownerOf(key, commands, command.action).isEmpty()) free << key;
     }
     command.action->setShortcuts(free);
-    remember(command, memory);
+    remember(command, preferences);
     return free == command.usual;
 }
 
-void resetAllKeys(const QList<KeyedCommand>& commands, Memory& memory) {
+void resetAllKeys(const QList<KeyedCommand>& commands, Preferences& preferences) {
     for (const KeyedCommand& command : commands) command.action->setShortcuts(command.usual);
-    for (const KeyedCommand& command : commands) remember(command, memory);
+    for (const KeyedCommand& command : commands) remember(command, preferences);
 }
 
 // Two commands may have exchanged their shortcuts. Therefore all shortcuts are removed first.
-void recallKeys(const QList<KeyedCommand>& commands, const Memory& memory) {
+void recallKeys(const QList<KeyedCommand>& commands, const Preferences& preferences) {
     QList<std::pair<const KeyedCommand*, QString>> changed;
     for (const KeyedCommand& command : commands) {
-        const QString keys = memory.text(kept(command.id));
+        const QString keys = preferences.text(kept(command.id));
         if (keys.isEmpty()) continue;
         changed.push_back({&command, keys});
         command.action->setShortcuts(QList<QKeySequence>());

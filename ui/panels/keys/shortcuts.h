@@ -9,7 +9,7 @@ class QAction;
 
 namespace edgescan::ui {
 
-class Memory;
+class Preferences;
 
 /// A command with an untranslated name: "View/From Scanner".
 struct KeyedCommand {
@@ -28,11 +28,11 @@ void nameCommand(QAction& action, const QString& menu, const QString& name);
 [[nodiscard]] QString ownerOf(const QKeySequence& key, const QList<KeyedCommand>& commands, const QAction* but = nullptr);
 /// Gives the command this key as its only shortcut; an empty key removes the shortcut. The change is remembered. False, without a change,
 /// if the key has another owner.
-bool changeKey(const KeyedCommand& command, const QKeySequence& key, const QList<KeyedCommand>& commands, Memory& memory);
+bool changeKey(const KeyedCommand& command, const QKeySequence& key, const QList<KeyedCommand>& commands, Preferences& preferences);
 /// Restores the command's default shortcuts. If another command owns one of them, it keeps it, and the result is false.
-bool resetKey(const KeyedCommand& command, const QList<KeyedCommand>& commands, Memory& memory);
-void resetAllKeys(const QList<KeyedCommand>& commands, Memory& memory);
+bool resetKey(const KeyedCommand& command, const QList<KeyedCommand>& commands, Preferences& preferences);
+void resetAllKeys(const QList<KeyedCommand>& commands, Preferences& preferences);
 /// At program start: restores the operator's changes, except for keys that have another owner now.
-void recallKeys(const QList<KeyedCommand>& commands, const Memory& memory);
+void recallKeys(const QList<KeyedCommand>& commands, const Preferences& preferences);
 
 } // namespace edgescan::ui

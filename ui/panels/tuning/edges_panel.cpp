@@ -1,8 +1,8 @@
 // The panel "Edges".
 #include "ui/panels/tuning/edges_panel.h"
 
+#include "core/edges/pipeline/parameter_change.h"
 #include "core/edges/pipeline/step_meaning.h"
-#include "core/edges/pipeline/turned.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"

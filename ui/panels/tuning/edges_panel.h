@@ -1,8 +1,8 @@
 // The panel "Edges": presets, one row per parameter of the table, and the lock that keeps upper = 3 x lower.
 #pragma once
 
-#include "core/edges/gray/threshold_map.h"
 #include "core/edges/pipeline/detection.h"
+#include "core/edges/pipeline/threshold_map.h"
 #include "core/edges/settings/presets.h"
 #include "ui/views/cloud/edge_cells.h"
 

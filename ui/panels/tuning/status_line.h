@@ -1,7 +1,7 @@
 // The status bar: the cell under the mouse, counts, the time of the last update, the renderer.
 #pragma once
 
-#include "core/edges/explain/probe.h"
+#include "core/edges/explain/cell_values.h"
 #include "core/edges/settings/settings.h"
 
 #include <QStatusBar>

@@ -1,7 +1,7 @@
 // Classes of edges: the effect of each switch; the border of missing data is not an edge of a rock (docs/operator.md, "S3").
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

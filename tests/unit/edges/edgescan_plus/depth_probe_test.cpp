@@ -3,7 +3,7 @@
 
 #include "core/edges/explain/why.h"
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/why_report.h"
+#include "core/exports/why_report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/sim/simulate.h"
 #include "tests/support/depth_edges.h"

@@ -3,7 +3,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
-#include "core/exports/provenance/why_report.h"
+#include "core/exports/why_report.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>

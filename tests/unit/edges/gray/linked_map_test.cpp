@@ -1,5 +1,5 @@
 // The map of linked responses compared with a search for each cell's threshold, and with chains followed one by one.
-#include "core/edges/gray/threshold_map.h"
+#include "core/edges/pipeline/threshold_map.h"
 
 #include <gtest/gtest.h>
 

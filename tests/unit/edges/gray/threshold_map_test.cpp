@@ -2,7 +2,7 @@
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/gray/smooth.h"
-#include "core/edges/gray/threshold_map.h"
+#include "core/edges/pipeline/threshold_map.h"
 #include "tests/support/detectors.h"
 #include "tests/support/scans.h"
 

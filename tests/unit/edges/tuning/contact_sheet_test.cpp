@@ -1,5 +1,5 @@
 // The contact sheet compared with single runs, and the steady run with every possible run.
-#include "core/edges/tuning/contact_sheet.h"
+#include "core/edges/tuning/values_of_setting.h"
 
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"

@@ -2,7 +2,7 @@
 #include "core/edges/tuning/confidence.h"
 
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"

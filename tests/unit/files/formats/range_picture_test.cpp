@@ -1,7 +1,7 @@
 // Range pictures: PNG by our own writer and by libpng's rules, TIFF as libtiff writes it.
 #include "core/containers/png/png.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/scan/grid/range_picture.h"
+#include "core/scan/grid/range_image.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/typed_angles.h"

@@ -1,7 +1,7 @@
 // With any losses in a scan, every cell is accounted for in every format that stores cells, and no index changes.
 #include "core/containers/png/png.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/scan/grid/range_picture.h"
+#include "core/scan/grid/range_image.h"
 #include "tests/support/bytes.h"
 #include "tests/support/point_lists.h"
 

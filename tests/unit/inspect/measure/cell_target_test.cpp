@@ -1,8 +1,8 @@
 // The values of a picked cell: the resolution there, and the plane of its surface, compared with known planes.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/inspect/measure/cell_target.h"
+#include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/placed_points.h"
-#include "core/scan/georef/poses.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 

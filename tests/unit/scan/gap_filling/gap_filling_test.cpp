@@ -2,7 +2,7 @@
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include "core/edges/pipeline/pipeline.h"
-#include "core/exports/provenance/provenance.h"
+#include "core/exports/provenance.h"
 #include "core/scan/gap_filling/plane_in_u.h"
 #include "core/sim/simulate.h"
 #include "tests/support/bytes.h"

@@ -1,8 +1,8 @@
 // Every number of the worked example, step by step; the error of tilting twice; and invariants.
 #include "core/scan/georef/calibration.h"
 #include "core/scan/georef/chain.h"
+#include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/placed_points.h"
-#include "core/scan/georef/poses.h"
 #include "core/scan/georef/rotations.h"
 #include "tests/support/shared_folder.h"
 

@@ -1,7 +1,7 @@
 // Calibration and pose files: values read back, refusals, and the text of refusals.
 #include "core/base/utc_time.h"
 #include "core/scan/georef/calibration.h"
-#include "core/scan/georef/poses.h"
+#include "core/scan/georef/place_scan.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
 

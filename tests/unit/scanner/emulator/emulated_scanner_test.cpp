@@ -137,7 +137,7 @@ TEST(EmulatedScanner, TurnsBackAtTheEndWhenAsked) {
     const auto scanner = served(countingScan(10, 5), settings);
     Listener listener;
     {
-        const ScannerSession session(settingsFor(*scanner), listener.events());
+        const ScannerConnection session(settingsFor(*scanner), listener.events());
         EXPECT_TRUE(listener.waitForScans(45));
     }
     const auto telegrams = listener.telegrams();
@@ -151,7 +151,7 @@ TEST(EmulatedScanner, IsNeverFasterThanItsRate) {
     const auto start = std::chrono::steady_clock::now();
     const auto scanner = served(countingScan(10, 5), settings);
     Listener listener;
-    const ScannerSession session(settingsFor(*scanner), listener.events());
+    const ScannerConnection session(settingsFor(*scanner), listener.events());
     EXPECT_TRUE(listener.waitForScans(101));
     EXPECT_GE(std::chrono::steady_clock::now() - start, 1s); // 100 periods
 }
@@ -162,7 +162,7 @@ TEST(EmulatedScanner, ContaminationCanBeSwitched) {
     const auto scanner = served(countingScan(10, 5), settings);
     Listener listener;
     {
-        const ScannerSession session(settingsFor(*scanner), listener.events());
+        const ScannerConnection session(settingsFor(*scanner), listener.events());
         EXPECT_TRUE(listener.waitForScans(5));
         scanner->setContamination(true, true);
         EXPECT_TRUE(listener.waitForScans(50));
@@ -199,7 +199,7 @@ TEST(EmulatedScanner, AClientThatDoesNotReadIsNotSavedUpFor) {
         record(frame);
     };
     {
-        const ScannerSession session(settingsFor(*scanner), events);
+        const ScannerConnection session(settingsFor(*scanner), events);
         EXPECT_TRUE(waitUntil([&] { return scanner->statistics().lost > 0; }));
         const std::uint64_t measured = scanner->statistics().lines;
         hold = false;

@@ -66,7 +66,7 @@ TEST(MockScanner, BothDialectsAndEveryWayOfCutting) {
         settings.dialect = dialect;
         Listener listener;
         {
-            const ScannerSession session(settings, listener.events());
+            const ScannerConnection session(settings, listener.events());
             EXPECT_TRUE(listener.waitForScans(40));
         }
         ASSERT_FALSE(listener.identities().empty());
@@ -85,7 +85,7 @@ TEST(MockScanner, GarbageAndLoss) {
     Listener listener;
     SessionStatistics statistics;
     {
-        ScannerSession session(mock.settings(), listener.events());
+        ScannerConnection session(mock.settings(), listener.events());
         EXPECT_TRUE(listener.waitForScans(80));
         session.stop();
         statistics = session.statistics();
@@ -103,8 +103,8 @@ TEST(MockScanner, DropsAndReconnects) {
     const Mock mock({"--drop-after", "20"});
     Listener listener;
     {
-        const ScannerSession session(mock.settings(), listener.events());
-        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 3; }));
+        const ScannerConnection session(mock.settings(), listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(ConnectionPhase::Live) >= 3; }));
     }
     expectRealLines(listener); // the mock restarts its counters at every connection
 }
@@ -114,8 +114,8 @@ TEST(MockScanner, StallsAndIsNoticed) {
     const Mock mock({"--stall-after", "20"});
     Listener listener;
     {
-        const ScannerSession session(mock.settings(hasty()), listener.events());
-        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
+        const ScannerConnection session(mock.settings(hasty()), listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(ConnectionPhase::Live) >= 2; }));
     }
     EXPECT_NE(listener.story().find("LIVE STALE LOST CONNECTING IDENTIFYING LIVE"), std::string::npos) << listener.story();
 }

@@ -21,7 +21,7 @@ std::uint16_t freePort() {
 /// Runs a session until the last of `lines` has come: the scanners of these tests never leave that one out.
 void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSettings& settings, std::size_t lines,
                 SessionStatistics* statistics = nullptr) {
-    ScannerSession session(settings, listener.events());
+    ScannerConnection session(settings, listener.events());
     const auto last = [&](const Listener&) {
         const auto telegrams = listener.telegrams();
         return !telegrams.empty() && telegrams.back().encoders.at(0).position + 1 == lines;
@@ -34,7 +34,7 @@ void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSetti
 
 } // namespace
 
-TEST(ScannerSession, FindsTheDialectAndReceivesEveryLine) {
+TEST(ScannerConnection, FindsTheDialectAndReceivesEveryLine) {
     const Scan scan = countingScan(40, 60);
     for (const auto only : {std::optional<Dialect>(), std::optional(Dialect::A), std::optional(Dialect::B)}) {
         EmulatedScannerSettings settings;
@@ -69,15 +69,15 @@ TEST(ScannerSession, FindsTheDialectAndReceivesEveryLine) {
     }
 }
 
-TEST(ScannerSession, SendsNothingButReadsAndSubscriptions) {
+TEST(ScannerConnection, SendsNothingButReadsAndSubscriptions) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 500;
     settings.faults.dropEvery = 20;
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
     {
-        ScannerSession session(settingsFor(*scanner), listener.events());
-        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 3; }));
+        ScannerConnection session(settingsFor(*scanner), listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(ConnectionPhase::Live) >= 3; }));
     }
     EXPECT_EQ(scanner->statistics().writes, 0U);
     const auto commands = listener.sentCommands();
@@ -85,7 +85,7 @@ TEST(ScannerSession, SendsNothingButReadsAndSubscriptions) {
     for (const std::string& command : commands) EXPECT_TRUE(command.starts_with("sRN ") || command == "sEN LMDscandata") << command;
 }
 
-TEST(ScannerSession, HoweverTheBytesComeTheLinesAreTheSame) {
+TEST(ScannerConnection, HoweverTheBytesComeTheLinesAreTheSame) {
     const Scan scan = countingScan(200, 40);
     for (const Dialect dialect : {Dialect::A, Dialect::B}) {
         EmulatedScannerSettings settings;
@@ -108,7 +108,7 @@ TEST(ScannerSession, HoweverTheBytesComeTheLinesAreTheSame) {
     }
 }
 
-TEST(ScannerSession, EveryLostLineIsCounted) {
+TEST(ScannerConnection, EveryLostLineIsCounted) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 0;
     settings.atEnd = AtEnd::Stop;
@@ -126,7 +126,7 @@ TEST(ScannerSession, EveryLostLineIsCounted) {
     EXPECT_EQ(account.received + account.lost, 306);
 }
 
-TEST(ScannerSession, ADroppedConnectionIsMadeAgain) {
+TEST(ScannerConnection, ADroppedConnectionIsMadeAgain) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 400;
     settings.atEnd = AtEnd::Stop;
@@ -137,14 +137,14 @@ TEST(ScannerSession, ADroppedConnectionIsMadeAgain) {
     receiveAll(*scanner, listener, settingsFor(*scanner), 101, &statistics);
     EXPECT_EQ(statistics.reconnects, 4U);
     EXPECT_EQ(scanner->statistics().clients, 5U);
-    EXPECT_EQ(listener.entered(SessionPhase::Lost), 4);
+    EXPECT_EQ(listener.entered(ConnectionPhase::Lost), 4);
     const Account account = accountOf(listener.telegrams());
     EXPECT_EQ(account.restarts, 0);
     EXPECT_EQ(account.received + account.lost, 101); // the connection may end within a telegram
-    for (const SessionState& state : listener.states()) EXPECT_TRUE(state.sentence.ends_with(".")) << state.sentence;
+    for (const ConnectionState& state : listener.states()) EXPECT_TRUE(state.sentence.ends_with(".")) << state.sentence;
 }
 
-TEST(ScannerSession, LinesThatPassWhileReconnectingAreLostAndCounted) {
+TEST(ScannerConnection, LinesThatPassWhileReconnectingAreLostAndCounted) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 200;
     settings.atEnd = AtEnd::Stop;
@@ -164,7 +164,7 @@ TEST(ScannerSession, LinesThatPassWhileReconnectingAreLostAndCounted) {
     EXPECT_EQ(account.received + account.lost, account.span);
 }
 
-TEST(ScannerSession, SilenceIsStaleThenLostThenLiveAgain) {
+TEST(ScannerConnection, SilenceIsStaleThenLostThenLiveAgain) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 200;
     settings.faults.stallEvery = 40;
@@ -172,20 +172,20 @@ TEST(ScannerSession, SilenceIsStaleThenLostThenLiveAgain) {
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
     {
-        ScannerSession session(settingsFor(*scanner, hasty()), listener.events());
-        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
+        ScannerConnection session(settingsFor(*scanner, hasty()), listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(ConnectionPhase::Live) >= 2; }));
     }
     // A busy machine may be stale for a moment before that.
     EXPECT_NE(listener.story().find("LIVE STALE LOST CONNECTING IDENTIFYING LIVE"), std::string::npos) << listener.story();
     // Watchdog: ten periods of 40 ms, never sooner.
     const auto& states = listener.states();
     for (std::size_t n = 1; n < states.size(); ++n) {
-        if (states[n - 1].phase != SessionPhase::Stale || states[n].phase != SessionPhase::Lost) continue;
+        if (states[n - 1].phase != ConnectionPhase::Stale || states[n].phase != ConnectionPhase::Lost) continue;
         EXPECT_GT(states[n].since.monotonicNs - states[n - 1].since.monotonicNs, 150'000'000);
     }
 }
 
-TEST(ScannerSession, AShortSilenceIsStaleOnly) {
+TEST(ScannerConnection, AShortSilenceIsStaleOnly) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 200;
     settings.faults.stallEvery = 40;
@@ -195,14 +195,14 @@ TEST(ScannerSession, AShortSilenceIsStaleOnly) {
     SessionSettings staleInAStall = settingsFor(*scanner);
     staleInAStall.timeouts.silence = 6s; // stale after half of it, lost after the whole
     {
-        ScannerSession session(staleInAStall, listener.events());
-        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(SessionPhase::Live) >= 2; }));
+        ScannerConnection session(staleInAStall, listener.events());
+        EXPECT_TRUE(listener.waitFor([](const Listener& l) { return l.entered(ConnectionPhase::Live) >= 2; }));
     }
     EXPECT_TRUE(listener.story().starts_with("CONNECTING IDENTIFYING LIVE STALE LIVE")) << listener.story();
-    EXPECT_EQ(listener.entered(SessionPhase::Lost), 0);
+    EXPECT_EQ(listener.entered(ConnectionPhase::Lost), 0);
 }
 
-TEST(ScannerSession, StopsAtOnceWhateverItWaitsFor) {
+TEST(ScannerConnection, StopsAtOnceWhateverItWaitsFor) {
     EmulatedScannerSettings mute;
     mute.faults.mute = true;
     const auto silent = served(countingScan(5, 5), mute);
@@ -216,33 +216,33 @@ TEST(ScannerSession, StopsAtOnceWhateverItWaitsFor) {
     const auto live = settingsFor(*sending, endless);
     auto backingOff = settingsFor(*sending, endless);
     backingOff.port = freePort();
-    for (const auto& [settings, phase] : {std::pair(detecting, SessionPhase::Identifying), std::pair(live, SessionPhase::Live),
-                                          std::pair(backingOff, SessionPhase::Lost)}) {
+    for (const auto& [settings, phase] : {std::pair(detecting, ConnectionPhase::Identifying), std::pair(live, ConnectionPhase::Live),
+                                          std::pair(backingOff, ConnectionPhase::Lost)}) {
         Listener listener;
-        ScannerSession session(settings, listener.events());
+        ScannerConnection session(settings, listener.events());
         ASSERT_TRUE(listener.waitForPhase(phase));
         session.stop();
-        EXPECT_EQ(session.state().phase, SessionPhase::Stopped);
-        EXPECT_EQ(listener.states().back().phase, SessionPhase::Stopped);
+        EXPECT_EQ(session.state().phase, ConnectionPhase::Stopped);
+        EXPECT_EQ(listener.states().back().phase, ConnectionPhase::Stopped);
     }
 }
 
-TEST(ScannerSession, MayBeStoppedFromWithinAnEvent) {
+TEST(ScannerConnection, MayBeStoppedFromWithinAnEvent) {
     const auto scanner = served(countingScan(5, 5), {});
     Listener listener;
     SessionEvents events = listener.events();
-    std::atomic<ScannerSession*> self{nullptr};
+    std::atomic<ScannerConnection*> self{nullptr};
     const auto record = events.frameReceived;
     events.frameReceived = [&](const ColaFrame& frame) {
         record(frame);
         if (self != nullptr && isScanTelegram(frame.payload())) self.load()->stop();
     };
-    ScannerSession session(settingsFor(*scanner), events);
+    ScannerConnection session(settingsFor(*scanner), events);
     self = &session;
-    EXPECT_TRUE(listener.waitForPhase(SessionPhase::Stopped));
+    EXPECT_TRUE(listener.waitForPhase(ConnectionPhase::Stopped));
 }
 
-TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
+TEST(ScannerConnection, SaysWhatIsWrongWhereAndWhatToDo) {
     EmulatedScannerSettings mute;
     mute.faults.mute = true;
     const auto silent = served(countingScan(5, 5), mute);
@@ -251,11 +251,11 @@ TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
     const auto stubborn = served(countingScan(5, 5), refusing);
     const auto lostSentence = [](SessionSettings settings) {
         Listener listener;
-        ScannerSession session(settings, listener.events());
-        EXPECT_TRUE(listener.waitForPhase(SessionPhase::Lost));
+        ScannerConnection session(settings, listener.events());
+        EXPECT_TRUE(listener.waitForPhase(ConnectionPhase::Lost));
         session.stop();
-        for (const SessionState& state : listener.states()) {
-            if (state.phase == SessionPhase::Lost) return state.sentence;
+        for (const ConnectionState& state : listener.states()) {
+            if (state.phase == ConnectionPhase::Lost) return state.sentence;
         }
         return std::string();
     };
@@ -277,7 +277,7 @@ TEST(ScannerSession, SaysWhatIsWrongWhereAndWhatToDo) {
     EXPECT_NE(lostSentence(settings).find("no scanner is given"), std::string::npos);
 }
 
-TEST(ScannerSession, HostNamesAndIpv6) {
+TEST(ScannerConnection, HostNamesAndIpv6) {
     for (const auto& [serve, host] : {std::pair("127.0.0.1", "localhost"), std::pair("::1", "::1"), std::pair("::1", "[::1]")}) {
         EmulatedScannerSettings settings;
         settings.address = serve;
@@ -288,12 +288,12 @@ TEST(ScannerSession, HostNamesAndIpv6) {
         auto session = settingsFor(**scanner);
         session.host = host;
         Listener listener;
-        const ScannerSession live(session, listener.events());
-        EXPECT_TRUE(listener.waitForPhase(SessionPhase::Live)) << host;
+        const ScannerConnection live(session, listener.events());
+        EXPECT_TRUE(listener.waitForPhase(ConnectionPhase::Live)) << host;
     }
 }
 
-TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
+TEST(ScannerConnection, TwentyMinutesOfFaultsAsFastAsPossible) {
     EmulatedScannerSettings settings;
     settings.linesPerSecond = 0;
     settings.only = Dialect::B; // text has no checksum: a flipped bit in it looks like a measurement
@@ -316,7 +316,7 @@ TEST(ScannerSession, TwentyMinutesOfFaultsAsFastAsPossible) {
     Listener listener;
     SessionStatistics statistics;
     {
-        ScannerSession live(session, listener.events());
+        ScannerConnection live(session, listener.events());
         EXPECT_TRUE(listener.waitForScans(30000));
         live.stop();
         statistics = live.statistics();

@@ -1,5 +1,5 @@
 // Scans of a growing sweep.
-#include "core/scanner/sweep_assembly/sweep.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
 #include "tests/support/live_lines.h"
 
 #include <gtest/gtest.h>

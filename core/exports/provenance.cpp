@@ -1,0 +1,178 @@
+// Writes exports with their records.
+#include "core/exports/provenance.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/base/sha256.h"
+#include "core/base/utc_time.h"
+#include "core/base/whole_file.h"
+#include "core/containers/png/png.h"
+#include "core/exports/cell_columns.h"
+#include "core/exports/record_parts.h"
+#include "core/files/formats/formats.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/files/point_tables/description.h"
+#include "core/files/point_tables/source.h"
+#include "core/rocks/attributes/study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <span>
+#include <system_error>
+
+namespace edgescan::exports {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double kToleranceM = 6e-4; // LAS rounds to half a millimetre; whole millimetres must be preserved (docs/operator.md, "S9")
+
+std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// The expected content of the file, in addition to its bytes.
+struct Expected {
+    std::size_t count = 0; ///< points or cells
+    std::optional<PointBounds> bounds;
+    const char* of = "points";
+};
+
+Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
+    const ExportKind& kind = exportKind(content);
+    if (kind.counts == ExportKind::Counts::Rocks) return Expected{options.rocks->rocks.size(), std::nullopt, countedThings(kind)};
+    const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && files::writtenFormat(path)->write != nullptr);
+    if (!points) return Expected{detection.scan->cells(), std::nullopt, countedThings(kind)};
+    const PointBounds bounds = pointsToWrite(content, detection, options);
+    return Expected{bounds.count, bounds};
+}
+
+/// The requested file.
+const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& path) {
+    const auto named = std::ranges::find_if(files, [&](const FileBytes& file) { return file.path.extension() == path.extension(); });
+    return named == files.end() ? files.front() : *named;
+}
+
+/// The grid of the points for clouds, and for whole scans whose format has no place for it; with it the points open as cells of the grid
+/// again.
+std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
+    const files::Format* format = files::writtenFormat(path);
+    const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
+    const bool inside =
+        whole && format != nullptr && (format->keepsPlace || (format->keeps == files::Keeps::Sidecar && options.choices.comments));
+    return inside || !(isCloud(content) || whole) ? std::string() : files::descriptionText(scan, "", -1);
+}
+
+std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
+                        const std::vector<FileBytes>& files) {
+    Json about{{"file", file.path.filename().string()},
+               {"sha256", sha256Hex(bytesOf(file.bytes))},
+               {"bytes", file.bytes.size()},
+               {"written_utc", utcText(utcNow())},
+               {expected.of, expected.count}};
+    if (expected.bounds && expected.count > 0)
+        about["bounds_m"] = {{"least", vectorJson(expected.bounds->leastM)}, {"most", vectorJson(expected.bounds->mostM)}};
+    for (const FileBytes& other : files) {
+        if (&other != &file)
+            about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
+    }
+    const auto parsed = parseOrderedJson(record, "");
+    Json sidecar{{"format", files::kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
+    if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
+    return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
+}
+
+/// Reads the bytes before they are written: if a format cannot hold the numbers, the error must not blame the disk.
+Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
+    if (!expected.bounds || expected.count == 0) return Done{};
+    const auto refused = [&](const std::string& what) {
+        return Error{"this format cannot tell the scan, nothing was written: " + what, file.path.string(), "choose another format"};
+    };
+    const auto written = pointsWritten(file.bytes, file.path);
+    if (!written) return refused(written.error().what);
+    if (!*written) return Done{};
+    const PointBounds& points = **written;
+    if (points.count != expected.count)
+        return refused("it would hold " + std::to_string(points.count) + " points instead of " + std::to_string(expected.count));
+    const double off = std::max((points.leastM - expected.bounds->leastM).cwiseAbs().maxCoeff(),
+                                (points.mostM - expected.bounds->mostM).cwiseAbs().maxCoeff());
+    if (!(off < kToleranceM)) return refused("its bounds would be off by " + significantText(off, 6) + " m");
+    return Done{};
+}
+
+/// Reads the file piece by piece and compares it with the expected bytes.
+bool holds(const fs::path& path, std::span<const std::byte> bytes) {
+    constexpr std::size_t kPiece = std::size_t{1} << 18U; // stays in the cache
+    std::ifstream file(path, std::ios::binary);
+    file.rdbuf()->pubsetbuf(nullptr, 0); // no second copy
+    std::vector<char> piece(kPiece);
+    while (file) {
+        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        const auto count = static_cast<std::size_t>(file.gcount());
+        if (count > bytes.size() || std::memcmp(piece.data(), bytes.data(), count) != 0) return false;
+        bytes = bytes.subspan(count);
+    }
+    return file.eof() && bytes.empty();
+}
+
+/// Removes files whose content on the disk differs from what was written.
+Result<Done> readBack(const std::vector<FileContent>& contents) {
+    for (const FileContent& content : contents) {
+        if (holds(content.path, content.bytes)) continue;
+        std::error_code ignored;
+        for (const FileContent& other : contents) fs::remove(other.path, ignored);
+        return Error{"what was read back is not what was written, so it was removed", content.path.string(),
+                     "check the disk and export again"};
+    }
+    return Done{};
+}
+
+} // namespace
+
+Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::Detection& detection, const fs::path& path,
+                                           const std::string& record, const ExportOptions& options) {
+    const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
+    const Scan& scan = *chosen;
+    auto columns = cellColumns(exportKind(content), detection, path, options);
+    if (!columns) return columns.error();
+    const files::SaveOptions save{options.ascii,   options.frame,      record, options.includeAttached, detection.classes.get(),
+                                  options.choices, std::move(*columns)};
+    return exportKind(content).make({detection, scan, path, record, options, save});
+}
+
+std::string embeddedRecord(std::string_view bytes) {
+    if (std::string record = containers::pngRecord(bytes); !record.empty()) return record;
+    const ReadingOptions options;
+    return files::formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
+}
+
+Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const fs::path& path,
+                                         const ExportOptions& options) {
+    const std::string record = exportRecord(content, detection, options);
+    const auto files = exportFiles(content, detection, path, record, options);
+    if (!files) return files.error();
+    const Expected expected = expectedOf(content, detection, path, options);
+    for (const FileBytes& file : *files) {
+        if (auto told = checkTold(file, expected); !told) return told.error();
+    }
+    if (isDevice(path)) {
+        if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
+        if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();
+        return expected.count;
+    }
+    const FileBytes& named = fileOf(*files, path);
+    const std::string sidecar = sidecarText(named, record, gridBeside(content, *detection.scan, named.path, options), expected, *files);
+    std::vector<FileContent> contents;
+    for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
+    if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});
+    if (auto written = writeWholeFiles(contents); !written) return written.error();
+    if (auto same = readBack(contents); !same) return same.error();
+    return expected.count;
+}
+
+} // namespace edgescan::exports

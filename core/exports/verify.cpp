@@ -1,0 +1,315 @@
+// Verifies record, scan, method and bytes.
+#include "core/exports/verify.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/foreign_text.h"
+#include "core/base/json_text.h"
+#include "core/base/sha256.h"
+#include "core/base/version.h"
+#include "core/base/whole_file.h"
+#include "core/containers/png/png.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/settings/parameters.h"
+#include "core/edges/settings/presets.h"
+#include "core/exports/find_scan.h"
+#include "core/exports/record_parts.h"
+#include "core/exports/report.h"
+#include "core/files/open_save/open_scan.h"
+#include "core/rocks/attributes/study.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/georef/placement_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <span>
+
+namespace edgescan::exports {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string sha256Of(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
+
+/// Null if the text is damaged; the altered parts are still reported.
+Json parsed(std::string_view text) {
+    auto json = parseOrderedJson(text, "");
+    return json ? std::move(*json) : Json();
+}
+
+/// The value of the record at a JSON pointer, or null.
+Json at(const Json& record, const std::string& pointer) {
+    const Json::json_pointer way(pointer);
+    return record.contains(way) ? record.at(way) : Json();
+}
+std::string wordAt(const Json& record, const std::string& pointer) {
+    const Json value = at(record, pointer);
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// Error if a later version of the program may know the format: "edgescan-record/7".
+Result<Done> knownFormat(const Json& object, const char* known, const Verification& v) {
+    const std::string format = wordAt(object, "/format");
+    const std::string name(known, std::string_view(known).find('/') + 1);
+    if (format == known || !format.starts_with(name)) return Done{};
+    return Error{"the record is of the format " + format.substr(0, 60) + ", and this program knows " + known, v.exported.string(),
+                 "verify with the version that made the export"};
+}
+
+/// Compares what the sidecar says about the file with the file.
+void compareSidecar(const Json& sidecar, const std::string& bytes, Verification& v) {
+    if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar))
+        v.findings.emplace_back("The file beside the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
+    if (wordAt(sidecar, "/export/sha256") != v.foundSha256)
+        v.findings.emplace_back("The export is not the file that the record beside it was written for: its SHA-256 is another.");
+    if (at(sidecar, "/export/bytes") != Json(bytes.size()))
+        v.findings.emplace_back("The record beside the export says another number of bytes.");
+    const std::string name = wordAt(sidecar, "/export/file");
+    if (name != v.exported.filename().string()) v.remarks.push_back("It was called " + name + " when it was written.");
+}
+
+/// The record and its place; faults of either place are added to the findings.
+Result<Json> recordOf(const std::string& bytes, Verification& v) {
+    Json fromSidecar;
+    if (const auto sidecar = readWholeFile(files::sidecarPath(v.exported))) {
+        const Json whole = parsed(textOf(*sidecar));
+        if (const auto known = knownFormat(whole, files::kSidecarFormat, v); !known) return known.error();
+        if (wordAt(whole, "/format") == files::kSidecarFormat) fromSidecar = at(whole, "/record");
+        if (const auto known = knownFormat(fromSidecar, kRecordFormat, v); !known) return known.error();
+        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record beside the export is damaged or was altered.");
+        compareSidecar(whole, bytes, v);
+    }
+    const std::string embedded = embeddedRecord(bytes);
+    const Json inside = parsed(embedded);
+    if (const auto known = knownFormat(inside, kRecordFormat, v); !known) return known.error();
+    if (!embedded.empty() && !recordIsWhole(inside)) v.findings.emplace_back("The record inside the export is damaged or was altered.");
+    if (recordIsWhole(inside) && recordIsWhole(fromSidecar) && inside != fromSidecar)
+        v.findings.emplace_back("The record inside the export and the one beside it are not the same.");
+    if (recordIsWhole(fromSidecar)) return fromSidecar;
+    if (recordIsWhole(inside)) return inside;
+    const bool none = embedded.empty() && v.findings.empty();
+    return Error{none ? "there is no record in the export and none beside it" : "no record of the export is left unaltered",
+                 v.exported.string(),
+                 none ? "copy " + files::sidecarPath(v.exported).filename().string() + " beside it" : "export the scan again"};
+}
+
+Error notUnderstood(const Verification& v, const std::string& what) {
+    return {"the record's " + what + " is not understood", v.exported.string(), "verify with the version that made the export"};
+}
+
+/// The scan as it was when the export was made.
+Result<std::shared_ptr<const Scan>> scanOf(const Json& record, const std::optional<fs::path>& scansFolder, Verification& v) {
+    const std::string hash = wordAt(record, "/scan/sha256");
+    if (hash.empty())
+        return Error{"the export was made from a scan that was in no file", v.exported.string(), "save the scan first and export it again"};
+    const auto path = findScan(hash, wordAt(record, "/scan/input"), v.exported, scansFolder);
+    if (!path) return path.error();
+    v.scan = *path;
+    const Json openedWith = at(record, "/scan/opened_with");
+    const auto options = parseReadingOptions(openedWith.empty() ? std::string() : jsonText(openedWith), v.exported.string());
+    if (!options) return options.error();
+    auto opened = files::openAsAsked(*path, *options);
+    if (!opened) return opened.error();
+    if (gridSha256(*opened) != wordAt(record, "/scan/grid_sha256"))
+        v.findings.emplace_back(
+            "The scan's file is the same but opens as another grid here: another version of the program reads it otherwise.");
+    opened->placement.reset();
+    if (const Json pose = at(record, "/pose"); pose.is_object()) {
+        const auto placement = placementFromJson(nlohmann::json(pose), static_cast<std::uint64_t>(opened->lines()), v.exported.string());
+        if (!placement) return placement.error();
+        opened->placement = *placement;
+    }
+    return std::make_shared<const Scan>(std::move(*opened));
+}
+
+void compareResults(const Json& record, const edges::Detection& detection, Verification& v) {
+    const std::string recorded = wordAt(record, "/edge_mask_sha256");
+    if (maskSha256(*detection.mask) != recorded) v.findings.emplace_back("The method finds other edges here than the record says.");
+    const Json cells = cellsReport(*detection.scan);
+    if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
+}
+
+/// The scan and its edges; without edges if only the scan was exported.
+Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, const ExportKind& kind,
+                                                            const std::optional<fs::path>& scansFolder, Verification& v) {
+    const bool method = kind.needs != ExportKind::Needs::Scan;
+    const auto settings =
+        method ? edges::settingsFromJson(nlohmann::json(at(record, "/settings")), edges::cannySettings(), v.exported.string())
+               : Result<edges::Settings>(edges::Settings{});
+    if (!settings) return settings.error();
+    const auto scan = scanOf(record, scansFolder, v);
+    if (!scan) return scan.error();
+    if (!method) {
+        auto bare = std::make_shared<edges::Detection>();
+        bare->scan = *scan;
+        return std::shared_ptr<const edges::Detection>(bare);
+    }
+    auto detection =
+        edges::detectEdges(*scan, *settings, kind.needs == ExportKind::Needs::Rocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
+    compareResults(record, *detection, v);
+    return detection;
+}
+
+/// The rocks with the settings and edits of the record.
+Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const edges::Detection& detection, const Verification& v) {
+    const std::string where = v.exported.string();
+    const auto settings = rocks::rockSettingsFromJson(nlohmann::json(at(record, "/rocks/settings")), where);
+    if (!settings) return settings.error();
+    const Scan& scan = *detection.scan;
+    const auto edits = rocks::rockEditsFromJson(nlohmann::json(at(record, "/rocks/edits")), scan.lines(), scan.beams(), where);
+    if (!edits) return edits.error();
+    return std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
+}
+
+/// Adds values that an older record does not contain: settings with their defaults, classes without cells.
+void takeLater(Json& then, const Json& now) {
+    if (!then.is_object()) return;
+    const Json usual = edges::settingsToJson(edges::Settings{});
+    for (const auto& [key, value] : now.items()) {
+        if (!then.contains(key) && (value == 0 || (usual.contains(key) && usual[key] == value))) then[key] = value;
+    }
+}
+
+/// Computes everything in the record again, except operator and program, and compares.
+void compareRecord(const Json& record, const Json& again, Verification& v) {
+    for (const auto& [key, value] : again.items()) {
+        if (key == "program" || key == "operator" || key == "role" || key == "record_sha256" || !record.contains(key)) continue;
+        Json then = record[key], now = value;
+        if (key == "scan") then.erase("input"), now.erase("input"); // the file may have been renamed
+        if (key == "settings") takeLater(then, now);
+        // another set of defaults; the settings themselves were compared
+        if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue;
+        if (key == "classes" && then.is_object()) takeLater(then, now);
+        if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
+    }
+}
+
+/// Possible reasons for a difference.
+void compareProgram(const Json& record, Verification& v) {
+    const Json now = programOfRecords();
+    const std::string then = wordAt(record, "/program/version") + " (" + wordAt(record, "/program/commit") + ")";
+    const std::string present = std::string(version()) + " (" + commit() + ")";
+    if (then != present) v.findings.push_back("The export was made by version " + then + ", this is " + present + ".");
+    for (const auto& [library, number] : now["libraries"].items()) {
+        const std::string used = wordAt(record, "/program/libraries/" + library);
+        const auto here = number.get<std::string>(); // g++ 14 does not compile a comparison of a string with a JSON value
+        if (used != here) v.findings.push_back("It was made with " + library + " " + used + ", this is " + here + ".");
+    }
+}
+
+void compareBytes(const std::string& found, const std::string& expected, Verification& v) {
+    if (found == expected) return;
+    const auto [a, b] = std::mismatch(found.begin(), found.end(), expected.begin(), expected.end());
+    const auto byte = static_cast<std::uint64_t>(a - found.begin());
+    v.firstDifference = byte;
+    std::string text = "Byte " + std::to_string(byte) + " is the first that differs";
+    if (b == expected.end()) text = "The export goes on after byte " + std::to_string(byte) + ", where it should end";
+    if (a == found.end()) text = "The export ends at byte " + std::to_string(byte) + " of " + std::to_string(expected.size());
+    v.findings.insert(v.findings.begin(), text + ".");
+}
+
+/// Two pictures are the same if their pixels are equal; zlib's compression may differ.
+bool samePixels(const std::string& found, const std::string& expected, const Json& record, Verification& v) {
+    const auto here = containers::pngValues(expected, "");
+    const auto there = containers::pngValues(found, v.exported.string());
+    if (!here || !there || here->lines != there->lines || here->beams != there->beams) return false;
+    const auto [a, b] = std::mismatch(here->cells.begin(), here->cells.end(), there->cells.begin());
+    if (a != here->cells.end()) {
+        const auto k = a - here->cells.begin();
+        v.findings.push_back("The first cell that differs is line " + std::to_string(k / here->beams) + ", beam " +
+                             std::to_string(k % here->beams) + ": " + std::to_string(*b) + " instead of " + std::to_string(*a) + ".");
+        return false;
+    }
+    const Json libraries = programOfRecords()["libraries"];
+    const bool otherPacker =
+        at(record, "/program/libraries/zlib") != libraries["zlib"] || at(record, "/program/libraries/libpng") != libraries["libpng"];
+    if (!otherPacker || embeddedRecord(found) != sealed(record)) return false;
+    v.remarks.emplace_back("Every pixel is the same; the bytes are packed by another zlib.");
+    return true;
+}
+
+/// Compares the files made from the scan now with those on the disk.
+void compareFiles(const std::string& found, const std::vector<FileBytes>& again, const Json& record, Verification& v) {
+    for (const FileBytes& file : again) {
+        if (file.path.extension() == v.exported.extension() || again.size() == 1) {
+            v.expectedSha256 = sha256Of(file.bytes);
+            const bool image = at(record, "/coordinates/frame") == "image";
+            if (image && found != file.bytes && samePixels(found, file.bytes, record, v)) continue;
+            compareBytes(found, file.bytes, v);
+            continue;
+        }
+        const auto other = readWholeFile(file.path);
+        if (!other || textOf(*other) != file.bytes)
+            v.findings.push_back(file.path.filename().string() + ", which belongs to it, " + (other ? "is another." : "is missing."));
+    }
+}
+
+} // namespace
+
+Result<Verification> verifyExport(const fs::path& exported, const std::optional<fs::path>& scansFolder) {
+    Verification v;
+    v.exported = exported;
+    const auto bytes = readWholeFile(exported);
+    if (!bytes) return bytes.error();
+    const std::string found(textOf(*bytes));
+    v.foundSha256 = sha256Of(found);
+    const auto record = recordOf(found, v);
+    if (!record) return record.error();
+    const ExportKind* kind = exportKindNamed(wordAt(*record, "/content"));
+    if (wordAt(*record, "/format") != kRecordFormat || kind == nullptr) return notUnderstood(v, "format");
+    ExportOptions options;
+    for (const Json& key : at(*record, "/choices")) {
+        const auto choice =
+            std::ranges::find_if(files::kWritingChoices, [&](const files::WritingChoice& known) { return key == Json(known.key); });
+        if (choice == files::kWritingChoices.end()) return notUnderstood(v, "choice");
+        options.choices.*choice->member = true;
+    }
+    options.ascii = at(*record, "/text") == true;
+    options.includeAttached = at(*record, "/attached_points/included") == true;
+    if (at(*record, "/coordinates/frame") != "image") {
+        const auto frame = frameNamed(wordAt(*record, "/coordinates/frame"));
+        if (!frame) return notUnderstood(v, "frame");
+        options.frame = *frame;
+    }
+    const auto detection = detectionOf(*record, *kind, scansFolder, v);
+    if (!detection) return detection.error();
+    if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
+    if (kind->needs == ExportKind::Needs::Rocks) {
+        const auto rocks = rocksOf(*record, **detection, v);
+        if (!rocks) return rocks.error();
+        options.rocks = *rocks;
+    }
+    const auto again = exportFiles(kind->content, **detection, exported, sealed(*record), options);
+    if (!again) return again.error();
+    compareRecord(*record, parsed(exportRecord(kind->content, **detection, options)), v);
+    compareFiles(found, *again, *record, v);
+    v.identical = v.findings.empty();
+    if (!v.identical) compareProgram(*record, v);
+    return v;
+}
+
+std::string verificationText(const Verification& v) {
+    std::string text = printable(v.exported.string()) + ": ";
+    if (v.identical) {
+        text += "identical to what " + printable(v.scan.string()) + " gives.";
+        for (const std::string& remark : v.remarks) text += " " + printable(remark);
+        return text;
+    }
+    text += "NOT identical to what " + printable(v.scan.string()) + " gives.";
+    for (const std::string& finding : v.findings) text += " " + printable(finding);
+    return text;
+}
+
+Json verificationReport(const Verification& v) {
+    return {{"export", v.exported.string()},
+            {"identical", v.identical},
+            {"scan", v.scan.string()},
+            {"first_difference", v.firstDifference ? Json(*v.firstDifference) : Json()},
+            {"expected_sha256", v.expectedSha256},
+            {"found_sha256", v.foundSha256},
+            {"findings", v.findings},
+            {"remarks", v.remarks}};
+}
+
+} // namespace edgescan::exports

@@ -1,0 +1,153 @@
+// From a picture's numbers to a scan; PNG of 16 bits through libpng. Its errors leave by longjmp: see png.cpp.
+#include "core/files/formats/gray_pictures.h"
+
+#include "core/base/checked_size.h"
+#include "core/base/memory.h"
+#include "core/base/physical_limits.h"
+#include "core/files/formats/format.h"
+#include "core/files/formats/range_geometry.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace edgescan::files {
+namespace {
+
+struct PngBytes {
+    const std::byte* at = nullptr;
+    std::size_t left = 0;
+    char problem[120] = "";
+};
+
+extern "C" {
+void takeBytes(png_structp png, png_bytep to, png_size_t count) {
+    auto* reading = static_cast<PngBytes*>(png_get_io_ptr(png));
+    if (count > reading->left) png_error(png, "the file ends too early");
+    std::memcpy(to, reading->at, count);
+    reading->at += count;
+    reading->left -= count;
+}
+void keepProblem(png_structp png, png_const_charp text) {
+    auto* reading = static_cast<PngBytes*>(png_get_error_ptr(png));
+    std::strncpy(reading->problem, text, sizeof reading->problem - 1);
+    png_longjmp(png, 1);
+}
+void ignoreIt(png_structp, png_const_charp) {}
+}
+
+struct Header {
+    png_uint_32 width = 0, height = 0;
+    int depth = 0, colour = 0, interlace = 0;
+};
+
+/// Only trivial objects live in these two, so a longjmp skips no destructor.
+bool readHeader(png_structp png, png_infop head, PngBytes* reading, Header* header) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_read_fn(png, reading, takeBytes);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1); // a thousand texts of 8 MB fit into 8 MB of file
+    png_read_info(png, head);
+    png_get_IHDR(png, head, &header->width, &header->height, &header->depth, &header->colour, &header->interlace, nullptr, nullptr);
+    return true;
+}
+bool readRows(png_structp png, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_swap(png); // PNG is big-endian
+    png_read_image(png, rows);
+    return true;
+}
+
+struct PngReader {
+    png_structp png = nullptr;
+    png_infop head = nullptr;
+    explicit PngReader(PngBytes* reading) : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, reading, keepProblem, ignoreIt)) {
+        if (png != nullptr) head = png_create_info_struct(png);
+    }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png, &head, nullptr); }
+};
+
+Result<Done> checkHeader(const Header& header, const Source& source) {
+    if (header.depth != 16 || header.colour != PNG_COLOR_TYPE_GRAY) {
+        return source.refused("this is a PNG picture of " + std::to_string(header.depth) +
+                                  (header.colour == PNG_COLOR_TYPE_GRAY ? " bit gray" : " bit colour") + ", and ranges need 16 bit gray",
+                              "choose a scan, or a range picture of 16 bits per pixel");
+    }
+    const std::uint64_t pixels = productOf({header.width, header.height});
+    if (auto possible = checkUnpacked(productOf({pixels, 2}), source); !possible) return possible;
+    if (auto known = checkAnglesKnown(header.width, "picture", source); !known) return known.error();
+    return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
+}
+
+bool isPng(const Source& source) { return source.text().starts_with("\x89PNG\r\n\x1a\n"); }
+
+Result<Scan> readRangePng(const Source& source) {
+    PngBytes reading{source.bytes.data(), source.bytes.size()};
+    const PngReader reader(&reading);
+    const auto damaged = [&] {
+        return source.refused(std::string("this is a PNG picture that cannot be read: ") + reading.problem, "copy it again");
+    };
+    if (reader.head == nullptr) return Error{"there is not enough memory for this file", source.path.string(), "close other programs"};
+    Header header;
+    if (!readHeader(reader.png, reader.head, &reading, &header)) return damaged();
+    if (auto fits = checkHeader(header, source); !fits) return fits.error();
+    std::vector<std::uint16_t> samples(std::size_t{header.width} * header.height);
+    std::vector<png_bytep> rows;
+    for (std::size_t i = 0; i < header.height; ++i) rows.push_back(reinterpret_cast<png_bytep>(samples.data() + i * header.width));
+    if (!readRows(reader.png, rows.data())) return damaged();
+    Grid<float> values(static_cast<int>(header.height), static_cast<int>(header.width));
+    for (std::size_t k = 0; k < samples.size(); ++k) values[k] = static_cast<float>(samples[k]);
+    return scanFromPicture(std::move(values), "range PNG", source);
+}
+
+bool looksLikePicture(const Source& source) {
+    using namespace std::string_view_literals;
+    static constexpr std::array<std::string_view, 4> kTiff{"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv};
+    return isPng(source) || std::ranges::any_of(kTiff, [&](std::string_view magic) { return source.text().starts_with(magic); });
+}
+
+Result<Scan> readPicture(const Source& source) { return isPng(source) ? readRangePng(source) : readRangeTiff(source); }
+
+} // namespace
+
+Format rangePictureFormat() {
+    return {.title = "Range picture", .reads = {".png", ".tif", ".tiff"}, .recognises = looksLikePicture, .read = readingOf<readPicture>};
+}
+
+Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {
+    if (bytes <= mostUnpackedBytes(source.bytes.size())) return Done{};
+    return source.refused("the picture promises more pixels than a file of " + sizeText(source.bytes.size()) + " holds of a scan",
+                          "copy the file again");
+}
+
+Result<Scan> scanFromPicture(Grid<float> values, const char* format, const Source& source) {
+    auto angles = assumedAngles(static_cast<std::size_t>(values.lines), static_cast<std::size_t>(values.beams), "picture", source);
+    if (!angles) return angles.error();
+    Scan scan;
+    scan.format = format;
+    scan.unitMm = source.options->unitMm.value_or(1.0);
+    scan.state = Grid<CellState>(values.lines, values.beams, CellState::NoReturn);
+    std::size_t odd = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto mm = static_cast<float>(values[k] * scan.unitMm);
+        const bool valid = mm > 0 && physical::kRangeMm.hold(mm);
+        if (!valid && mm != 0) ++odd;
+        values[k] = valid ? mm : 0.0F;
+        if (valid) scan.state[k] = CellState::Valid;
+    }
+    scan.rangeMm = std::move(values);
+    scan.geometry = std::move(angles->polar);
+    if (!angles->warning.empty()) scan.warnings.push_back(angles->warning);
+    if (odd > 0)
+        scan.warnings.push_back(std::to_string(odd) +
+                                " pixels hold no range (negative, not a number, or too far) and were taken as no return.");
+    if (!source.options->unitMm) scan.warnings.emplace_back("Unit taken as millimetres, as range pictures have it.");
+    return scan;
+}
+
+} // namespace edgescan::files

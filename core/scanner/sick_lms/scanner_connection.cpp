@@ -1,0 +1,159 @@
+// Connects to a scanner and reconnects after a loss.
+#include "core/scanner/sick_lms/scanner_connection.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+
+namespace edgescan::scanner {
+
+namespace {
+
+/// A scan is counted before its event is called, so that statistics() inside or after the event includes it.
+ColaLink::Hooks hooksOf(const SessionEvents& events, std::atomic<std::uint64_t>& scans) {
+    const auto received = [&scans, frameReceived = events.frameReceived](const ColaFrame& frame) {
+        if (isScanTelegram(frame.payload())) ++scans;
+        if (frameReceived) frameReceived(frame);
+    };
+    return {received, events.frameSent};
+}
+
+std::string seconds(std::chrono::duration<double> duration) { return fixedText(duration.count(), 1) + " s"; }
+
+} // namespace
+
+const char* connectionPhaseName(ConnectionPhase phase) {
+    constexpr const char* kNames[] = {"CONNECTING", "IDENTIFYING", "LIVE", "STALE", "LOST", "STOPPED"};
+    return kNames[static_cast<std::size_t>(phase)];
+}
+
+ScannerConnection::ScannerConnection(SessionSettings settings, SessionEvents events)
+    : settings_(std::move(settings)), events_(std::move(events)), dialect_(settings_.dialect.value_or(Dialect::B)),
+      link_(hooksOf(events_, scans_)), thread_([this] { run(); }) {}
+
+ScannerConnection::~ScannerConnection() {
+    stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+void ScannerConnection::stop() {
+    link_.interrupt();
+    if (thread_.joinable() && std::this_thread::get_id() != thread_.get_id()) thread_.join();
+}
+
+ConnectionState ScannerConnection::state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+SessionStatistics ScannerConnection::statistics() const {
+    const std::uint64_t connections = connections_;
+    return {link_.counts(), scans_, connections, connections > 0 ? connections - 1 : 0};
+}
+
+Error noLinesError(const ConnectionState& state, const std::string& address) {
+    if (state.problem) return *state.problem;
+    return {"no line was received", address, "check cable, address and port"};
+}
+
+void ScannerConnection::enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem) {
+    ConnectionState state{phase, std::move(sentence), hostNow(), std::move(problem)};
+    {
+        const std::lock_guard lock(mutex_);
+        if (!state.problem && phase != ConnectionPhase::Live) state.problem = state_.problem;
+        state_ = state;
+    }
+    if (events_.stateChanged) events_.stateChanged(state);
+}
+
+void ScannerConnection::run() {
+    std::size_t failures = 0;
+    while (true) {
+        scansHere_ = 0;
+        Error end = connection();
+        link_.close();
+        if (link_.interrupted()) return enter(ConnectionPhase::Stopped, where() + ": disconnected.");
+        if (end.where.empty()) end.where = where();
+        if (scansHere_ > 0) failures = 0;
+        const auto& rests = settings_.timeouts.rests;
+        const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
+        ++failures;
+        enter(ConnectionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".", end);
+        link_.pause(rest);
+    }
+}
+
+Error ScannerConnection::connection() {
+    enter(ConnectionPhase::Connecting, "Connecting to " + where() + ".");
+    if (const auto connected = link_.connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
+        return connected.error();
+    ++connections_;
+    enter(ConnectionPhase::Identifying, where() + " accepts the connection; asking what it is.");
+    ScannerDialogue dialogue(link_, settings_.timeouts, [this](const ColaFrame& frame) { noticeScan(frame); });
+    if (const auto started = start(dialogue); !started) return started.error();
+    return watch();
+}
+
+/// From the first request to the subscription.
+Result<Done> ScannerConnection::start(ScannerDialogue& dialogue) {
+    const auto deviceState = dialogue.detect(dialect_, settings_.dialect.has_value());
+    if (!deviceState) return deviceState.error();
+    dialect_ = dialogue.dialect();
+    const auto who = identify(dialogue, *deviceState);
+    if (!who) return who.error();
+    if (link_.interrupted()) return Error{"interrupted", where(), {}};
+    everyNth_ = who->content ? std::max<std::uint16_t>(who->content->everyNth, 1) : std::uint16_t{1};
+    // A scanner that is still starting gets more time.
+    const bool ready = *deviceState == 1 || (who->measuring && who->measuring->state == 7);
+    firstScanTimeout_ = ready ? settings_.timeouts.firstScan : std::max(settings_.timeouts.firstScan, settings_.timeouts.startUp);
+    if (events_.identified) events_.identified(*who);
+    const auto answer = dialogue.ask({ColaRequest::Kind::Subscribe, "LMDscandata"});
+    if (!answer) return answer.error();
+    if (answer->kind == AnswerKind::Refused)
+        return Error{"the scanner refuses to send scans: " + std::string(refusalText(answer->refusal)), where(), "check what else uses it"};
+    return Done{};
+}
+
+ScannerConnection::Clock::duration ScannerConnection::watchdog() const {
+    const auto tenPeriods = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(10.0 * periodS_));
+    return std::max<Clock::duration>(settings_.timeouts.silence, tenPeriods);
+}
+
+void ScannerConnection::noticeScan(const ColaFrame& frame) {
+    if (!isScanTelegram(frame.payload())) return;
+    ++scansHere_;
+    lastScan_ = Clock::now();
+    if (scansHere_ > 1) return;
+    // The session itself needs only the scan frequency.
+    const auto telegram = decodeScanTelegram(frame);
+    const double hertz = telegram ? scanFrequencyHz(*telegram) : 0.0;
+    periodS_ = hertz > 0.0 ? std::min(everyNth_ / hertz, 60.0) : 0.0;
+}
+
+/// Receives until the connection ends or no more scans arrive.
+Error ScannerConnection::watch() {
+    const Clock::time_point subscribed = Clock::now();
+    if (scansHere_ > 0) enter(ConnectionPhase::Live, where() + " is sending.");
+    while (!link_.interrupted()) {
+        const bool begun = scansHere_ > 0;
+        const auto timeout = begun ? watchdog() : firstScanTimeout_;
+        const auto silentSince = begun ? lastScan_ : subscribed;
+        const auto phase = state().phase;
+        const bool live = phase == ConnectionPhase::Live;
+        const auto frames = link_.receive(silentSince + (live ? timeout / 2 : timeout));
+        if (!frames) return frames.error();
+        const std::uint64_t before = scansHere_;
+        for (const ColaFrame& frame : *frames) noticeScan(frame);
+        if (scansHere_ > before) {
+            if (!live) enter(ConnectionPhase::Live, where() + (phase == ConnectionPhase::Stale ? " is sending again." : " is sending."));
+            continue;
+        }
+        const auto silence = Clock::now() - silentSince;
+        if (silence >= timeout)
+            return {"no scan for " + seconds(timeout), where(), "check the cable and whether the scanner's mirror turns"};
+        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
+    }
+    return {"interrupted", where(), {}};
+}
+
+} // namespace edgescan::scanner

@@ -1,0 +1,104 @@
+// A permanent connection to a scanner: connect, identify, subscribe, watch, reconnect; on its own thread. It only reads.
+#pragma once
+
+#include "core/scanner/sick_lms/scanner_dialogue.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace edgescan::scanner {
+
+enum class ConnectionPhase : std::uint8_t {
+    Connecting,
+    Identifying, ///< identifies and subscribes, until the first scan
+    Live,
+    Stale,   ///< connected, but without a scan for half of the watchdog's time
+    Lost,    ///< not connected; reconnects by itself
+    Stopped, ///< permanently, because stop() was called
+};
+[[nodiscard]] const char* connectionPhaseName(ConnectionPhase phase);
+
+struct ConnectionState {
+    ConnectionPhase phase = ConnectionPhase::Connecting;
+    std::string sentence; ///< what happened and what to do, for the operator
+    HostTime since;
+    /// why scans are missing: the reason that ended the last connection or attempt; empty while scans arrive
+    std::optional<Error> problem{};
+};
+
+/// The error for a scanner at `address` that never sent a line.
+[[nodiscard]] Error noLinesError(const ConnectionState& state, const std::string& address);
+
+struct SessionSettings {
+    std::string host; ///< name, IPv4 or IPv6 address
+    std::uint16_t port = 2112;
+    std::optional<Dialect> dialect; ///< empty: detect it
+    ScannerTimeouts timeouts;
+};
+
+/// All functions are called on the session's thread and delay receiving while they run. They are not called after stop() has returned.
+struct SessionEvents {
+    std::function<void(const ConnectionState&)> stateChanged;
+    std::function<void(const ScannerIdentity&)> identified; ///< at every connection
+    std::function<void(const ColaFrame&)> frameReceived;    ///< every frame as it was on the wire, before it is parsed
+    std::function<void(const ColaFrame&)> frameSent;        ///< `received` is the time of sending
+};
+
+struct SessionStatistics {
+    ColaCounts stream; ///< bytes, frames, skipped bytes and reasons, over all connections
+    std::uint64_t scans = 0;
+    std::uint64_t connections = 0;
+    std::uint64_t reconnects = 0; ///< connections made again after a loss
+};
+
+class ScannerConnection {
+public:
+    /// Starts at once.
+    ScannerConnection(SessionSettings settings, SessionEvents events);
+    ~ScannerConnection();
+    ScannerConnection(const ScannerConnection&) = delete;
+    ScannerConnection& operator=(const ScannerConnection&) = delete;
+
+    /// Ends every wait at once and returns when the thread has ended. Inside an event it only requests the end.
+    void stop();
+
+    [[nodiscard]] ConnectionState state() const;
+    [[nodiscard]] SessionStatistics statistics() const;
+
+private:
+    using Clock = ColaLink::Clock;
+
+    void run();
+    Error connection();
+    Result<Done> start(ScannerDialogue& dialogue);
+    Error watch();
+    void noticeScan(const ColaFrame& frame);
+    void enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem = std::nullopt);
+    [[nodiscard]] Clock::duration watchdog() const;
+    [[nodiscard]] std::string where() const { return addressText(settings_.host, settings_.port); }
+
+    const SessionSettings settings_;
+    const SessionEvents events_;
+    mutable std::mutex mutex_; ///< protects state_
+    ConnectionState state_;
+    std::atomic<std::uint64_t> scans_{0}, connections_{0};
+
+    // Used by the thread only.
+    Dialect dialect_;             ///< dialect of the last connection: tried first
+    double periodS_ = 0.0;        ///< between telegrams; 0: unknown
+    std::uint64_t scansHere_ = 0; ///< scans on this connection
+    Clock::time_point lastScan_;
+    Clock::duration firstScanTimeout_{};
+    std::uint16_t everyNth_ = 1;
+
+    ColaLink link_;
+    std::thread thread_; // last member: the thread starts when all the others exist
+};
+
+} // namespace edgescan::scanner

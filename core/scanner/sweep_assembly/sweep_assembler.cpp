@@ -1,0 +1,277 @@
+// Sweep assembly.
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgescan::scanner {
+namespace {
+
+constexpr std::size_t kFinishedKept = 4;
+constexpr double kUsPerSecond = 1e6;
+constexpr std::int64_t kLongAgo = 1'000'000; // lines lost by a longer gap are not counted
+
+} // namespace
+
+SweepAssembler::SweepAssembler(const SweepSettings& settings) : settings_(settings), counter_(settings.outputInterval) {}
+
+void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
+    ++ended_.telegrams;
+    LineStamp stamp = counter_.stamp(telegram, hostNs);
+    if (telegram.layer != 0) { // of a scanner with several layers: the fan is at an angle to the one that the stepper rotates
+        changed_ = true;
+        note(Irregularity::Misfit);
+        return;
+    }
+    SweepLine line = sweepLine(telegram, settings_.echo);
+    line.facts.hostNs = hostNs;
+    if (stamp.step == LineStep::Duplicate && !isNew(telegram, line, hostNs, stamp)) return;
+    repeats_ = 0;
+    changed_ = true;
+    device_ = line.device;
+    const bool restarted = stamp.step == LineStep::Restart;
+    const double deviceSeconds = static_cast<double>(stamp.deviceUs) / kUsPerSecond;
+    std::int64_t lost = stamp.lost;
+    if (restarted) {
+        ++restarts_;
+        if (last_) restartSeconds_ = last_->seconds + std::max(0.0, secondsBetween(last_->hostNs, hostNs)) - deviceSeconds;
+        lost = lostInRestart(line);
+    } else if (last_ && (stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stopped)) {
+        const double lines = static_cast<double>((lost + 1) * std::max(1, settings_.outputInterval));
+        restartSeconds_ = last_->seconds + lines * line.facts.secondsPerTurn - deviceSeconds;
+    }
+    if (restarted || stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stopped) clock_.restart();
+    line.facts.seconds = deviceSeconds + restartSeconds_;
+    clock_.line(stamp.transmittedUs, hostNs);
+    line.facts.stampNs = clock_.hostNs(stamp.deviceUs);
+    followEncoder(telegram, line.facts, lost, restarted);
+    stepper_.line(line.facts);
+    last_ = line.facts;
+    ended_.lost += lost;
+    note(line, stamp);
+    take(std::move(line), lost);
+    splitAtReversal();
+}
+
+/// For a telegram whose counters and clock name a line that already arrived: decides whether it is a different line; if so, sets `stamp`. A
+/// line that was missing is put into its place. A line that is already there is dropped.
+bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::int64_t hostNs, LineStamp& stamp) {
+    constexpr int kFewBehind = 8;  // such a line is late or was sent twice, whatever it measured
+    constexpr int kFewRepeats = 3; // number of such lines with other measurements
+    constexpr int kManyRepeats = 64;
+    constexpr double kHalf = 0.5;
+    using enum GrowingSweep::Repeat;
+    line.facts.seconds = static_cast<double>(stamp.deviceUs) / kUsPerSecond + restartSeconds_;
+    line.facts.stampNs = clock_.hostNs(stamp.deviceUs);
+    if (encoderAt_ && !telegram.encoders.empty())
+        line.facts.encoder = encoderCount_ + static_cast<std::int32_t>(telegram.encoders.front().position - *encoderAt_);
+    stepper_.line(line.facts);
+    const bool comparable = sweep_ && !misfit_ && line.beams.beams > 0;
+    const auto repeat = comparable ? sweep_->repeat(line, stamp.linesBehind - lostSince_) : Outside;
+    ++repeats_;
+    if (repeat == Filled) {
+        repeats_ = 0;
+        changed_ = true;
+        note(Irregularity::Late);
+        --ended_.lost; // it arrived after all
+        return false;
+    }
+    const double later = last_ ? secondsBetween(last_->hostNs, hostNs) : 0.0;
+    if (repeat == Other && stamp.linesBehind == 0 && (!counter_.moves() || later >= kHalf * line.facts.secondsPerTurn)) {
+        stamp = counter_.next(telegram, hostNs);
+        return true;
+    }
+    const bool odd = repeat == Other || repeat == Outside;
+    const bool isNewLine = odd && stamp.linesBehind > kFewBehind;
+    if (comparable && (isNewLine || (repeat == Other && repeats_ >= kFewRepeats) || repeats_ >= kManyRepeats)) {
+        stamp = counter_.restart(telegram, hostNs);
+        return true;
+    }
+    if (comparable && repeat == Outside && stamp.linesBehind > 0)
+        note(Irregularity::TooLate);
+    else
+        note(Irregularity::Duplicate);
+    return false;
+}
+
+/// `ahead`: number of telegrams behind the newest line of the sweep.
+void SweepAssembler::note(Irregularity kind, std::int64_t times, std::int64_t ahead) {
+    const std::int64_t line = sweep_ ? sweep_->newestRow() + ahead / sweep_->beams().parts : 0;
+    irregular_.note(kind, static_cast<int>(std::clamp<std::int64_t>(line, 0, settings_.mostLines)), times);
+    irregularEver_.note(kind, -1, times);
+}
+
+void SweepAssembler::note(const SweepLine& line, const LineStamp& stamp) {
+    const auto here = [&](bool occurred, Irregularity kind) {
+        if (occurred) note(kind, 1, stamp.lost + 1);
+    };
+    here(stamp.step == LineStep::Restart, Irregularity::Restart);
+    here(stamp.counters == CounterStep::Jumped, Irregularity::CounterJump);
+    here(stamp.counters == CounterStep::Reset, Irregularity::CounterReset);
+    here(stamp.counters == CounterStep::Stopped, Irregularity::CountersStopped);
+    here(stamp.clock == ClockStep::Jumped, Irregularity::ClockJump);
+    here(stamp.clock == ClockStep::Stopped, Irregularity::ClockStopped);
+    here(stamp.clock == ClockStep::Paused, Irregularity::Pause);
+    irregular_.noteImplausible(stamp.implausible);
+    irregularEver_.noteImplausible(stamp.implausible);
+    here(sweep_ && line.beams.beams > 0 && line.echoes != echoes_, Irregularity::OtherEchoes);
+    if (line.serialNumber == 0) return;
+    here(serial_ != 0 && serial_ != line.serialNumber, Irregularity::OtherScanner);
+    serial_ = line.serialNumber;
+}
+
+void SweepAssembler::push(const StepperReading& reading) {
+    stepper_.reading(reading, sweep_ ? sweep_->facts() : std::span<LineTiming>{});
+    changed_ = true;
+    splitAtReversal();
+}
+
+/// Number of lines that a restarted scanner would have sent meanwhile, according to the host's clock.
+std::int64_t SweepAssembler::lostInRestart(const SweepLine& line) const {
+    if (!last_) return 0;
+    const double period = line.facts.secondsPerTurn * std::max(1, settings_.outputInterval);
+    const double lines = secondsBetween(last_->hostNs, line.facts.hostNs) / period;
+    return std::isfinite(lines) && lines > 1.0 ? std::min(kLongAgo, static_cast<std::int64_t>(std::llround(lines)) - 1) : 0;
+}
+
+void SweepAssembler::followEncoder(const ScanTelegram& telegram, LineTiming& facts, std::int64_t lost, bool restarted) {
+    if (telegram.encoders.empty()) return;
+    const std::uint32_t position = telegram.encoders.front().position;
+    if (!settings_.ticksPerDeg) {
+        encoderWithoutScale_ = true;
+        return;
+    }
+    const auto differenceFrom = [&](std::uint32_t from) { return static_cast<std::int64_t>(static_cast<std::int32_t>(position - from)); };
+    if (!encoderAt_) {
+        encoderCount_ = settings_.encoderZero ? differenceFrom(*settings_.encoderZero) : 0;
+    } else {
+        std::int64_t moved = differenceFrom(*encoderAt_);
+        const double expected = settings_.degPerLine.value_or(0.0) * *settings_.ticksPerDeg * static_cast<double>(lost + 1);
+        const double allowed = 2.0 * std::abs(expected) + 5.0 * std::abs(*settings_.ticksPerDeg);
+        if (restarted && std::abs(static_cast<double>(moved) - expected) > allowed) {
+            // The count was lost with the scanner's power: EdgeScan assumes that the stepper moved on as before.
+            moved = std::llround(std::clamp(expected, -1e12, 1e12));
+            encoderWasReset_ = true;
+        }
+        encoderCount_ += moved;
+    }
+    encoderAt_ = position;
+    facts.encoder = encoderCount_;
+}
+
+void SweepAssembler::take(SweepLine line, std::int64_t lost) {
+    if (line.beams.beams == 0) {
+        note(Irregularity::NoRanges);
+        lostSince_ += lost + 1;
+        return;
+    }
+    const std::int64_t between = lost;
+    lost += lostSince_;
+    if (sweep_ && lost > settings_.longestGap) {
+        lostSince_ = 0;
+        note(Irregularity::Gap, lost);
+        finishSweep();
+    }
+    lostSince_ = 0;
+    if (!sweep_) return start(line);
+    switch (sweep_->push(line, lost, settings_)) {
+    case GrowingSweep::Place::Taken:
+        if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
+        return;
+    case GrowingSweep::Place::Full:
+        if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
+        if (settings_.expectedLines > 0) sweep_->markRestLost(settings_.expectedLines);
+        finishSweep();
+        return start(line);
+    case GrowingSweep::Place::Misfit:
+        break;
+    }
+    if (misfit_) return takeMisfit(line, between);
+    lostSince_ = lost + 1; // one line with other beams is a fault; two mean another scan mode
+    misfit_ = std::move(line);
+}
+
+/// The second such line in a row: the sweep ends before the first of them.
+void SweepAssembler::takeMisfit(const SweepLine& line, std::int64_t between) {
+    const SweepLine first = *std::exchange(misfit_, std::nullopt);
+    finishSweep();
+    start(first);
+    if (between <= settings_.longestGap && sweep_->push(line, between, settings_) == GrowingSweep::Place::Taken) return;
+    finishSweep(); // the first line fits neither sweep: it becomes a sweep of its own
+    start(line);
+}
+
+void SweepAssembler::start(const SweepLine& line) {
+    sweep_.emplace();
+    echoes_ = line.echoes;
+    misfit_.reset();
+    lostSince_ = 0;
+    static_cast<void>(sweep_->push(line, 0, settings_));
+}
+
+void SweepAssembler::splitAtReversal() {
+    while (sweep_) {
+        const auto row = sweep_->reversal(settings_);
+        if (!row) return;
+        GrowingSweep next = sweep_->cutFrom(*row);
+        const std::int64_t lostSince = std::exchange(lostSince_, 0);
+        std::optional<SweepLine> misfit = std::exchange(misfit_, std::nullopt);
+        finishSweep();
+        lostSince_ = lostSince;
+        misfit_ = std::move(misfit);
+        sweep_ = std::move(next);
+        changed_ = true;
+    }
+}
+
+void SweepAssembler::finishSweep() {
+    if (!sweep_) return;
+    if (std::exchange(misfit_, std::nullopt)) note(Irregularity::Misfit);
+    sweep_->markNextLost(std::exchange(lostSince_, 0), settings_);
+    sweep_->finish();
+    changed_ = true;
+    if (auto scan = snapshot()) {
+        finished_.push_back({std::move(scan), progress()});
+        finished_.back().progress.growing = false;
+        if (finished_.size() > kFinishedKept) finished_.pop_front();
+        ++number_;
+    }
+    finishedProgress_ = finished_.empty() ? SweepProgress{} : finished_.back().progress;
+    ended_ = account();
+    note(Irregularity::LeftOut, sweep_->leftOut());
+    irregular_ = {};
+    sweep_.reset();
+}
+
+/// The account of all sweeps, including the growing one.
+TelegramAccount SweepAssembler::account() const {
+    TelegramAccount all = ended_;
+    const auto ever = [&](Irregularity kind) { return irregularEver_.count(kind); };
+    all.duplicates = ever(Irregularity::Duplicate);
+    all.unusable = ever(Irregularity::Misfit) + ever(Irregularity::NoRanges) + ever(Irregularity::TooLate) + ever(Irregularity::LeftOut) +
+                   (misfit_ ? 1 : 0);
+    if (!sweep_) return all;
+    all.placed += sweep_->placed();
+    all.unusable += sweep_->leftOut();
+    const int rows = sweep_->wholeRows();
+    if (rows == 0) return all;
+    ++all.sweeps;
+    all.lines += rows;
+    for (int row = 0; row < rows; ++row) {
+        all.linesLost += sweep_->isIncomplete(row) ? 1 : 0;
+        all.cellsLost += sweep_->grid().lostIn(row);
+    }
+    all.cells += static_cast<std::int64_t>(rows) * sweep_->grid().beams();
+    return all;
+}
+
+void SweepAssembler::finish() { finishSweep(); }
+
+std::vector<FinishedSweep> SweepAssembler::takeFinished() {
+    std::vector<FinishedSweep> taken(std::make_move_iterator(finished_.begin()), std::make_move_iterator(finished_.end()));
+    finished_.clear();
+    return taken;
+}
+
+} // namespace edgescan::scanner

@@ -1,0 +1,54 @@
+// Settings that survive a restart and a kill: one readable file. Qt writes it in the next run of the event loop after a change.
+#pragma once
+
+#include "core/edges/settings/presets.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <QStringList>
+
+#include <map>
+#include <memory>
+
+namespace edgescan::ui {
+
+/// GUI thread only. With an empty path no file is read or written (--no-settings).
+class Preferences {
+public:
+    explicit Preferences(const QString& iniPath);
+    /// In the user's configuration folder.
+    [[nodiscard]] static QString usualPath();
+
+    /// Its folder, where other persistent files belong; empty if settings are not stored.
+    [[nodiscard]] QString place() const;
+
+    [[nodiscard]] QByteArray bytes(const QString& key) const;
+    void keep(const QString& key, const QByteArray& value);
+    [[nodiscard]] QString text(const QString& key, const QString& otherwise = {}) const;
+    void keep(const QString& key, const QString& value);
+    [[nodiscard]] bool flag(const QString& key, bool otherwise) const;
+    void keep(const QString& key, bool value);
+
+    /// The folder of the settings file; related files are stored there too. Empty if settings are not stored.
+    [[nodiscard]] QString dataFolder() const;
+
+    /// Newest first, ten at most.
+    [[nodiscard]] QStringList recentFiles() const;
+    void keepRecentFile(const QString& path);
+    void forgetRecentFiles();
+    void forgetRecentFile(const QString& path);
+
+    /// The last folder used for a kind of file: "scans", "exports", "presets", "images". If that folder is missing: the folder of the
+    /// scans, else the user's documents. During this run it works even if settings are not stored.
+    [[nodiscard]] QString folder(const QString& kind) const;
+    void keepFolder(const QString& kind, const QString& path);
+
+    [[nodiscard]] edges::Settings settings(const edges::Settings& otherwise) const;
+    void keepSettings(const edges::Settings& settings);
+
+private:
+    std::unique_ptr<QSettings> file_;    // null: settings are not stored
+    std::map<QString, QString> folders_; // of this run, by kind
+};
+
+} // namespace edgescan::ui
