@@ -3,6 +3,7 @@
 // so must every instruction set (EDGESCAN_LOOPS). build/release/bin/edgescan_edge_hashes [--quick] [SCAN...] > new; the same with an older
 // build > old; diff old new. --quick: smaller sweeps.
 #include "core/base/instruction_set.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
