@@ -1,6 +1,7 @@
 // What the commands write: at the same time under one name, onto a full or faulty disk, in place of read-only files and through links. Only
 // the files named here write to the disk (docs/reliability.md, "Files"). EDGESCAN_WRITER_ROUNDS=1000 is the long form.
 #include "core/files/open_save/save_scan.h"
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -71,8 +72,8 @@ TEST(CliWrites, TwentyCommandsUnderOneNameAllSucceedAndTheLastOneStays) { export
 
 test::ProgramRun runOnDisk(const std::string& disk, const std::string& arguments) {
     const TemporaryFolder folder;
-    const std::string command = disk + " LD_PRELOAD=" EDGESCAN_SLOW_DISK " " EDGESCAN_BIN_DIR "/edgescan-cli " + arguments + " >" +
-                                (folder / "out").string() + " 2>" + (folder / "err").string() + " </dev/null";
+    const std::string command = disk + " LD_PRELOAD=" + test::slowDiskLibrary() + " " + test::programFolder() + "/edgescan-cli " +
+                                arguments + " >" + (folder / "out").string() + " 2>" + (folder / "err").string() + " </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileText(folder / "out"), fileText(folder / "err")};
 }
@@ -165,10 +166,10 @@ TEST(CliWrites, OnlyTheseFilesOfTheProgramTouchTheDisk) {
     };
     std::set<std::string> found;
     for (const char* storey : {"core", "ui", "app"}) {
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(EDGESCAN_SOURCE_DIR) / storey)) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::sourceFolder()) / storey)) {
             const auto& path = entry.path();
             if (path.extension() != ".cpp" && path.extension() != ".h") continue;
-            if (std::regex_search(fileText(path), raw)) found.insert(fs::relative(path, EDGESCAN_SOURCE_DIR).string());
+            if (std::regex_search(fileText(path), raw)) found.insert(fs::relative(path, test::sourceFolder()).string());
         }
     }
     EXPECT_EQ(found, known);

@@ -10,6 +10,7 @@
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/controllers/sessions/autosaves.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/change/comparison.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -77,6 +78,18 @@ private slots:
         }
         std::cout << "[ measured ] " << kWriters << " processes change the window's settings and end at the same time, " << rounds
                   << " rounds: " << missing << " settings missing\n";
+    }
+
+    void noExportReplacesTheScanThatIsComparedWith() {
+        const test::TemporaryFolder folder;
+        const std::string path = (folder / "before.json").string();
+        QVERIFY(files::saveScan(test::boxesScan(24, 30, 3), path));
+        auto picture = earlierPicture(QString::fromStdString(path), {}, edges::Settings{});
+        QVERIFY2(picture, picture ? "" : picture.error().sentence().c_str());
+        QVERIFY(!writeWholeFile(path, std::string("an export")));
+        QVERIFY(!writeWholeFile(folder / "before.u16", std::string("an export")));
+        picture = std::shared_ptr<const Picture>();
+        QVERIFY(writeWholeFile(path, std::string("an export")));
     }
 
     void editsOfAnotherWindowAreNotRemoved() {
