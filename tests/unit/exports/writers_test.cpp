@@ -16,6 +16,7 @@
 #include "tests/support/example_session.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -305,7 +306,7 @@ void writeTogether(int writers) {
                     for (const WrittenFile& file : kind.files)
                         missing += file.manner <= Manner::Record && !fs::exists(folder / file.name) ? 1 : 0;
                 }
-                std::this_thread::yield();
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
         });
         runWriters(writers, [&](int writer) {
@@ -356,7 +357,7 @@ TEST(Writers, KilledAtRandomMomentsLeaveTheOldFileOrTheNewOne) {
                 counts->started = 1;
             }
         }
-        while (counts->started == 0) std::this_thread::yield();
+        EXPECT_TRUE(test::waitUntil([&] { return counts->started == 1; }));
         std::this_thread::sleep_for(std::chrono::microseconds(random() % 8000));
         ::kill(process, SIGKILL);
         int status = 0;
