@@ -23,7 +23,7 @@ constexpr double kStableShare = 0.8;    // share of the edges that must remain a
 constexpr double kSmallestShare = 0.05; // share of the edges at the first threshold
 constexpr double kLargestShare = 0.15;  // share of all cells: with more edges the image is full, not stable
 
-EDGESCAN_SIMD void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
+EDGESCAN_INLINE void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
 }
 
@@ -290,7 +290,7 @@ ThresholdMap responseThresholdMap(const Grid<float>& response) {
 
 Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
-    takeEdgesAt(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
+    vectorised<takeEdgesAt>(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
     return mask;
 }
 
