@@ -1,4 +1,5 @@
 // Recordings whose counters jump: few bytes that claim many lost lines. What they cost is bounded, whatever they claim.
+#include "tests/support/folders.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"
@@ -14,7 +15,7 @@ test::ProgramRun runWithin(int megabytes, const std::string& arguments) {
     const std::string out = (folder / "out").string(), err = (folder / "err").string();
     const std::string limit = "ulimit -d " + std::to_string(megabytes * 1024) + "; ";
     const int status =
-        std::system((limit + EDGESCAN_BIN_DIR "/edgescan-cli " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
+        std::system((limit + test::programFolder() + "/edgescan-cli " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), test::fileText(out), test::fileText(err)};
 }
 

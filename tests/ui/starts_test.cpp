@@ -4,6 +4,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/inspect/session_file/session_file.h"
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -175,7 +176,7 @@ class StartsTest : public QObject {
         if (quitAfter) arguments << "--quit-after" << (screenshot && !isSlow(start) ? "60" : "3");
         if (quitAfter && !screenshot) running.start.says.clear(); // on a busy machine the time may pass first
         running.start.name += (screenshot ? " --screenshot" : "") + QString(quitAfter ? " --quit-after" : "");
-        running.process->start(QString::fromUtf8(EDGESCAN_BIN_DIR) + "/edgescan", arguments + start.arguments);
+        running.process->start(QString::fromStdString(test::programFolder()) + "/edgescan", arguments + start.arguments);
         return running;
     }
 
