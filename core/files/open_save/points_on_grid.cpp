@@ -207,6 +207,9 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     }
     if (found.cancelled()) return source.cancelled();
     if (grid || organised) {
+        if (grid && !organised && std::ranges::all_of(table.points, isReturn))
+            table.remarks.emplace_back(
+                "The list holds no point without a return: a line or beam at the border without any return is not in it.");
         Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile) : organisedScan(table, source);
         attach(scan, behind, table, source);
         return scan;
