@@ -13,7 +13,6 @@
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/cell_runs.h"
-#include "core/files/point_tables/cloud_columns.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/study.h"
@@ -60,7 +59,7 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
     return named == files.end() ? files.front() : *named;
 }
 
-/// The grid of the points for clouds, and for whole scans whose file has no place for it, with the cell of each point: so the points open
+/// The grid of the points for clouds, and for whole scans whose file has no room for it, with the cell of each point: so the points open
 /// as cells of the grid again.
 struct GridBeside {
     std::string description, cells; ///< empty: the file holds its grid itself
@@ -76,7 +75,7 @@ GridBeside gridBeside(ExportContent content, const edges::Detection& detection, 
     const bool edges = exportKind(content).counts == ExportKind::Counts::EdgePoints;
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
     return {files::descriptionText(*detection.scan, "", -1),
-            files::cellRunsText(files::cellsOfPoints(*chosen, edges ? detection.mask.get() : nullptr, options.includeAttached))};
+            files::cellRunsText(*chosen, edges ? detection.mask.get() : nullptr, options.includeAttached)};
 }
 
 std::string sidecarText(const FileBytes& file, const std::string& record, const GridBeside& grid, const Expected& expected,

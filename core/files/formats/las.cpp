@@ -285,6 +285,7 @@ Format lasFormat() {
             .read = readingOf<readLasPoints>,
             .write = lasBytes,
             .record = lasRecord,
+            .stepM = 0.001,
             .keepsIntensity = true,
             .keepsPlace = true};
 }

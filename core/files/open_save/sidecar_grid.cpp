@@ -1,4 +1,4 @@
-// From points and the record beside their file to cells: the record lists the cell of each point.
+// From points and the sidecar of their file to cells: the sidecar lists the cell of each point.
 #include "core/files/open_save/sidecar_grid.h"
 
 #include "core/base/checked_size.h"
@@ -72,7 +72,7 @@ Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source&
     return sidecar;
 }
 
-/// As gridOf(); empty where there is no record with a grid beside the file.
+/// As gridOf(); empty where the file has no sidecar with a grid.
 std::optional<Result<SidecarGrid>> gridBeside(std::size_t points, const Source& source) {
     const fs::path path = sidecarPath(source.path);
     std::error_code ignored;

@@ -3,22 +3,52 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace edgescan::files {
 
-std::string cellRunsText(std::span<const std::uint32_t> cells) {
-    std::string text;
-    std::int64_t end = 0; // of the run before
-    for (std::size_t n = 0, next = 0; n < cells.size(); n = next) {
-        next = n + 1;
-        while (next < cells.size() && cells[next] == cells[next - 1] + 1) ++next;
-        if (n > 0) text += ' ';
-        text += std::to_string(static_cast<std::int64_t>(cells[n]) - end);
-        text += ' ';
-        text += std::to_string(next - n);
-        end = static_cast<std::int64_t>(cells[next - 1]) + 1;
+namespace {
+
+/// Grows by one cell after the other.
+class RunsText {
+public:
+    void add(std::uint32_t cell) {
+        if (cells_ > 0 && cell == first_ + cells_) return void(++cells_);
+        close();
+        first_ = cell;
+        cells_ = 1;
     }
-    return text;
+    std::string text() {
+        close();
+        return std::move(text_);
+    }
+
+private:
+    void close() {
+        if (cells_ == 0) return;
+        if (!text_.empty()) text_ += ' ';
+        text_ += std::to_string(first_ - end_);
+        text_ += ' ';
+        text_ += std::to_string(cells_);
+        end_ = first_ + cells_;
+    }
+
+    std::string text_;
+    std::int64_t first_ = 0, cells_ = 0, end_ = 0; // of the run that grows; behind the run before
+};
+
+} // namespace
+
+std::string cellRunsText(const Scan& scan, const Grid<std::uint8_t>* edgeMask, bool withAttached) {
+    const auto chosen = [&](std::size_t k) { return scan.state[k] == CellState::Valid && (edgeMask == nullptr || (*edgeMask)[k] != 0); };
+    RunsText runs;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (chosen(k)) runs.add(static_cast<std::uint32_t>(k));
+    }
+    for (std::size_t n = 0; withAttached && n < scan.attached.size(); ++n) {
+        if (chosen(scan.attached[n].cell)) runs.add(scan.attached[n].cell);
+    }
+    return runs.text();
 }
 
 std::optional<std::vector<std::uint32_t>> cellsOfRuns(std::string_view text, std::size_t points, std::size_t gridCells) {

@@ -271,11 +271,6 @@ Chosen edgeCellsOf(const Scan& scan, const Grid<std::uint8_t>& edgeMask, bool wi
     return cellsWhere(scan, withAttached, &edgeMask, [&](std::size_t k) { return edgeMask[k] != 0 && scan.state[k] == CellState::Valid; });
 }
 
-/// Those of edgePoints(), or of validPoints() where `edgeMask` is null.
-Chosen chosenCells(const Scan& scan, const Grid<std::uint8_t>* edgeMask, bool withAttached) {
-    return edgeMask != nullptr ? edgeCellsOf(scan, *edgeMask, withAttached) : validCells(scan, withAttached);
-}
-
 } // namespace
 
 CloudColumns everyCellByLines(const Scan& scan, CoordinateFrame frame) {
@@ -321,14 +316,8 @@ CloudColumns edgePoints(const Scan& scan, const Grid<std::uint8_t>& edgeMask, Co
 }
 
 CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached) {
-    return columnsFor(scan, chosenCells(scan, edgeMask, withAttached), false, frame, Columns::Places);
-}
-
-std::vector<std::uint32_t> cellsOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, bool withAttached) {
-    std::vector<std::uint32_t> cells;
-    for (const CellOfPoint& cell : chosenCells(scan, edgeMask, withAttached).cells)
-        cells.push_back(cell.line * static_cast<std::uint32_t>(scan.beams()) + cell.beam);
-    return cells;
+    const Chosen chosen = edgeMask != nullptr ? edgeCellsOf(scan, *edgeMask, withAttached) : validCells(scan, withAttached);
+    return columnsFor(scan, chosen, false, frame, Columns::Places);
 }
 
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name)) {

@@ -79,9 +79,6 @@ void makeAll(CloudColumns& cloud);
 /// x y z alone of what edgePoints() has, or validPoints() where `edgeMask` is null.
 [[nodiscard]] CloudColumns placesOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, CoordinateFrame frame, bool withAttached);
 
-/// The cell of each of these points, in their order.
-[[nodiscard]] std::vector<std::uint32_t> cellsOfPoints(const Scan& scan, const Grid<std::uint8_t>* edgeMask, bool withAttached);
-
 /// Takes the columns out that the condition names.
 void dropColumns(CloudColumns& cloud, bool (*dropped)(std::string_view name));
 [[nodiscard]] inline bool isColour(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }

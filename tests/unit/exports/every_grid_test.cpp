@@ -144,20 +144,26 @@ std::map<std::string, Scan> kinds() {
     return all;
 }
 
-/// What of `opened` is not as in `saved`; empty when it is the same grid with the same points.
-std::string difference(const Scan& saved, const Scan& opened) {
+/// Of coordinates in a file, in millimetres.
+double roundingMm(const std::filesystem::path& path, CoordinateFrame frame) {
+    if (path.extension() == ".las") return 0.9;
+    return path.extension() == ".obj" && frame == CoordinateFrame::Mine ? 0.1 : 0.002;
+}
+
+/// What of `opened` is not as in `saved`; empty when it is the same grid with the same points, up to the rounding of the file.
+std::string difference(const Scan& saved, const Scan& opened, double mostMm) {
     if (saved.lines() != opened.lines() || saved.beams() != opened.beams())
         return "opens as " + std::to_string(opened.lines()) + " x " + std::to_string(opened.beams()) + " cells";
     std::size_t states = 0, ranges = 0;
     for (std::size_t k = 0; k < saved.cells(); ++k) {
         const bool valid = saved.state[k] == CellState::Valid;
         states += valid != (opened.state[k] == CellState::Valid) ? 1 : 0;
-        ranges += valid && std::abs(saved.rangeMm[k] - opened.rangeMm[k]) > 0.002 ? 1 : 0;
+        ranges += valid && std::abs(saved.rangeMm[k] - opened.rangeMm[k]) > mostMm ? 1 : 0;
     }
     if (states > 0) return std::to_string(states) + " cells have another state";
     if (ranges > 0) return std::to_string(ranges) + " ranges differ";
-    if (*edges::detectEdges(std::make_shared<const Scan>(saved), {})->mask !=
-        *edges::detectEdges(std::make_shared<const Scan>(opened), {})->mask)
+    if (mostMm < 0.01 && *edges::detectEdges(std::make_shared<const Scan>(saved), {})->mask !=
+                             *edges::detectEdges(std::make_shared<const Scan>(opened), {})->mask)
         return "other edges";
     return {};
 }
@@ -192,7 +198,7 @@ void saveAndOpen(const Scan& scan, const std::filesystem::path& path, const Expo
             ++count.refusedToOpen;
             continue;
         }
-        const std::string other = difference(scan, *opened);
+        const std::string other = difference(scan, *opened, roundingMm(path, options.frame));
         if (other.empty()) {
             ++count.same;
             continue;
