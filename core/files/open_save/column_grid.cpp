@@ -154,8 +154,6 @@ bool layOutByColumns(PointTable& table, bool sensorGiven, std::vector<AttachedPo
     table.state = std::move(states);
     table.height = shape->lines;
     table.width = shape->beams;
-    table.remarks.push_back("The grid has as many lines and beams as the points name, " + std::to_string(table.height) + " x " +
-                            std::to_string(table.width) + ": a line or beam behind the last point is not in the file.");
     std::stable_sort(behind.begin(), behind.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
     return true;
 }

@@ -168,6 +168,16 @@ std::string difference(const Scan& saved, const Scan& opened, double mostMm) {
     return {};
 }
 
+/// How far a point is from where it was, in millimetres.
+double farthestMm(const Scan& saved, const Scan& opened) {
+    const CartesianTables a(saved), b(opened);
+    double farthest = 0;
+    for (std::size_t k = 0; k < saved.cells(); ++k) {
+        if (saved.state[k] == CellState::Valid) farthest = std::max(farthest, (a.point(k) - b.point(k)).norm() * 1000);
+    }
+    return farthest;
+}
+
 bool speaksOfGrid(const std::vector<std::string>& warnings) {
     return std::ranges::any_of(warnings, [](const std::string& text) {
         return text.find("grid") != std::string::npos || text.find("projected") != std::string::npos ||
@@ -201,6 +211,9 @@ void saveAndOpen(const Scan& scan, const std::filesystem::path& path, const Expo
         const std::string other = difference(scan, *opened, roundingMm(path, options.frame));
         if (other.empty()) {
             ++count.same;
+            if (record) {
+                EXPECT_LT(farthestMm(scan, *opened), 0.01 + roundingMm(path, options.frame));
+            }
             continue;
         }
         EXPECT_FALSE(record) << other;
