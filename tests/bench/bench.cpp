@@ -13,6 +13,7 @@
 #include "tests/bench/naive_thesis.h"
 #include "tests/bench/programs.h"
 #include "tests/bench/timing.h"
+#include "tests/support/folders.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -283,7 +284,7 @@ void measurePrograms(const Scan& scan, const Wanted& wanted) {
     std::printf(
         "\n## Whole programs: previous / present\n\n| | CPU | wall | at least | aim | present, CPU ms |\n|---|---|---|---|---|---|\n");
     const auto number = [](std::optional<double> value) { return value ? std::to_string(*value).substr(0, 3) : std::string(); };
-    for (const ProgramRow& row : programRows(wanted.previous, std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli", scan, wanted.rounds))
+    for (const ProgramRow& row : programRows(wanted.previous, test::programFolder() + "/edgescan-cli", scan, wanted.rounds))
         std::printf("| %s | %.2f | %.2f | %s | %s | %.1f |\n", row.what.c_str(), row.cpuRatio, row.wallRatio, number(row.atLeast).c_str(),
                     number(row.aim).c_str(), row.presentMs);
 }

@@ -1,5 +1,6 @@
 // A run over an archive from outside: broken scans, kill -9, shards and their merge. The table equals that of an undisturbed run.
 #include "core/files/open_save/save_scan.h"
+#include "tests/support/folders.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
@@ -136,7 +137,7 @@ TEST(CliBatch, KilledThreeTimesAndContinuedItsTableIsThatOfAnUndisturbedRun) {
         const pid_t process = ::fork();
         ASSERT_GE(process, 0);
         if (process == 0) {
-            const std::string program = std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli";
+            const std::string program = test::programFolder() + "/edgescan-cli";
             const std::string archive = (folder / "archive").string(), results = (folder / "r").string();
             static_cast<void>(std::freopen("/dev/null", "w", stdout));
             static_cast<void>(std::freopen("/dev/null", "w", stderr));

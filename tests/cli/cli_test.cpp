@@ -6,12 +6,15 @@
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace edgescan {
 namespace {
@@ -115,7 +118,7 @@ TEST_F(Cli, WrongUsageIsTwoAndARefusedInputIsOne) {
     EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " --mask m.png").code, 2);
     EXPECT_EQ(runCli("detect /nonexistent.json").code, 1);
     EXPECT_EQ(runCli("detect " + scanPath + " " + scanPath + " -o " + folder.path().string()).code, 2); // one name for two results
-    const int full = std::system((std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli info " + scanPath + " >/dev/full 2>/dev/null").c_str());
+    const int full = std::system((test::programFolder() + "/edgescan-cli info " + scanPath + " >/dev/full 2>/dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(full), 1);
     EXPECT_EQ(runCli("--help").code, 0);
     EXPECT_EQ(runCli("--version").code, 0);

@@ -1,4 +1,5 @@
 // Comments are in plain English: no comment of core, ui, app, tests or packaging contains a word of the list below.
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kTree = EDGESCAN_SOURCE_DIR;
+const fs::path kTree = test::sourceFolder();
 
 /// Consecutive comment lines of a file, joined by line feeds.
 struct CommentBlock {

@@ -1,5 +1,6 @@
 // Citations in comments, messages and documents are valid: the document exists, and so does the heading named after it, as in
 // docs/method.md, "Step 3".
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+const fs::path kRoot = test::sourceFolder();
 const std::string kMark = ".md";
 
 bool isText(const fs::path& path) {

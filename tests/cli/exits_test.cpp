@@ -1,5 +1,6 @@
 // The output of the programs for any input: text of files and names reaches the terminal only with escapes, every number has limits, and
 // after closed pipes and failures no process hangs and no temporary file remains.
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"
 
@@ -26,7 +27,7 @@ using test::runLab;
 using test::runProgram;
 using test::TemporaryFolder;
 
-const fs::path kSourceRoot = EDGESCAN_SOURCE_DIR;
+const fs::path kSourceRoot = test::sourceFolder();
 
 // Lines of the project's sources with `pattern` outside of comments, as "core/base/x.cpp:12: text".
 std::vector<std::string> linesWith(const std::vector<std::string>& folders, const std::regex& pattern, const std::set<std::string>& but) {
@@ -83,7 +84,7 @@ TEST(Exits, NothingAsksForTheCountrysWayToWriteNumbers) {
     // a call.)
     const TemporaryFolder folder;
     const std::string list = (folder / "symbols").string();
-    const std::string command = "cd " + fs::path(EDGESCAN_BIN_DIR).parent_path().string() +
+    const std::string command = "cd " + fs::path(test::programFolder()).parent_path().string() +
                                 " && find core ui -name '*.o' -exec nm -A -C {} + >" + list + " 2>/dev/null";
     if (std::system(command.c_str()) != 0) GTEST_SKIP() << "nm is not there";
     std::istringstream symbols(fileText(list));
@@ -300,8 +301,8 @@ TEST(Exits, PipesHangNothing) {
         for (const char* extension : {".pcd", ".json", ".mcap"}) fs::create_symlink(pipe, pipe + extension);
         std::string command = std::regex_replace(commands[n], std::regex("PIPE"), pipe);
         command = std::regex_replace(command, std::regex("SCAN"), scan);
-        const std::string line = "timeout 60 " + std::string(EDGESCAN_BIN_DIR) + "/" + programOf(command.substr(0, command.find(' '))) +
-                                 " " + command + " >" + words(n) + " 2>&1";
+        const std::string line = "timeout 60 " + test::programFolder() + "/" + programOf(command.substr(0, command.find(' '))) + " " +
+                                 command + " >" + words(n) + " 2>&1";
         statuses.push_back(std::async(std::launch::async, [line] { return std::system(line.c_str()); }));
     }
     for (std::size_t n = 0; n < commands.size(); ++n) {

@@ -1,6 +1,7 @@
 // The order of the modules: app -> ui -> core, and inside core and ui the order of the groups and of the modules in each group. A module
 // includes only the modules that its CMakeLists.txt names, and all of them are lower in the order. Therefore a circle or an upward include
 // is impossible.
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = EDGESCAN_SOURCE_DIR;
+const fs::path kSource = test::sourceFolder();
 
 bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
@@ -136,7 +137,7 @@ TEST(Layers, TheUserInterfaceIncludesNothingOfTheApplications) { expectNone("ui"
 TEST(Layers, TheCommandLineLinksNeitherQtNorVtkNorOpenGl) {
     const test::TemporaryFolder folder;
     const std::string list = (folder / "ldd").string();
-    ASSERT_EQ(std::system(("ldd " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli >" + list).c_str()), 0);
+    ASSERT_EQ(std::system(("ldd " + test::programFolder() + "/edgescan-cli >" + list).c_str()), 0);
     const std::string libraries = test::fileText(list);
     EXPECT_NE(libraries.find("libopencv_core"), std::string::npos);
     for (const char* forbidden : {"libQt", "libvtk", "libGL.", "libpcl"})
@@ -145,7 +146,7 @@ TEST(Layers, TheCommandLineLinksNeitherQtNorVtkNorOpenGl) {
 
 // Every library of core/lab that `program` (a path below the build folder) links: named in the statement of build.ninja that makes it.
 std::string labLinkedBy(const std::string& program) {
-    static const std::string build = test::fileText((fs::path(EDGESCAN_BIN_DIR).parent_path() / "build.ninja").string());
+    static const std::string build = test::fileText((fs::path(test::programFolder()).parent_path() / "build.ninja").string());
     const std::size_t at = build.find("build " + program + ":");
     if (at == std::string::npos) return "there is no " + program;
     const std::string statement = build.substr(at, build.find("\n\n", at) - at);
@@ -153,7 +154,7 @@ std::string labLinkedBy(const std::string& program) {
 }
 
 TEST(Layers, OnlyTheLabLinksTheLab) {
-    const fs::path build = fs::path(EDGESCAN_BIN_DIR).parent_path();
+    const fs::path build = fs::path(test::programFolder()).parent_path();
     if (!fs::exists(build / "build.ninja")) GTEST_SKIP() << "the link lines are read from build.ninja, and this build has none";
     EXPECT_EQ(labLinkedBy("bin/edgescan-cli"), "");
     EXPECT_NE(labLinkedBy("bin/edgescan-lab"), "");

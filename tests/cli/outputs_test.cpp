@@ -2,6 +2,7 @@
 // files.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
@@ -100,7 +101,8 @@ TEST(CliOutputs, XyzIsNumbersAndCsvAHeaderAndNumbers) {
             std::string line = command;
             line.replace(line.find("EXT"), 3, extension);
             ASSERT_EQ(
-                std::system(("cd " + folder.path().string() + " && " EDGESCAN_BIN_DIR "/edgescan-cli " + line + " 2>/dev/null").c_str()),
+                std::system(
+                    ("cd " + folder.path().string() + " && " + test::programFolder() + "/edgescan-cli " + line + " 2>/dev/null").c_str()),
                 0);
             std::istringstream text(fileText(folder / ("c." + extension)));
             std::size_t rows = 0;

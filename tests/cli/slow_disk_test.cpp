@@ -1,6 +1,7 @@
 // record on slow and full disks, killed and stopped: the content of the file, and the messages.
 #include "core/files/recording/recording.h"
 #include "core/files/recording/replay.h"
+#include "tests/support/folders.h"
 #include "tests/support/live_session.h"
 #include "tests/support/run_program.h"
 
@@ -30,9 +31,9 @@ class Recorder {
 public:
     Recorder(const scanner::EmulatedScanner& scanner, std::string path, const std::string& environment, const std::string& arguments)
         : path_(std::move(path)) {
-        const std::string command = "LD_PRELOAD=" EDGESCAN_SLOW_DISK " " + environment +
-                                    " exec " EDGESCAN_BIN_DIR "/edgescan-cli record 127.0.0.1:" + std::to_string(scanner.port()) + " -o " +
-                                    path_ + " " + arguments + " >" + path_ + ".out 2>" + path_ + ".err";
+        const std::string command = "LD_PRELOAD=" + test::slowDiskLibrary() + " " + environment + " exec " + test::programFolder() +
+                                    "/edgescan-cli record 127.0.0.1:" + std::to_string(scanner.port()) + " -o " + path_ + " " + arguments +
+                                    " >" + path_ + ".out 2>" + path_ + ".err";
         process_ = ::fork();
         if (process_ == 0) {
             ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);

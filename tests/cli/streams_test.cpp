@@ -1,4 +1,5 @@
 // Scans that come through standard input and pipes, compressed or not.
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,8 @@ using json = nlohmann::json;
 /// A shell command with its output; $CLI is the path of the command line program.
 test::ProgramRun runShell(const std::string& line) {
     const TemporaryFolder folder;
-    const std::string command = "CLI=" + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli; ( " + line + " ) >" + (folder / "out").string() +
-                                " 2>" + (folder / "err").string();
+    const std::string command = "CLI=" + test::programFolder() + "/edgescan-cli; ( " + line + " ) >" + (folder / "out").string() + " 2>" +
+                                (folder / "err").string();
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), test::fileText(folder / "out"),
             test::fileText(folder / "err")};

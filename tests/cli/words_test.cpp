@@ -1,5 +1,6 @@
 // No text of the program makes a promise (docs/operator.md, "S14"): checks every string in the sources, every help text, every document.
 // Comments are plain English: no word of the list in CONTRIBUTING.md, "Words".
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = EDGESCAN_SOURCE_DIR;
+const fs::path kRoot = test::sourceFolder();
 
 // The promising word in `text`, or empty.
 std::string promiseIn(const std::string& text) {

@@ -1,6 +1,7 @@
 // Runs the seeds, the inputs found so far (tests/fuzz/found/NAME_fuzz/*) and damaged seeds through every fuzzer. It does not need
 // libFuzzer, so it works with every compiler's sanitizers, with the same inputs each time.
 #include "tests/support/damage.h"
+#include "tests/support/folders.h"
 #include "tests/support/seed_files.h"
 
 #include <cstdint>
@@ -53,7 +54,7 @@ int main(int count, char** words) {
     for (const auto& [name, fuzzer] : fuzzers()) {
         feed(fuzzer, "");
         ++runs[name];
-        const std::filesystem::path found = std::filesystem::path(EDGESCAN_SOURCE_DIR) / "tests/fuzz/found" / name;
+        const std::filesystem::path found = std::filesystem::path(sourceFolder()) / "tests/fuzz/found" / name;
         if (!std::filesystem::exists(found)) continue;
         for (const auto& file : std::filesystem::directory_iterator(found)) {
             feed(fuzzer, readText(file.path()));

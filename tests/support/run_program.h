@@ -1,6 +1,8 @@
 // Runs one of EdgeScan's programs and stores its output.
 #pragma once
 
+#include "tests/support/folders.h"
+
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -46,7 +48,7 @@ private:
 /// `arguments` as typed in a shell.
 inline ProgramRun runProgram(const std::string& name, const std::string& arguments) {
     const TemporaryFolder folder;
-    const std::string command = std::string(EDGESCAN_BIN_DIR) + "/" + name + " " + arguments + " >" + (folder / "out").string() + " 2>" +
+    const std::string command = programFolder() + "/" + name + " " + arguments + " >" + (folder / "out").string() + " 2>" +
                                 (folder / "err").string() + " </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), fileText(folder / "out"), fileText(folder / "err")};

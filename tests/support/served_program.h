@@ -1,6 +1,7 @@
 // edgescan-cli serve as a process that ends with this object.
 #pragma once
 
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/wait_until.h"
 
@@ -17,8 +18,8 @@ class ServedProgram {
 public:
     /// `arguments` as typed behind "serve"; any free port.
     explicit ServedProgram(const std::string& arguments) {
-        const std::string command = "exec " + std::string(EDGESCAN_BIN_DIR) + "/edgescan-cli serve " + arguments +
-                                    " --port 0 --seconds 120 >" + (folder_ / "out").string() + " 2>&1";
+        const std::string command = "exec " + programFolder() + "/edgescan-cli serve " + arguments + " --port 0 --seconds 120 >" +
+                                    (folder_ / "out").string() + " 2>&1";
         process_ = fork();
         if (process_ == 0) {
             execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);

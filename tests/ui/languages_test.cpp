@@ -3,6 +3,7 @@
 #include "core/edges/settings/presets.h"
 #include "core/rocks/selection/rock_settings.h"
 #include "core/scan/grid/reading_options.h"
+#include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/language/catalogue.h"
@@ -32,7 +33,7 @@ using namespace edgescan::ui;
 
 namespace {
 
-const QString kTexts = QString(EDGESCAN_SOURCE_DIR) + "/resources/languages";
+const QString kTexts = QString::fromStdString(test::sourceFolder()) + "/resources/languages";
 
 QStringList placeholdersOf(const QString& text) {
     static const QRegularExpression placeholder("%[0-9n]");

@@ -1,4 +1,5 @@
 // Important texts are completely readable at every width and in every language: status line, tools, cards.
+#include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/language/languages.h"
@@ -74,7 +75,7 @@ private slots:
     // dropped.
     void theCellIsToldWholeOnASmallScreenInEveryLanguage() {
         for (const char* code : {"fr", "es", "pt", "en"}) {
-            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
             WindowFixture on;
             QVERIFY(on.showWith(bare_));
             const Scan& scan = *on.picture().detection->scan;
@@ -97,7 +98,7 @@ private slots:
 
     void everyToolHasItsButtonInEveryLanguage() {
         for (const char* code : {"fr", "es", "pt", "en"}) {
-            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
             WindowFixture on;
             QVERIFY(on.showWith(bare_));
             int withWords = 0;

@@ -4,6 +4,7 @@
 #include "core/edges/settings/slider_scale.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/save_scan.h"
+#include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
@@ -233,7 +234,7 @@ private slots:
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("XDG_CONFIG_HOME", config);
         viewer.setProcessEnvironment(environment);
-        viewer.start(QString::fromUtf8(EDGESCAN_BIN_DIR) + "/edgescan",
+        viewer.start(QString::fromStdString(test::programFolder()) + "/edgescan",
                      {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
         QVERIFY(viewer.waitForFinished(kPatienceMs));
         QCOMPARE(viewer.exitCode(), 0);

@@ -1,5 +1,6 @@
 // Every mode of the window at every size and in the language with the longest words: no widget is cut off, squeezed or covered. With
 // EDGESCAN_LOOK=FOLDER the pictures are saved for inspection.
+#include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/whole_widgets.h"
 #include "tests/ui/window_fixture.h"
@@ -141,7 +142,7 @@ private slots:
     }
     void nothingIsCutInAnyMode() {
         QFETCH(QString, language);
-        QVERIFY(useLanguage(language, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
         WindowFixture on;
         on.window.resize(1280, 800);
         QVERIFY(on.showWith(bell_) && on.activate());
@@ -189,7 +190,7 @@ private slots:
     void nothingIsCutInACab_data() { nothingIsCutInAnyMode_data(); }
     void nothingIsCutInACab() {
         QFETCH(QString, language);
-        QVERIFY(useLanguage(language, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
         WindowFixture on;
         QVERIFY(on.showWith(bell_) && on.activate());
         on.window.cab().set(true);

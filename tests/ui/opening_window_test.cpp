@@ -1,5 +1,6 @@
 // "Does this look right?" in the real window: a file read in the wrong unit causes a notice; another reading is previewed, adopted and
 // undone.
+#include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/language/languages.h"
@@ -179,7 +180,7 @@ private slots:
                                           {"es", "la mitad de las distancias es inferior a "},
                                           {"pt", "metade das distâncias é inferior a "},
                                           {"en", "half of the ranges are below "}}) {
-            QVERIFY(useLanguage(code, QString(EDGESCAN_SOURCE_DIR) + "/resources/languages"));
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
             WindowFixture on;
             on.window.resize(1280, 800);
             QVERIFY(on.showWith(metres_) && on.activate());

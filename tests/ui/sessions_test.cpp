@@ -1,6 +1,7 @@
 // Sessions in the real window and the real program: saved as they change, restored after kill -9, embedded in screenshots.
 #include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
+#include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
@@ -268,7 +269,7 @@ private slots:
         environment.insert("XDG_CONFIG_HOME", home + "/config");
         environment.insert("XDG_CACHE_HOME", home + "/cache");
         const QString sessions = home + "/config/edgescan/sessions";
-        const QString program = QString(EDGESCAN_BIN_DIR) + "/edgescan";
+        const QString program = QString::fromStdString(test::programFolder()) + "/edgescan";
         const auto saved = [&](qint64 process) {
             const QString path = sessions + "/running-" + QString::number(process) + "-0" + inspect::kSessionEnding;
             const auto read = QFile::exists(path) ? inspect::readSession(path.toStdString()) : Result<inspect::ReadSession>(Error{});

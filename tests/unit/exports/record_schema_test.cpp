@@ -7,8 +7,10 @@
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "core/files/open_save/sidecar_grid.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/grid/acquisition.h"
+#include "tests/support/folders.h"
 #include "tests/support/json_schema.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
@@ -24,7 +26,7 @@ using namespace exports;
 namespace {
 
 const SchemaJson& schema() {
-    static const SchemaJson read = SchemaJson::parse(fileText(std::string(EDGESCAN_SOURCE_DIR) + "/docs/export-record.schema.json"));
+    static const SchemaJson read = SchemaJson::parse(fileText(sourceFolder() + "/docs/export-record.schema.json"));
     return read;
 }
 const SchemaJson& recordSchema() { return schema()["$defs"]["record"]; }

@@ -6,6 +6,7 @@
 #include "core/files/recording/save_recording.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/bytes.h"
+#include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/support/seed_files.h"
 
@@ -222,7 +223,7 @@ TEST(Promises, BombsAreNotUnpacked) {
 }
 
 TEST(Promises, TheDocumentShowsTheTable) {
-    const std::string document = readText(std::string(EDGESCAN_SOURCE_DIR) + "/docs/formats.md");
+    const std::string document = readText(test::sourceFolder() + "/docs/formats.md");
     const auto shown = [](double value) {
         std::string text;
         appendShortest(text, value);

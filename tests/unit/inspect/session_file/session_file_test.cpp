@@ -4,6 +4,7 @@
 #include "core/base/whole_file.h"
 #include "tests/support/damage.h"
 #include "tests/support/example_session.h"
+#include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +47,7 @@ TEST(SessionFile, IsReadBackAsItWasWritten) {
 }
 
 TEST(SessionFile, OneThatAnEarlierEdgeScanWroteOpensWithTheSameResult) {
-    const auto bytes =
-        readWholeFile(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/inspect/session_file/written_by_0.1.0.edgescan-session.json");
+    const auto bytes = readWholeFile(test::sourceFolder() + "/tests/unit/inspect/session_file/written_by_0.1.0.edgescan-session.json");
     ASSERT_TRUE(bool(bytes));
     const auto read = sessionFromText(textOf(*bytes), "/sessions", "test");
     ASSERT_TRUE(bool(read)) << read.error().sentence();

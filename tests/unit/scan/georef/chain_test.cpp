@@ -4,6 +4,7 @@
 #include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/rotations.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ Matrix3d matrixOf(const json& j) {
 
 /// The cases that tests/oracle/frames_cases.py computes independently of the program, then those of ../shared, if they exist.
 json cases() {
-    json all = json::parse(std::ifstream(std::string(EDGESCAN_SOURCE_DIR) + "/tests/unit/scan/georef/frames_cases.json"))["cases"];
+    json all = json::parse(std::ifstream(test::sourceFolder() + "/tests/unit/scan/georef/frames_cases.json"))["cases"];
     if (std::ifstream file((edgescan::test::sharedFolder() / "protocol/vectors/frames_example.json").string()); file) {
         const json shared = json::parse(file);
         for (const json& one : shared["cases"]) all.push_back(one);

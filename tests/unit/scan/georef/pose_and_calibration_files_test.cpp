@@ -2,6 +2,7 @@
 #include "core/base/utc_time.h"
 #include "core/scan/georef/calibration.h"
 #include "core/scan/georef/place_scan.h"
+#include "tests/support/folders.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
 
@@ -151,7 +152,7 @@ TEST(Poses, SaysWhatIsWrong) {
 }
 
 TEST(Poses, TheExamplesOfTheDocumentationAreGood) {
-    const std::string text = readText(std::filesystem::path(EDGESCAN_SOURCE_DIR) / "docs/coordinates.md");
+    const std::string text = readText(std::filesystem::path(test::sourceFolder()) / "docs/coordinates.md");
     std::vector<std::string> blocks;
     for (std::size_t at = 0; (at = text.find("```json\n", at)) != std::string::npos;) {
         const std::size_t end = text.find("```", at + 8);
