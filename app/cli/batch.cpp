@@ -4,6 +4,7 @@
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "core/base/bounded_json.h"
+#include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
@@ -95,6 +96,7 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     if (!listing->leftOut.empty())
         printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
                    " more files are no scans but records or exports, and are left out; name them singly to have them read.");
+    for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
     work.results = batch.results;
     work.read = batch.read;
     work.method = batch.method;
