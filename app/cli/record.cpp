@@ -15,7 +15,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -155,15 +154,11 @@ int run(const Record& record) {
     status.linesAfter = last.linesAfter;
     if (const std::string lag = status.recording ? files::lagText(*status.recording) : std::string(); !lag.empty())
         printError(lag + "; waiting some seconds for it.");
+    if (status.lines == 0 && status.statistics.stream.bytes == 0) feed.discardRecording(); // it would only block the next try
     const Result<files::RecordingState> closed = feed.stopRecording();
     if (!closed) {
         printError(closed.error());
         return kRefused;
-    }
-    if (status.lines == 0 && status.statistics.stream.bytes == 0) {
-        // The file is empty; it would only block the next try.
-        std::error_code ignored;
-        std::filesystem::remove(record.out, ignored);
     }
     if (status.lines == 0) {
         Error none = scanner::noLinesError(status.session, record.address);

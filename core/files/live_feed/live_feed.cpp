@@ -162,6 +162,12 @@ Result<RecordingState> LiveFeed::stopRecording() {
     return recorder->state();
 }
 
+void LiveFeed::discardRecording() {
+    const std::lock_guard lock(mutex_);
+    if (recorder_) recorder_->closeAndRemove();
+    recorder_.reset();
+}
+
 Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
     return saveMessages(path, scanner::metadataOf(sweepSettings()), recent_.messages());
 }

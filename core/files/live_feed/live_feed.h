@@ -62,6 +62,8 @@ public:
     Result<Done> startRecording(const std::filesystem::path& path);
     /// Closes the recording, within seconds whatever the disk does; what was written. Error: what could not be since its start.
     Result<RecordingState> stopRecording();
+    /// For a recording of nothing: closes and removes it.
+    void discardRecording();
     /// Writes the last minute as a recording of its own.
     [[nodiscard]] Result<Done> keepRecent(const std::filesystem::path& path) const;
 
