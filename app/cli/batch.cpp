@@ -5,10 +5,7 @@
 #include "app/shared/json_output.h"
 #include "core/base/bounded_json.h"
 #include "core/base/foreign_text.h"
-<<<<<<< HEAD
-=======
 #include "core/base/inputs.h"
->>>>>>> 996b53418e38b0fcb89f2c5f3cf2b03115781dc7
 #include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
@@ -100,12 +97,9 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     if (!listing->leftOut.empty())
         printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
                    " more files are no scans but records or exports, and are left out; name them singly to have them read.");
-<<<<<<< HEAD
     for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
-=======
     for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
     for (const std::string& asked : batch.asked) claimInput(asked);     // or a list
->>>>>>> 996b53418e38b0fcb89f2c5f3cf2b03115781dc7
     work.results = batch.results;
     work.read = batch.read;
     work.method = batch.method;
