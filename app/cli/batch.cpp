@@ -97,6 +97,7 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     if (!listing->leftOut.empty())
         printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
                    " more files are no scans but records or exports, and are left out; name them singly to have them read.");
+    for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
     for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
     for (const std::string& asked : batch.asked) claimInput(asked);     // or a list
     work.results = batch.results;

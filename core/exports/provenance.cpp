@@ -12,6 +12,7 @@
 #include "core/exports/record_parts.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
+#include "core/files/point_tables/cell_runs.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/study.h"
@@ -55,17 +56,26 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
     return named == files.end() ? files.front() : *named;
 }
 
-/// The grid of the points for clouds, and for whole scans whose format has no place for it; with it the points open as cells of the grid
-/// again.
-std::string gridBeside(ExportContent content, const Scan& scan, const fs::path& path, const ExportOptions& options) {
+/// The grid of the points for clouds, and for whole scans whose file has no room for it, with the cell of each point: so the points open
+/// as cells of the grid again.
+struct GridBeside {
+    std::string description, cells; ///< empty: the file holds its grid itself
+};
+GridBeside gridBeside(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const files::Format* format = files::writtenFormat(path);
     const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
-    const bool inside =
-        whole && format != nullptr && (format->keepsPlace || (format->keeps == files::Keeps::Sidecar && options.choices.comments));
-    return inside || !(isCloud(content) || whole) ? std::string() : files::descriptionText(scan, "", -1);
+    if (format == nullptr || format->write == nullptr || !(isCloud(content) || whole)) return {};
+    const bool everyCell = whole && (!options.includeAttached || detection.scan->attached.empty());
+    const bool holdsGrid = (format->keepsPlace && options.frame == CoordinateFrame::Scanner) ||
+                           (format->keeps == files::Keeps::Sidecar && options.choices.comments);
+    if (everyCell && holdsGrid) return {};
+    const bool edges = exportKind(content).counts == ExportKind::Counts::EdgePoints;
+    const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
+    return {files::descriptionText(*detection.scan, "", -1),
+            files::cellRunsText(*chosen, edges ? detection.mask.get() : nullptr, options.includeAttached)};
 }
 
-std::string sidecarText(const FileBytes& file, const std::string& record, const std::string& grid, const Expected& expected,
+std::string sidecarText(const FileBytes& file, const std::string& record, const GridBeside& grid, const Expected& expected,
                         const std::vector<FileBytes>& files) {
     Json about{{"file", file.path.filename().string()},
                {"sha256", sha256Hex(bytesOf(file.bytes))},
@@ -78,9 +88,11 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
         if (&other != &file)
             about["with"].push_back({{"file", other.path.filename().string()}, {"sha256", sha256Hex(bytesOf(other.bytes))}});
     }
+    if (!grid.cells.empty()) about["cells_of_points"] = grid.cells;
     const auto parsed = parseOrderedJson(record, "");
     Json sidecar{{"format", files::kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
-    if (const auto cells = parseOrderedJson(grid, ""); !grid.empty() && cells) sidecar["grid"] = *cells;
+    if (const auto description = parseOrderedJson(grid.description, ""); !grid.description.empty() && description)
+        sidecar["grid"] = *description;
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 
@@ -136,7 +148,7 @@ Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Det
         return expected.count;
     }
     const FileBytes& named = fileOf(*files, path);
-    const std::string sidecar = sidecarText(named, record, gridBeside(content, *detection.scan, named.path, options), expected, *files);
+    const std::string sidecar = sidecarText(named, record, gridBeside(content, detection, named.path, options), expected, *files);
     std::vector<FileContent> contents;
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
     if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});

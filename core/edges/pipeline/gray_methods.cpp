@@ -1,6 +1,7 @@
 // The methods on gray levels, and Canny on log range: their decisions, and their values at one cell.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gradient.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/pipeline/methods.h"
 
@@ -115,15 +116,18 @@ Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint
     return response;
 }
 
-const Decision kCannyDecision{"canny", cannyEdges,
-                              [](const Detection& detection) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
-                              judgeCanny};
+const Decision kCannyDecision{
+    "canny", cannyEdges, [](const Detection& detection) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
+    [](const Detection& detection, std::size_t k) { return cannyThresholdAt(cannyGradient(detection), detection.settings, k); },
+    judgeCanny};
 
 const Decision kLogRangeDecision{
     "log range", [](const Detection& detection) { return FoundEdges{logRangeEdges(*detection.scan, detection.settings)}; },
-    [](const Detection& detection) { return logRangeThresholdMap(*detection.scan, detection.settings); }, judgeLogRange};
+    [](const Detection& detection) { return logRangeThresholdMap(*detection.scan, detection.settings); },
+    [](const Detection& detection, std::size_t k) { return logRangeThresholdAt(*detection.scan, detection.settings, k); }, judgeLogRange};
 
-const Decision kDetectorDecision{"detector", detectorEdges,
-                                 [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); }, judgeDetector};
+const Decision kDetectorDecision{
+    "detector", detectorEdges, [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); },
+    [](const Detection& detection, std::size_t k) { return responseThresholdAt(responseOf(detection), k); }, judgeDetector};
 
 } // namespace edgescan::edges

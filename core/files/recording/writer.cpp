@@ -13,7 +13,7 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 constexpr auto kWakesEvery = std::chrono::milliseconds(50); // while a chunk is open
-constexpr std::size_t kMessageOverhead = 64;
+constexpr std::size_t kMessageOverhead = 112;               // of a message in memory, besides its payload
 
 std::size_t sizeOf(const RecordingMessage& message) { return message.payload.size() + kMessageOverhead; }
 

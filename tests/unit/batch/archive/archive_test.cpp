@@ -17,6 +17,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -64,6 +65,57 @@ TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
     EXPECT_EQ(std::ranges::count_if(twice->inputs, [](const std::string& path) { return path.ends_with("1.mcap"); }), 1);
     EXPECT_FALSE(listArchive({(folder / "no*such").string()}, ""));
     EXPECT_FALSE(listArchive({folder.path().string()}, folder.path())); // the results folder is among the scans
+}
+
+TEST(ArchiveListing, LinkedFoldersAreFollowedOnceAndWhatIsNotReadIsListed) {
+    const TemporaryFolder folder, elsewhere;
+    const fs::path archive = folder / "archive";
+    write(archive / "own/1.pcd", "x");
+    write(archive / "own/deep/2.pcd", "x");
+    write(folder / "beside/3.pcd", "x");
+    write(elsewhere / "out/4.pcd", "x");
+    write(elsewhere / "closed/5.pcd", "x");
+    fs::create_directory_symlink("../beside", archive / "neighbour");
+    fs::create_directory_symlink(elsewhere / "out", archive / "a_link");
+    fs::create_directory_symlink(archive / "a_link", archive / "b_link"); // a link to a link, to the same folder
+    fs::create_directory_symlink(elsewhere / "out", folder / "beside/c_link");
+    fs::create_directory_symlink("..", archive / "own/up");
+    fs::create_directory_symlink(folder.path(), archive / "above");
+    fs::create_directory_symlink(archive / "own", archive / "twice");
+    fs::create_directory_symlink("ring_b", archive / "ring_a");
+    fs::create_directory_symlink("ring_a", archive / "ring_b");
+    fs::create_directory_symlink("/nowhere/at/all", archive / "lost");
+    fs::create_symlink(archive / "own/1.pcd", archive / "file.pcd");
+    fs::create_symlink("/nowhere/at/all.pcd", archive / "gone.pcd");
+    ASSERT_EQ(::mkfifo((archive / "pipe.pcd").c_str(), 0600), 0);
+    for (const std::string& asked : {archive.string(), (folder / "arch*").string()}) {
+        const auto listing = listArchive({asked}, folder / "results");
+        ASSERT_TRUE(listing) << listing.error().sentence();
+        EXPECT_EQ(below(archive, listing->inputs),
+                  (std::vector<std::string>{"a_link/4.pcd", "file.pcd", "gone.pcd", "neighbour/3.pcd", "own/1.pcd", "own/deep/2.pcd"}));
+        std::map<std::string, std::string> why;
+        for (const auto& one : listing->notRead) why[fs::path(one.path).lexically_relative(archive).string()] = one.why;
+        ASSERT_EQ(why.size(), 9U);
+        for (const char* again : {"b_link", "neighbour/c_link", "twice"})
+            EXPECT_NE(why[again].find("read already"), std::string::npos) << again;
+        for (const char* back : {"own/up", "above"}) EXPECT_NE(why[back].find("above it"), std::string::npos) << back;
+        for (const char* lost : {"ring_a", "ring_b", "lost"}) EXPECT_NE(why[lost].find("leads nowhere"), std::string::npos) << lost;
+        EXPECT_NE(why["pipe.pcd"].find("not a file"), std::string::npos);
+    }
+}
+
+TEST(ArchiveListing, AFolderThatCannotBeReadIsListed) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root reads every folder";
+    const TemporaryFolder folder;
+    write(folder / "a/1.pcd", "x");
+    write(folder / "closed/2.pcd", "x");
+    fs::permissions(folder / "closed", fs::perms::none);
+    const auto listing = listArchive({folder.path().string()}, "");
+    fs::permissions(folder / "closed", fs::perms::owner_all);
+    ASSERT_TRUE(listing) << listing.error().sentence();
+    EXPECT_EQ(below(folder.path(), listing->inputs), (std::vector<std::string>{"a/1.pcd"}));
+    ASSERT_EQ(listing->notRead.size(), 1U);
+    EXPECT_NE(listing->notRead.front().why.find("cannot be read"), std::string::npos);
 }
 
 TEST(ArchiveListing, AListIsReadInItsOrderAndAPointListIsAScan) {
