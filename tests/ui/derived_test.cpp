@@ -116,11 +116,11 @@ private slots:
             on.derived.ask(2);
             on.derived.giveUp();
             QVERIFY(!on.derived.behind());
-            QTRY_COMPARE(on.leftOff.load(), 1);
+            QTRY_VERIFY(on.leftOff > 0);
             on.derived.ask(12);
             QTRY_VERIFY(!on.derived.behind());
             QCOMPARE(on.answers, std::vector<int>{120});
-            QCOMPARE(on.begun.load(), 2);
+            QVERIFY(on.begun <= 3); // 2 may have begun before it was given up
         }
     }
 
