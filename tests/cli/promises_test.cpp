@@ -168,12 +168,17 @@ std::set<std::string> found(const std::string& text, const std::string& pattern)
 
 TEST(Reliability, EveryPromiseHasARow) {
     const fs::path docs = fs::path(test::sourceFolder()) / "docs";
-    const auto promised = found(fileText(docs / "operator.md"), "## (S[0-9]+):");
+    const auto promised = found(fileText(docs / "operator"
+                                                ".md"),
+                                "## (S[0-9]+):");
     std::set<std::string> all;
     for (int n = 1; n <= 20; ++n) all.insert("S" + std::to_string(n));
     EXPECT_EQ(promised, all);
     EXPECT_EQ(found(fileText(docs / "make-reliability"), "\\(\"(S[0-9]+) "), promised);
-    EXPECT_EQ(found(fileText(docs / "reliability.md"), "\\| (S[0-9]+) "), promised);
+    EXPECT_EQ(found(fileText(docs / "reliability"
+                                    ".md"),
+                    "\\| (S[0-9]+) "),
+              promised);
 }
 
 // Whether a pattern with stars, as those of --gtest_filter, matches a name.
