@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (!rows && !rows.error().sentence().ends_with(".")) std::abort();
     if (rows) {
         for (const auto& [input, row] : *rows) static_cast<void>(batch::pictureOf(nlohmann::ordered_json::parse(row), results));
-        auto journal = batch::Journal::open(results, batch::Shard{}, true);
+        auto journal = batch::Journal::open(results, batch::Shard{}, true, "");
         if (!journal) std::abort();
         const nlohmann::ordered_json added{{"input", "added"}, {"times", {{"finished_utc", "9999-12-31T23:59:59.999Z"}}}};
         if (!journal->append(added, "picture")) std::abort();
