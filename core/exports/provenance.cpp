@@ -20,10 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
-#include <fstream>
 #include <span>
-#include <system_error>
 
 namespace edgescan::exports {
 namespace {
@@ -117,33 +114,6 @@ Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     return Done{};
 }
 
-/// Reads the file piece by piece and compares it with the expected bytes.
-bool holds(const fs::path& path, std::span<const std::byte> bytes) {
-    constexpr std::size_t kPiece = std::size_t{1} << 18U; // stays in the cache
-    std::ifstream file(path, std::ios::binary);
-    file.rdbuf()->pubsetbuf(nullptr, 0); // no second copy
-    std::vector<char> piece(kPiece);
-    while (file) {
-        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-        const auto count = static_cast<std::size_t>(file.gcount());
-        if (count > bytes.size() || std::memcmp(piece.data(), bytes.data(), count) != 0) return false;
-        bytes = bytes.subspan(count);
-    }
-    return file.eof() && bytes.empty();
-}
-
-/// Removes files whose content on the disk differs from what was written.
-Result<Done> readBack(const std::vector<FileContent>& contents) {
-    for (const FileContent& content : contents) {
-        if (holds(content.path, content.bytes)) continue;
-        std::error_code ignored;
-        for (const FileContent& other : contents) fs::remove(other.path, ignored);
-        return Error{"what was read back is not what was written, so it was removed", content.path.string(),
-                     "check the disk and export again"};
-    }
-    return Done{};
-}
-
 } // namespace
 
 Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::Detection& detection, const fs::path& path,
@@ -183,7 +153,6 @@ Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Det
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
     if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});
     if (auto written = writeWholeFiles(contents); !written) return written.error();
-    if (auto same = readBack(contents); !same) return same.error();
     return expected.count;
 }
 

@@ -1,4 +1,5 @@
 // A run over an archive from outside: broken scans, kill -9, shards and their merge. The table equals that of an undisturbed run.
+#include "core/base/bounded_json.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/folders.h"
 #include "tests/support/rock_scene.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <set>
 #include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -173,6 +175,46 @@ TEST(CliBatch, PartsAndTheirMergeAreTheWhole) {
     EXPECT_EQ(rowsOf(folder / "r"), rowsOf(folder / "whole"));
 }
 
+TEST(CliBatch, WhatIsNotAJournalOrOfOtherSettingsIsRefusedWithASentence) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 6);
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 1/2")).code, 0);
+    const auto before = filesBelow(folder / "r/scans");
+    const auto other = runCli(inArchive(folder, "r", "--shard 1/3 --jump 200"));
+    EXPECT_EQ(other.code, 1);
+    EXPECT_NE(other.err.find("other settings were used in part 1 of 2"), std::string::npos) << other.err;
+    EXPECT_EQ(filesBelow(folder / "r/scans"), before);
+    const auto later = runCli(inArchive(folder, "r", "--shard 2/2 --jump 200"));
+    EXPECT_EQ(later.code, 0);
+    EXPECT_NE(later.err.find("part 1 of 2; run these again before the merge"), std::string::npos) << later.err;
+    ASSERT_EQ(runCli(inArchive(folder, "s")).code, 0);
+    std::ofstream(folder / "s/.batch/rows.ndjson", std::ios::app) << "[1, 2]\n";
+    const auto odd = runCli(inArchive(folder, "s"));
+    EXPECT_EQ(odd.code, 1);
+    EXPECT_NE(odd.err.find("this line is not a row of a run"), std::string::npos) << odd.err;
+}
+
+TEST(CliBatch, NoTableAndNoResultReplacesAScanOrAReadOnlyFile) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "r");
+    ASSERT_TRUE(files::saveScan(test::boxesScan(24, 30, 5), folder / "r/results.csv"));
+    const std::string scan = fileText(folder / "r/results.csv"), command = "batch " + (folder / "r/results.csv").string() + " -o ";
+    const auto input = runCli(command + (folder / "r").string());
+    EXPECT_EQ(input.code, 1);
+    EXPECT_NE(input.err.find("read as an input"), std::string::npos) << input.err;
+    EXPECT_EQ(fileText(folder / "r/results.csv"), scan);
+    ASSERT_EQ(runCli(command + (folder / "s").string()).code, 0);
+    const auto rows = rowsOf(folder / "s");
+    ASSERT_EQ(rows.size(), 1U);
+    const fs::path mask = folder / "s" / rows[0]["results"].get<std::string>() / "edges.png";
+    const std::string old = fileText(mask);
+    fs::permissions(mask, fs::perms(0444));
+    const auto again = runCli(command + (folder / "s").string() + " --jump 60");
+    EXPECT_NE(again.err.find("edges.png: this file is read-only"), std::string::npos) << again.err;
+    EXPECT_EQ(fileText(mask), old);
+    EXPECT_EQ(rowsOf(folder / "s")[0]["outcome"], "failed");
+}
+
 TEST(CliBatch, WrongUsageIsRefusedBeforeAnythingIsRead) {
     const TemporaryFolder folder;
     makeArchive(folder / "archive", 5);
@@ -184,6 +226,50 @@ TEST(CliBatch, WrongUsageIsRefusedBeforeAnythingIsRead) {
     EXPECT_NE(collide.err.find("{path}"), std::string::npos) << collide.err;
     EXPECT_EQ(runCli("batch " + (folder / "archive").string() + " -o " + (folder / "archive").string()).code, 1);
     EXPECT_FALSE(fs::exists(folder / "r"));
+}
+
+// A name is bytes. Two names that differ in a byte that is not UTF-8 stay two, in the tables and when the run goes on.
+TEST(CliBatch, NamesThatAreNotUtf8HaveTheirRows) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "archive/d\xfe");
+    const std::vector<std::string> names{"a\xfe.pcd",
+                                         "a\xff.pcd",
+                                         "a\xee\xbe\xbf.pcd",
+                                         "a\\xff.pcd",
+                                         "Gr\xc3\xb6\xc3\x9f"
+                                         "e;=1+1.pcd",
+                                         "d\xfe/b\xe4.pcd"};
+    for (std::size_t n = 0; n < names.size(); ++n)
+        ASSERT_TRUE(files::saveScan(test::boxesScan(24, 30, static_cast<unsigned>(n)), (folder / "archive").native() + "/" + names[n]));
+    const auto run = runCli(inArchive(folder, "r", "--results mask,json,report"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["missing"], 0);
+    const std::string text = fileText(folder / "r/results.ndjson");
+    std::set<std::string> inputs;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto row = parseJson(line, "");
+        ASSERT_TRUE(row) << line;
+        const std::string input = row->at("input");
+        inputs.insert(fs::path(input).lexically_relative(folder / "archive").native());
+        EXPECT_TRUE(fs::exists(input)) << line;
+        EXPECT_TRUE(fs::exists(folder / "r" / row->at("results").get<std::string>() / "edges.png")) << line;
+        const json detected = json::parse(fileText(folder / "r" / row->at("results").get<std::string>() / "detect.json"));
+        const auto verified = runCli("verify '" + (folder / "r" / row->at("results").get<std::string>() / "edges.png").native() +
+                                     "' --scans '" + fs::path(input).parent_path().native() + "'");
+        EXPECT_EQ(verified.code, 0) << verified.err;
+        EXPECT_EQ(detected["input"], json::parse(line)["input"]); // one escape in all documents
+    }
+    EXPECT_EQ(inputs, std::set<std::string>(names.begin(), names.end()));
+    EXPECT_NE(text.find("a\\uefff.pcd"), std::string::npos);
+    const std::string table = fileText(folder / "r/results.csv"), survey = fileText(folder / "r/survey.html");
+    EXPECT_NE(table.find("a\uefff.pcd,"), std::string::npos);
+    EXPECT_NE(table.find("e;'=1+1.pcd,"), std::string::npos);
+    EXPECT_NE(survey.find("/a\\\\xfe.pcd\""), std::string::npos);
+    EXPECT_NE(survey.find("/a%FF.pcd/report.html\""), std::string::npos);
+    EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", "--results mask,json,report")).out)["unchanged"], names.size());
+    const auto info = runCli("info '" + (folder / "archive").native() + "/a\xff.pcd'");
+    EXPECT_EQ(parseJson(info.out, "")->at("input"), (folder / "archive").native() + "/a\xff.pcd") << info.out;
 }
 
 TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {
