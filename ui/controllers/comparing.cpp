@@ -312,3 +312,5 @@ bool Comparing::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_comparing.cpp"

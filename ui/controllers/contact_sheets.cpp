@@ -95,3 +95,5 @@ void ContactSheets::take(const Question& question, const std::vector<edges::Shee
 }
 
 } // namespace edgescan::ui
+
+#include "moc_contact_sheets.cpp"

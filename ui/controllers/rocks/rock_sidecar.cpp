@@ -115,3 +115,5 @@ void RockSidecar::writeInBackground() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_sidecar.cpp"

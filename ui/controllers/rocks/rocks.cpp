@@ -263,3 +263,5 @@ void Rocks::jumpTo(std::uint32_t label) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rocks.cpp"

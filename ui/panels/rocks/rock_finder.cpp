@@ -29,3 +29,5 @@ std::shared_ptr<const RockPicture> RockFinder::run(const RockQuestion& question)
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_finder.cpp"
