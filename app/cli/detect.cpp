@@ -11,6 +11,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance.h"
 #include "core/exports/report.h"
+#include "core/scan/gap_filling/gap_filling.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,7 @@
 // Edges in Python: detection, its arrays, writing results, and scores against ground truth.
 #include "app/python/result.h"
+#include "core/edges/gray/gray.h"
+#include "core/edges/settings/parameters.h"
 
 #include "app/shared/typed_settings.h"
 #include "core/base/inputs.h"

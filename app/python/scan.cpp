@@ -1,5 +1,6 @@
 // Scans in Python: opening them, and their cells as arrays.
 #include "app/python/module.h"
+#include "core/edges/edgescan_plus/range_field.h"
 
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"

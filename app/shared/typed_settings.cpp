@@ -3,6 +3,7 @@
 
 #include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
 

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/containers/png/png.h"
+#include "core/edges/gray/gray.h"
 #include "core/exports/rock_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"

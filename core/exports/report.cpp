@@ -6,6 +6,8 @@
 #include "core/base/sha256.h"
 #include "core/base/version.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/settings/parameters.h"
 #include "core/files/point_tables/acquisition_json.h"
 #include "core/scan/georef/placement_json.h"

@@ -2,6 +2,7 @@
 #include "core/exports/why_report.h"
 
 #include "core/edges/edgescan_plus/edge_class_names.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
 

@@ -1,6 +1,7 @@
 // Prints a hash of every mask, class, response and strength that the methods compute for simulated sweeps, for sweeps of noise, and for the
 // scans given as arguments. A faster program must print the same. build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same with an
 // older build > old; diff old new
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"

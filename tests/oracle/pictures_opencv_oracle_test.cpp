@@ -1,5 +1,6 @@
 // OpenCV reads the pictures that EdgeScan writes, and EdgeScan reads those of OpenCV.
 #include "core/containers/png/png.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"

@@ -1,6 +1,7 @@
 // Small scenes of rocks with their truth, and the stages up to the segments in one call.
 #pragma once
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/rocks/selection/rock_map.h"
 #include "core/sim/simulate.h"

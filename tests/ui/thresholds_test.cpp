@@ -1,4 +1,5 @@
 // The meaning of thresholds in the real window: typed depths, curves under the sliders, and why a cell is an edge.
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"

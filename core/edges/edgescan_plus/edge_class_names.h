@@ -1,7 +1,7 @@
 // Names of the classes of edges.
 #pragma once
 
-#include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/edges/settings/settings.h"
 
 namespace edgescan::edges {
 

@@ -10,9 +10,6 @@
 
 namespace edgescan::edges {
 
-enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4, Silhouette = 5 };
-inline constexpr int kDepthEdges = 6; // including None
-
 /// The strength of jumps and creases per cell, before the decision. 1 = at the threshold; 0 where a neighbour is stronger or the cell was
 /// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm and straighten; if another setting changes, only
 /// decideDepthEdges() runs again.

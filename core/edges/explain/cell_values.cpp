@@ -1,6 +1,7 @@
 // All values of one cell.
 #include "core/edges/explain/cell_values.h"
 
+#include "core/edges/gray/gray.h"
 #include "core/scan/gap_filling/gap_filling.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"

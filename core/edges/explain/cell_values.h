@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
+#include "core/scan/gap_filling/gap_filling.h"
+#include "core/scan/grid/scan.h"
 
 #include <optional>
 

@@ -1,17 +1,29 @@
 // The results of one run of the method for one scan and one set of settings. Immutable after construction.
 #pragma once
 
-#include "core/edges/edgescan_plus/edgescan_plus.h"
-#include "core/edges/gray/gray.h"
-#include "core/edges/settings/parameters.h"
-#include "core/scan/grid/scan.h"
+#include "core/base/grid.h"
+#include "core/edges/settings/settings.h"
+#include "core/edges/settings/stage.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace edgescan {
+struct GapFilling;
+struct Scan;
+} // namespace edgescan
+
 namespace edgescan::edges {
+
+struct DepthCracks;
+struct DepthResponses;
+struct DepthSurface;
+struct GrayImage;
+struct Measured;
 
 struct StageTime {
     std::string stage;

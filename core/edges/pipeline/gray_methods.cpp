@@ -1,6 +1,7 @@
 // The methods on gray levels, and Canny on log range: their decisions, and their values at one cell.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gradient.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/pipeline/methods.h"
 

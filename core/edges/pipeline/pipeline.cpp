@@ -2,10 +2,12 @@
 #include "core/edges/pipeline/pipeline.h"
 
 #include "core/edges/gray/canny.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/gray/masked_cells.h"
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/method_traits.h"
+#include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include <opencv2/core/utility.hpp>

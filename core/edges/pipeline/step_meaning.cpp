@@ -2,6 +2,7 @@
 #include "core/edges/pipeline/step_meaning.h"
 
 #include "core/base/number_text.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/method_traits.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/edges/gray/gray.h"
 #include "core/edges/settings/settings.h"
 
 #include <optional>
@@ -10,6 +9,8 @@
 #include <string_view>
 
 namespace edgescan::edges {
+
+struct GrayScale;
 
 /// Response of the method's kernels to a step of one gray level: along lines or beams, and diagonal. Computed by running smoothing and
 /// detector on images of steps. {0, 0} for methods without gray levels.

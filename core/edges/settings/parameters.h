@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/base/table_row.h"
 #include "core/edges/settings/settings.h"
+#include "core/edges/settings/stage.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,17 +20,6 @@ struct Choice {
     double value;
     const char* name;  ///< as typed on the command line and stored in presets
     const char* label; ///< name in the window
-};
-
-/// The stages of a run, in order. Gray levels, mask, smoothed levels: for methods on gray levels; surface, responses: for EdgeScan+.
-enum class Stage : std::uint8_t {
-    Gray,
-    Mask,
-    Smoothing, ///< uses Gray, without Mask
-    Surface,
-    Responses, ///< uses Surface
-    Edges,     ///< uses all others; for every threshold
-    Threshold, ///< the edges at one threshold
 };
 
 /// The first stage that uses a parameter. It has no default: a parameter without it does not compile.

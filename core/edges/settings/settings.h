@@ -44,7 +44,11 @@ enum class LogMask : std::uint8_t {
     FiveByFive,      ///< 0 0 -1 0 0 / 0 -1 -2 -1 0 / -1 -2 16 -2 -1 / 0 -1 -2 -1 0 / 0 0 -1 0 0
 };
 
-/// The classes of edges that EdgeScan+ distinguishes, as bits of Settings::classes.
+/// The classes of edges that EdgeScan+ distinguishes.
+enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4, Silhouette = 5 };
+inline constexpr int kDepthEdges = 6; // including None
+
+/// The same as bits of Settings::classes.
 enum EdgeClassBits : std::uint8_t {
     kClassJump = 1,
     kClassConvex = 2,

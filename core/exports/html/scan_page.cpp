@@ -6,6 +6,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/exports/html/html.h"

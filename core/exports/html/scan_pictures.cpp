@@ -2,6 +2,7 @@
 #include "core/exports/html/scan_pictures.h"
 
 #include "core/containers/png/png.h"
+#include "core/edges/gray/gray.h"
 #include "core/files/point_tables/edge_colours.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"

@@ -2,6 +2,7 @@
 #include "core/exports/html/survey_picture.h"
 
 #include "core/containers/png/png.h"
+#include "core/edges/gray/gray.h"
 
 #include <algorithm>
 #include <cmath>

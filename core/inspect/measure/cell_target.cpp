@@ -1,6 +1,7 @@
 // Collects the values of one cell.
 #include "core/inspect/measure/cell_target.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <algorithm>

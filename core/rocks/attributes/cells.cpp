@@ -1,6 +1,8 @@
 // Sorts cells by rock, by counting.
 #include "core/rocks/attributes/cells.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+
 namespace edgescan::rocks {
 
 CellsByRock cellsByRock(const Segmentation& segments, const RegionMap& map, const std::function<bool(std::uint32_t label)>& skipped) {

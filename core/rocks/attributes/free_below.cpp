@@ -1,6 +1,7 @@
 // Checks points at steps down the vertical.
 #include "core/rocks/attributes/free_below.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/scan/grid/cartesian.h"
 
 namespace edgescan::rocks {

@@ -1,6 +1,7 @@
 // Barriers, where a rock certainly ends, and the distance of each cell to them (docs/rocks-method.md, "Step 2").
 #pragma once
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/segmentation/inputs.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // neighbouring cells.
 #pragma once
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/segmentation/segments.h"
 
 namespace edgescan::rocks {

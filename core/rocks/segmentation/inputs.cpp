@@ -1,6 +1,7 @@
 // Collects the inputs of rock detection.
 #include "core/rocks/segmentation/inputs.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/settings/method_traits.h"
 
 namespace edgescan::rocks {

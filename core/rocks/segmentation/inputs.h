@@ -1,7 +1,6 @@
 // The inputs of rock detection: the surface, its cracks and its edges after suppression (docs/rocks-method.md, "Inputs").
 #pragma once
 
-#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/detection.h"
 
 #include <memory>

@@ -3,6 +3,7 @@
 
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/segmentation/equal_runs.h"
 #include "core/rocks/segmentation/planes.h"
 #include "core/scan/grid/beam_width.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"
+#include "core/scan/grid/inverse_range.h"
 
 namespace edgescan::rocks {
 

@@ -1,6 +1,8 @@
 // Computes bulges over runs of cells.
 #include "core/rocks/selection/bulge.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,8 @@
 // Finds the cells inside a polygon of cells.
 #include "core/rocks/selection/region_of_interest.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // A cursor that keys move and click.
 #include "ui/engine/linked_views/cell_cursor.h"
 
+#include "core/edges/edgescan_plus/range_field.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"

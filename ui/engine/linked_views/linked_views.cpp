@@ -1,6 +1,7 @@
 // Shows a picture in images and cloud, and links pointing at a cell in one view with the other views.
 #include "ui/engine/linked_views/linked_views.h"
 
+#include "core/edges/gray/gray.h"
 #include "ui/base/cell_marks.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"

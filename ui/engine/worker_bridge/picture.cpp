@@ -1,6 +1,9 @@
 // Makes the images of a detection.
 #include "ui/engine/worker_bridge/picture.h"
 
+#include "core/edges/gray/gray.h"
+#include "core/scan/gap_filling/gap_filling.h"
+
 #include <QColor>
 
 #include <algorithm>

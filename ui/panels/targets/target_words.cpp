@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>

@@ -3,6 +3,7 @@
 
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
+#include "core/scan/gap_filling/gap_filling.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

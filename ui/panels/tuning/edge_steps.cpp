@@ -14,7 +14,7 @@ QString EdgesPanel::valueText(const char* key) const {
     const QString unit = p.choices.empty() && *p.unit != '\0' ? " " + QObject::tr(p.unit) : QString();
     if (!p.choices.empty()) return QObject::tr(edges::choiceLabel(p, shown_).c_str());
     if (!std::isnan(value)) return QString::number(value, 'f', p.decimals) + unit;
-    const double inUse = p.automatic != nullptr ? p.automatic(shown_, measured_) : edges::kAutomatic;
+    const double inUse = automaticValue(p);
     return std::isnan(inUse) ? tr("auto") : tr("%1%2 auto").arg(QString::number(inUse, 'f', p.decimals), unit);
 }
 
@@ -26,7 +26,7 @@ void EdgesPanel::step(const char* key, int steps) {
         const auto last = static_cast<std::ptrdiff_t>(p.choices.size()) - 1;
         value = p.choices[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + std::clamp(steps, -1, 1), 0, last))].value;
     } else {
-        if (std::isnan(value) && p.automatic != nullptr) value = p.automatic(shown_, measured_);
+        if (std::isnan(value)) value = automaticValue(p);
         if (std::isnan(value)) value = p.minimum;
         value = edges::snapped(p, std::clamp(value + steps * p.step, p.minimum, p.sliderMaximum));
     }

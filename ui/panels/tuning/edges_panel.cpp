@@ -1,6 +1,7 @@
 // The panel "Edges".
 #include "ui/panels/tuning/edges_panel.h"
 
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/parameter_change.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/method_traits.h"
@@ -35,7 +36,13 @@ constexpr double kLargestGradient = 2040.0;
 
 } // namespace
 
-EdgesPanel::EdgesPanel(QWidget* parent) : QWidget(parent), preset_(edges::builtInPresets().front()) {
+struct EdgesPanel::InUse {
+    edges::GrayScale scale{};
+    edges::Measured measured{};
+};
+
+EdgesPanel::EdgesPanel(QWidget* parent)
+    : QWidget(parent), inUse_(std::make_shared<const InUse>()), preset_(edges::builtInPresets().front()) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(6, 6, 6, 6);
@@ -171,7 +178,7 @@ void EdgesPanel::addMeaning(QGridLayout& grid) {
 
 Result<double> EdgesPanel::lowerOfDepth(const QString& text) const {
     const auto step = edges::typedStep(text.toStdString());
-    return step ? edges::lowerOfStep(*step, shown_, scale_) : edges::parseValue(*edges::findParameter("lower"), text.toStdString());
+    return step ? edges::lowerOfStep(*step, shown_, inUse_->scale) : edges::parseValue(*edges::findParameter("lower"), text.toStdString());
 }
 
 CountCurve* EdgesPanel::curve(const char* key) const {
@@ -188,7 +195,8 @@ void EdgesPanel::forgetCounts() {
 }
 
 void EdgesPanel::showMeaning() {
-    const std::string text = scale_.farMm > scale_.nearMm ? edges::thresholdText(shown_, scale_) : std::string();
+    const edges::GrayScale& scale = inUse_->scale;
+    const std::string text = scale.farMm > scale.nearMm ? edges::thresholdText(shown_, scale) : std::string();
     meaning_->setText(shownText(text));
     meaning_->setVisible(!text.empty());
 }
@@ -257,8 +265,7 @@ void EdgesPanel::show(const edges::Settings& settings) {
 }
 
 void EdgesPanel::showResult(const edges::Detection& detection) {
-    scale_ = detection.gray->scale;
-    measured_ = edges::measuredOf(detection);
+    inUse_ = std::make_shared<const InUse>(InUse{detection.gray->scale, edges::measuredOf(detection)});
     classesKnown_ = detection.classes != nullptr;
     classCounts_ = edges::countClasses(detection);
     const edges::Parameter& swept = edges::sweptParameter(detection.settings.method);
@@ -288,13 +295,17 @@ void EdgesPanel::showInUse() {
     fold_->setVisible(std::ranges::any_of(edges::parameters(), folded));
     for (ParameterRow* row : rows_) {
         const edges::Parameter& p = row->parameter();
-        row->show(p.get(shown_), p.automatic != nullptr ? p.automatic(shown_, measured_) : edges::kAutomatic);
+        row->show(p.get(shown_), automaticValue(p));
         row->setVisible(p.usedBy(shown_));
         if (CountCurve* below = curve(p.key)) {
             below->showValue(p.get(shown_));
             below->setVisible(p.usedBy(shown_));
         }
     }
+}
+
+double EdgesPanel::automaticValue(const edges::Parameter& p) const {
+    return p.automatic != nullptr ? p.automatic(shown_, inUse_->measured) : edges::kAutomatic;
 }
 
 void EdgesPanel::showUpper() {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,10 @@ class QComboBox;
 class QGridLayout;
 class QLabel;
 class QToolButton;
+
+namespace edgescan::edges {
+struct Parameter;
+} // namespace edgescan::edges
 
 namespace edgescan::ui {
 
@@ -73,6 +78,8 @@ private:
     void addCurve(const edges::Parameter& parameter, QGridLayout& grid);
     void addMeaning(QGridLayout& grid);
     [[nodiscard]] Result<double> lowerOfDepth(const QString& text) const;
+    /// On the scan of the picture; NaN if it has none or it is unknown.
+    [[nodiscard]] double automaticValue(const edges::Parameter& p) const;
     void addUpper(QGridLayout& grid);
     void edit(const edges::Parameter& parameter, double value, bool dragging);
     void noteThreshold(const edges::Settings& settings);
@@ -91,8 +98,8 @@ private:
         double chosen = 0.0;
     };
     std::map<edges::Method, Carried> carried_; // per method: the last change to it; undo returns to it
-    edges::GrayScale scale_;
-    edges::Measured measured_;
+    struct InUse;
+    std::shared_ptr<const InUse> inUse_;                        // what the method took on the scan of the picture
     std::array<std::size_t, edges::kDepthEdges> classCounts_{}; // per DepthEdge
     bool classesKnown_ = false;
     EdgeColours colours_ = kUsualColours;

@@ -1,6 +1,8 @@
 // Kind and size of the noise at the median range of the scan, at half and at twice this range.
 #include "ui/panels/tuning/noise_words.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
+
 #include <QObject>
 
 namespace edgescan::ui {

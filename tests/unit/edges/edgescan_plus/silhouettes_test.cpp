@@ -1,4 +1,5 @@
 // Outlines before a void, as distinguished from missing data.
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 
 #include "core/edges/pipeline/pipeline.h"

@@ -1,5 +1,6 @@
 // Redoing only what changed gives what a run from nothing gives, and the newest posting always wins.
 #include "core/base/work_pool.h"
+#include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"

@@ -1,4 +1,5 @@
 // The meaning of thresholds, compared with scans of steps of known depth.
+#include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/step_meaning.h"

@@ -1,4 +1,5 @@
 // Edge confidence compared with single runs, and with the scan: a high step is an edge at every setting, one near the threshold is not.
+#include "core/edges/settings/parameters.h"
 #include "core/edges/tuning/confidence.h"
 
 #include "core/edges/pipeline/pipeline.h"

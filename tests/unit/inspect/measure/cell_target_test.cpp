@@ -1,4 +1,5 @@
 // The values of a picked cell: the resolution there, and the plane of its surface, compared with known planes.
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/inspect/measure/cell_target.h"
 #include "core/scan/georef/place_scan.h"

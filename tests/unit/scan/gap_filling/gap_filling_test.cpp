@@ -1,4 +1,5 @@
 // Filled gaps: how each is filled, which gaps stay, and that other results change only on request.
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/scan/gap_filling/gap_filling.h"
 
 #include "core/edges/pipeline/pipeline.h"
