@@ -51,8 +51,8 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
     };
     CLI::Option* added = nullptr;
     if (option.kind == ReadingOption::Kind::Switch)
-        added = command.add_flag_function(
-            name, [take](std::int64_t) { take("on"); }, option.help);
+        added = command.add_flag_callback(
+            name, [take] { take("on"); }, option.help);
     else if (option.kind == ReadingOption::Kind::ThreeNumbers)
         added = command
                     .add_option_function<std::vector<std::string>>(

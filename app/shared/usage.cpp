@@ -3,10 +3,38 @@
 
 #include "app/shared/exits.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace edgescan::cli {
+namespace {
+
+/// CLI11 takes many words and every number as a value of a switch. Here a switch of any command is on without a value, and takes true or
+/// false; the last one counts.
+void checkSwitches(CLI::App& app, const std::vector<std::string>& words) {
+    const auto trueOrFalse = [](const std::string& value) {
+        return value == "true" || value == "false" ? std::string() : "\"" + value + "\" is not true or false";
+    };
+    for (CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_items_expected_max() == 0; })) {
+        for (const std::string& name : option->get_lnames()) {
+            // CLI11 does not distinguish an empty value from none
+            if (std::ranges::find(words, "--" + name + "=") != words.end())
+                throw CLI::ValidationError("--" + name, "\"\" is not true or false");
+        }
+        const bool answers = option == app.get_help_ptr() || option == app.get_version_ptr();
+        if (answers)
+            option->disable_flag_override();
+        else
+            option->check(trueOrFalse);
+    }
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) checkSwitches(*command, words);
+}
+
+} // namespace
 
 std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
     try {
+        checkSwitches(app, {argv, argv + argc});
         app.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {

@@ -2,6 +2,7 @@
 #include "core/base/bounded_json.h"
 
 #include "core/base/checked_size.h"
+#include "core/base/foreign_text.h"
 #include "core/base/memory.h"
 
 #include <nlohmann/json.hpp>
@@ -27,7 +28,7 @@ public:
     bool number_integer(typename Json::number_integer_t value) override { return add(Json(value)); }
     bool number_unsigned(typename Json::number_unsigned_t value) override { return add(Json(value)); }
     bool number_float(typename Json::number_float_t value, const std::string&) override { return add(Json(value)); }
-    bool string(std::string& value) override { return add(Json(std::move(value))); }
+    bool string(std::string& value) override { return add(Json(unescapedBytes(value))); }
     bool binary(typename Json::binary_t&) override { return false; } // JSON text cannot hold binary values
     bool start_object(std::size_t) override { return open(Json::object()); }
     bool start_array(std::size_t) override { return open(Json::array()); }
@@ -37,7 +38,7 @@ public:
     bool key(std::string& name) override {
         auto& object = open_.back()->template get_ref<typename Json::object_t&>();
         if (++keys_ > bounds_.keys || object.size() >= kMostKeysOfOne) return stop("the JSON holds too many keys");
-        const auto [place, fresh] = object.emplace(name, Json());
+        const auto [place, fresh] = object.emplace(unescapedBytes(name), Json());
         if (!fresh) return stop("the key \"" + name.substr(0, kLongestShown) + "\" stands twice in the same object of the JSON");
         slot_ = &place->second;
         return true;

@@ -20,8 +20,8 @@ struct JsonBounds {
 inline constexpr JsonBounds kSettingsJson{std::size_t{1} << 20U, 8, 10'000}; ///< presets and the viewer's stored state
 inline constexpr JsonBounds kReadingJson{4096, 8, 100};                      ///< a reading of a sensor, a value of a metadata record
 
-/// Error: damaged text (with the byte), out of bounds, the same key twice in one object, a number outside the range of a double. The error
-/// names `where`.
+/// Strings and keys have the bytes that jsonText() wrote. Error: damaged text (with the byte), out of bounds, the same key twice in one
+/// object, a number outside the range of a double. The error names `where`.
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& where, const JsonBounds& bounds = {});
 
 /// The same, with the keys in the order of the text.

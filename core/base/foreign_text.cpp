@@ -53,6 +53,16 @@ bool isHidden(std::uint32_t code) {
     return false;
 }
 
+// The characters of bytes that are not UTF-8: U+EF00 + byte.
+constexpr std::uint32_t kFirstByteCharacter = 0xEF80, kLastByteCharacter = 0xEFFF;
+
+bool isByteCharacter(const Character& c) { return c.valid && c.code >= kFirstByteCharacter && c.code <= kLastByteCharacter; }
+
+std::string byteCharacter(char c) {
+    const auto byte = static_cast<std::uint8_t>(c);
+    return {static_cast<char>(0xEE), static_cast<char>(0xBC | byte >> 6U), static_cast<char>(0x80 | (byte & 0x3FU))};
+}
+
 std::string hex(std::uint32_t value, int digits) {
     std::string text;
     for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) text += "0123456789abcdef"[value >> static_cast<unsigned>(shift) & 15U];
@@ -115,6 +125,35 @@ std::string printableLines(std::string_view text) {
     }
 }
 
+std::string escapedBytes(std::string_view bytes) {
+    std::string text;
+    text.reserve(bytes.size());
+    for (std::size_t at = 0; at < bytes.size();) {
+        const Character c = characterAt(bytes, at);
+        const std::string_view own = bytes.substr(at, c.bytes);
+        if (c.valid && !isByteCharacter(c))
+            text += own;
+        else
+            for (const char byte : own) text += byteCharacter(byte);
+        at += c.bytes;
+    }
+    return text;
+}
+
+std::string unescapedBytes(std::string_view text) {
+    std::string bytes;
+    bytes.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        const Character c = characterAt(text, at);
+        if (isByteCharacter(c))
+            bytes += static_cast<char>(c.code & 0xFFU);
+        else
+            bytes += text.substr(at, c.bytes);
+        at += c.bytes;
+    }
+    return bytes;
+}
+
 std::string printableJson(std::string_view json) {
     std::string result;
     result.reserve(json.size());
@@ -127,7 +166,8 @@ std::string printableJson(std::string_view json) {
         const Character c = characterAt(json, at);
         if (!c.valid)
             result += "\\ufffd";
-        else if (c.code != '\n' && isHidden(c.code)) // a line break can only be between values: JSON strings contain no line break
+        else if (c.code != '\n' &&
+                 (isHidden(c.code) || isByteCharacter(c))) // a line break can only be between values: JSON strings contain no line break
             result += jsonEscape(c.code);
         else
             result += json.substr(at, c.bytes);

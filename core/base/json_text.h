@@ -7,9 +7,9 @@
 
 namespace edgescan {
 
-/// `indent` blanks for each level, or one line for -1. A byte that is not UTF-8 becomes the character U+FFFD. A character that printable()
-/// would replace is written as \u001b. This is the only way to write JSON in EdgeScan: nlohmann's dump() throws at invalid bytes and does
-/// not escape the other characters.
+/// `indent` blanks for each level, or one line for -1. A byte that is not UTF-8 is written as escapedBytes() does, and parseJson() reads
+/// it back. A character that printable() would replace is written as \u001b. This is the only way to write JSON in EdgeScan: nlohmann's
+/// dump() throws at invalid bytes and does not escape the other characters.
 [[nodiscard]] std::string jsonText(const nlohmann::json& json, int indent = -1);
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json, int indent = -1);
 

@@ -1,6 +1,7 @@
 // Writes rocks as JSON and as a table: one row per rock, units in the names.
 #include "core/exports/rock_report.h"
 
+#include "core/base/csv_text.h"
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
@@ -87,7 +88,7 @@ Json countsJson(const rocks::RegionCounts& counts) {
 std::string cellText(const Json& value) {
     if (value.is_null()) return {};
     if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) return csvCell(value.get<std::string>());
     if (value.is_number_float()) return shortestText(value.get<double>());
     if (!value.is_array()) return std::to_string(value.get<std::int64_t>());
     std::string text;

@@ -1,4 +1,5 @@
 // A run over an archive from outside: broken scans, kill -9, shards and their merge. The table equals that of an undisturbed run.
+#include "core/base/bounded_json.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/folders.h"
 #include "tests/support/rock_scene.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <set>
 #include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -184,6 +186,50 @@ TEST(CliBatch, WrongUsageIsRefusedBeforeAnythingIsRead) {
     EXPECT_NE(collide.err.find("{path}"), std::string::npos) << collide.err;
     EXPECT_EQ(runCli("batch " + (folder / "archive").string() + " -o " + (folder / "archive").string()).code, 1);
     EXPECT_FALSE(fs::exists(folder / "r"));
+}
+
+// A name is bytes. Two names that differ in a byte that is not UTF-8 stay two, in the tables and when the run goes on.
+TEST(CliBatch, NamesThatAreNotUtf8HaveTheirRows) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "archive/d\xfe");
+    const std::vector<std::string> names{"a\xfe.pcd",
+                                         "a\xff.pcd",
+                                         "a\xee\xbe\xbf.pcd",
+                                         "a\\xff.pcd",
+                                         "Gr\xc3\xb6\xc3\x9f"
+                                         "e;=1+1.pcd",
+                                         "d\xfe/b\xe4.pcd"};
+    for (std::size_t n = 0; n < names.size(); ++n)
+        ASSERT_TRUE(files::saveScan(test::boxesScan(24, 30, static_cast<unsigned>(n)), (folder / "archive").native() + "/" + names[n]));
+    const auto run = runCli(inArchive(folder, "r", "--results mask,json,report"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["missing"], 0);
+    const std::string text = fileText(folder / "r/results.ndjson");
+    std::set<std::string> inputs;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto row = parseJson(line, "");
+        ASSERT_TRUE(row) << line;
+        const std::string input = row->at("input");
+        inputs.insert(fs::path(input).lexically_relative(folder / "archive").native());
+        EXPECT_TRUE(fs::exists(input)) << line;
+        EXPECT_TRUE(fs::exists(folder / "r" / row->at("results").get<std::string>() / "edges.png")) << line;
+        const json detected = json::parse(fileText(folder / "r" / row->at("results").get<std::string>() / "detect.json"));
+        const auto verified = runCli("verify '" + (folder / "r" / row->at("results").get<std::string>() / "edges.png").native() +
+                                     "' --scans '" + fs::path(input).parent_path().native() + "'");
+        EXPECT_EQ(verified.code, 0) << verified.err;
+        EXPECT_EQ(detected["input"], json::parse(line)["input"]); // one escape in all documents
+    }
+    EXPECT_EQ(inputs, std::set<std::string>(names.begin(), names.end()));
+    EXPECT_NE(text.find("a\\uefff.pcd"), std::string::npos);
+    const std::string table = fileText(folder / "r/results.csv"), survey = fileText(folder / "r/survey.html");
+    EXPECT_NE(table.find("a\uefff.pcd,"), std::string::npos);
+    EXPECT_NE(table.find("e;'=1+1.pcd,"), std::string::npos);
+    EXPECT_NE(survey.find("/a\\\\xfe.pcd\""), std::string::npos);
+    EXPECT_NE(survey.find("/a%FF.pcd/report.html\""), std::string::npos);
+    EXPECT_EQ(json::parse(runCli(inArchive(folder, "r", "--results mask,json,report")).out)["unchanged"], names.size());
+    const auto info = runCli("info '" + (folder / "archive").native() + "/a\xff.pcd'");
+    EXPECT_EQ(parseJson(info.out, "")->at("input"), (folder / "archive").native() + "/a\xff.pcd") << info.out;
 }
 
 TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {

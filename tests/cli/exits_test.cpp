@@ -185,6 +185,77 @@ TEST(Exits, NoParameterOfTheMethodTakesANumberThatIsNone) {
     EXPECT_GT(parameters, 8);
 }
 
+// All commands of a program, as its own table prints them; with an empty name for a program without commands.
+std::vector<std::string> commandsOf(const std::string& program) {
+    if (program == "edgescan") return {""};
+    static const std::regex row(R"(^  ([a-z]+)\s+\S)");
+    std::istringstream help(runProgram(program, "--help").out);
+    std::vector<std::string> commands;
+    bool listed = false;
+    std::smatch match;
+    for (std::string line; std::getline(help, line);) {
+        listed = listed || line.starts_with("Subcommands");
+        if (listed && std::regex_search(line, match, row)) commands.push_back(match[1]);
+    }
+    return commands;
+}
+
+// Every flag of `help` without a value.
+std::vector<std::string> switchesIn(const std::string& help) {
+    static const std::regex row(R"(^\s+(?:-\w,)?(--[a-z0-9-]+)(\s\s|$))");
+    std::istringstream lines(help);
+    std::vector<std::string> flags;
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);) {
+        if (std::regex_search(line, match, row)) flags.push_back(match[1]);
+    }
+    return flags;
+}
+
+TEST(Exits, EverySwitchTakesTrueOrFalse) {
+    std::set<std::string> switches;
+    for (const std::string program : {"edgescan-cli", "edgescan-lab", "edgescan"}) {
+        if (!fs::exists(fs::path(EDGESCAN_BIN_DIR) / program)) continue;
+        const std::vector<std::string> commands = commandsOf(program);
+        EXPECT_GE(commands.size(), program == "edgescan-cli" ? 16U : program == "edgescan-lab" ? 3U : 1U);
+        for (const std::string& command : commands) {
+            for (const std::string& flag : switchesIn(runProgram(program, command + " --help").out)) {
+                std::vector<std::string> values{"0"};
+                if (switches.insert(flag).second) values.insert(values.end(), {"-1", "1", "1e308", "on", "off", "True", "''", "yes", "2"});
+                for (const std::string& value : values) {
+                    const auto run = runProgram(program, command + " " + flag + "=" + value);
+                    EXPECT_EQ(run.code, 2) << program << " " << command << " " << flag << "=" << value << run.out;
+                    EXPECT_NE(run.err.find(flag), std::string::npos) << run.err;
+                    EXPECT_NE(run.err.find(flag == "--help" || flag == "--version" ? "" : "is not true or false"), std::string::npos)
+                        << run.err;
+                }
+            }
+        }
+    }
+    EXPECT_GT(switches.size(), 35U);
+}
+
+TEST(Exits, FalseSwitchesOff) {
+    const TemporaryFolder folder;
+    const std::string scan = (folder / "scan.json").string();
+    ASSERT_EQ(runCli("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
+    const auto pcd = [&](const std::string& flags) {
+        const auto run = runCli("convert " + scan + " " + (folder / "out.pcd").string() + " " + flags);
+        EXPECT_EQ(run.code, 0) << run.err;
+        return fileText(folder / "out.pcd").find("DATA ascii") != std::string::npos;
+    };
+    for (const char* off : {"", "--ascii=false", "--ascii --ascii=false", "--ascii=true --ascii=false"}) EXPECT_FALSE(pcd(off)) << off;
+    for (const char* on : {"--ascii", "--ascii=true", "--ascii=false --ascii"}) EXPECT_TRUE(pcd(on)) << on;
+    const auto straightened = [&](const std::string& flags) {
+        return runCli("verify " + (folder / "out.pcd").string()).code == 0 &&
+                       runCli("detect " + scan + " -o " + (folder / "o").string() + " " + flags).code == 0
+                   ? fileText(folder / "o/scan_edges.png.provenance.json").find("straighten") != std::string::npos
+                   : false;
+    };
+    EXPECT_TRUE(straightened("--straighten"));
+    for (const char* off : {"", "--straighten=false", "--straighten --straighten=false"}) EXPECT_FALSE(straightened(off)) << off;
+}
+
 // Escape sequences of both kinds, line breaks, a reversed text direction, invalid UTF-8.
 const std::vector<std::string> kNames{
     "a\x1b[31mred\x1b]0;title\x07", "line\nbreak\r", "\u202egnp.sj", "\u009b31m", "no\xff\xfeutf8", "tab\tand\x7f"};

@@ -2,7 +2,7 @@
 #include "core/batch/archive/results_table.h"
 
 #include "core/base/bounded_json.h"
-#include "core/base/foreign_text.h"
+#include "core/base/csv_text.h"
 #include "core/base/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -66,22 +66,13 @@ constexpr std::array kColumns{Column{"input", "/input"},
                               Column{"time_cpu_ms", "/times/cpu_ms"},
                               Column{"time_finished_utc", "/times/finished_utc"}};
 
-std::string cell(const std::string& text) {
-    std::string shown = printable(text, 4 * kMostShown);
-    if (!shown.empty() && std::string("=+-@").find(shown.front()) != std::string::npos) shown.insert(0, "'");
-    if (shown.find_first_of(",\"") == std::string::npos) return shown;
-    std::string quoted = "\"";
-    for (const char c : shown) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 std::string cell(const Json& value) {
     if (value.is_null()) return {};
-    if (value.is_string()) return cell(value.get<std::string>());
+    if (value.is_string()) return csvCell(value.get<std::string>());
     if (!value.is_array()) return jsonText(value);
     std::string all;
     for (const Json& one : value) all += (all.empty() ? "" : " | ") + (one.is_string() ? one.get<std::string>() : jsonText(one));
-    return cell(all);
+    return csvCell(all);
 }
 
 } // namespace

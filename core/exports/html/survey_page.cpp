@@ -3,6 +3,7 @@
 
 #include "core/base/base64.h"
 #include "core/base/bounded_json.h"
+#include "core/base/foreign_text.h"
 #include "core/exports/html/html.h"
 
 #include <nlohmann/json.hpp>
@@ -48,7 +49,7 @@ Json shownOf(const Json& row, const std::string& picture) {
     Json share;
     if (lines.is_number() && beams.is_number() && valid.is_number())
         share = valid.get<double>() / std::max(1.0, lines.get<double>() * beams.get<double>());
-    return {row.value("input", ""),
+    return {printable(row.value("input", "")),
             row.value("outcome", ""),
             any ? linkOf(folder) + (hasReport(row) ? "/report.html" : "/") : std::string(),
             row.contains("scanned_utc") && row["scanned_utc"].is_string() ? row["scanned_utc"] : Json(""),

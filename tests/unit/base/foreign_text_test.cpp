@@ -1,4 +1,6 @@
-// Foreign text made printable, JSON with any bytes, CSV comments that a spreadsheet never computes.
+// Foreign text made printable, JSON with any bytes, CSV that a spreadsheet never computes.
+#include "core/base/bounded_json.h"
+#include "core/base/csv_text.h"
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
@@ -91,6 +93,55 @@ TEST(ForeignText, JsonKeepsTheValue) {
     EXPECT_EQ(nlohmann::json::parse(json)["name"], text) << json;
     EXPECT_EQ(nlohmann::json::parse(asciiJsonText(nlohmann::ordered_json{{"name", text}}))["name"], text);
     EXPECT_LT(shortJsonText(nlohmann::ordered_json{{"a", {{"b", std::string(100000, 'x')}}}}).size(), 5000U);
+}
+
+TEST(ForeignText, AnyBytesComeBackFromJson) {
+    EXPECT_EQ(escapedBytes("Größe 岩 🪨 \\xff %FF \ufffd"), "Größe 岩 🪨 \\xff %FF \ufffd"); // valid UTF-8 stays as it is
+    EXPECT_EQ(escapedBytes("a\xff\xc3"), "a\uefff\uefc3");
+    EXPECT_EQ(escapedBytes("\uefff"), "\uefee\uefbf\uefbf"); // a name with such a character is not the name with the byte
+    EXPECT_EQ(jsonText(nlohmann::json{{"a\xff", {"b\xfe"}}}), "{\"a\\uefff\":[\"b\\ueffe\"]}");
+    std::mt19937 random(13);
+    for (int n = 0; n < 3000; ++n) {
+        std::string bytes;
+        const int most = n % 2 == 0 ? 256 : 4; // any bytes, or often the three bytes of such a character
+        for (auto i = random() % 40; i > 0; --i) bytes += most == 256 ? static_cast<char>(random()) : "\xee\xbe\xbf\x80"[random() % 4];
+        const std::string text = escapedBytes(bytes);
+        EXPECT_EQ(escapedBytes(unescapedBytes(text)), text);
+        EXPECT_EQ(unescapedBytes(text), bytes);
+        const nlohmann::json json{{bytes, {1, bytes}}};
+        const nlohmann::ordered_json ordered{{bytes, {1, bytes}}};
+        EXPECT_EQ(*parseJson(jsonText(json), ""), json);
+        EXPECT_EQ(*parseOrderedJson(jsonText(ordered, 2), ""), ordered);
+        EXPECT_EQ(*parseOrderedJson(asciiJsonText(ordered), ""), ordered);
+    }
+}
+
+TEST(CsvText, NoSeparatorMakesAFormulaOfACell) {
+    EXPECT_EQ(csvCell("plain text = 3 - 1"), "plain text = 3 - 1");
+    EXPECT_EQ(csvCell("-3.5"), "-3.5");
+    EXPECT_EQ(csvCell("+2e3"), "+2e3");
+    EXPECT_EQ(csvCell("=1+1"), "'=1+1");
+    EXPECT_EQ(csvCell("-inf"), "'-inf");
+    EXPECT_EQ(csvCell("a;=cmd|' /C calc'!A0"), "a;'=cmd|' /C calc'!A0");
+    EXPECT_EQ(csvCell("\t=1"), "\\t=1");
+    EXPECT_EQ(csvCell("a,\"b\""), "\"a,\"\"b\"\"\"");
+    EXPECT_EQ(csvCell("a\xff"), "a\uefff");
+    std::mt19937 random(14);
+    for (int n = 0; n < 5000; ++n) {
+        std::string text;
+        for (auto i = random() % 12; i > 0; --i) text += "=+-@,;|\t\r\n \"'ab1"[random() % 16];
+        if (const auto number = numberOf(text)) continue;
+        const std::string cell = csvCell(text);
+        for (const char separator : {',', ';', '\t'}) {
+            for (std::size_t at = 0; at <= cell.size();) {
+                const std::size_t end = std::min(cell.find(separator, at), cell.size());
+                std::string part = cell.substr(at, end - at);
+                part.erase(0, std::min(part.find_first_not_of(" \""), part.size()));
+                EXPECT_TRUE(part.empty() || std::string("=+-@\t\r").find(part[0]) == std::string::npos) << text << " -> " << cell;
+                at = end + 1;
+            }
+        }
+    }
 }
 
 TEST(ForeignText, NoCellOfACommentIsAFormula) {
