@@ -7,12 +7,12 @@
 #include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/ui/run_test.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
-#include <QTest>
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -258,6 +258,6 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StartsTest)
+int starts_test(int argc, char** argv) { return runTest<StartsTest, QCoreApplication>(argc, argv); }
 
 #include "starts_test.moc"
