@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kPatienceMs = 240'000;
+constexpr int kProcessPatienceMs = 240'000;
 constexpr std::size_t kAtOnce = 4; // processes that compute
 
 /// A listening socket to which this test never answers; `open` false: the port is free again, so that a connection is refused.
@@ -246,7 +246,7 @@ private slots:
                 running.push_back(waiting.front()());
                 waiting.pop_front();
             }
-            if (sinceEnd.elapsed() < kPatienceMs) continue;
+            if (sinceEnd.elapsed() < kProcessPatienceMs) continue;
             for (Running& one : running) {
                 faults << one.start.name + ": it does not end";
                 one.process->kill();
