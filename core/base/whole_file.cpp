@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -62,8 +63,8 @@ Descriptor openFolderOf(const fs::path& file) {
 }
 
 /// Locks the folders of several files during the lifetime of this object, so that files that belong together appear together although
-/// another program writes files of the same names. A file system without locks, or a program that holds one for long, delays nothing: then
-/// the hashes in the record show what does not belong together.
+/// another program writes files of the same names. On a file system without locks, and where a program that is not a writer holds the lock
+/// (`flock FOLDER command`), the files are written without it: then the hashes in the record show what does not belong together.
 class FolderLocks {
 public:
     explicit FolderLocks(const std::vector<FileMove>& moves) {
@@ -74,17 +75,27 @@ public:
             if (folder.isOpen() && ::fstat(folder.number(), &status) == 0)
                 folders.try_emplace({status.st_dev, status.st_ino}, std::move(folder));
         }
-        const auto until = std::chrono::steady_clock::now() + kLockedWithin;
         for (auto& [number, folder] : folders) {
-            while (::flock(folder.number(), LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR) &&
-                   std::chrono::steady_clock::now() < until)
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            lock(folder.number());
             held_.push_back(std::move(folder));
         }
     }
 
 private:
-    static constexpr std::chrono::seconds kLockedWithin{3};
+    static void lock(int folder) {
+        static std::atomic<bool> waitedInVain{false}; // this program does not wait again
+        const auto until = std::chrono::steady_clock::now() + (waitedInVain ? std::chrono::seconds(0) : kLongestWait);
+        while (::flock(folder, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR)) {
+            if (std::chrono::steady_clock::now() >= until) {
+                waitedInVain = true;
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+
+    static constexpr std::chrono::seconds kLongestWait{
+        20}; // many writers on a busy machine take seconds; each holds the lock for renames only
     std::vector<Descriptor> held_;
 };
 
