@@ -290,6 +290,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<FilesWindowTest>(argc, argv); }
+int files_window_test(int argc, char** argv) { return runWindowTest<FilesWindowTest>(argc, argv); }
 
 #include "files_window_test.moc"

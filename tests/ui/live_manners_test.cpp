@@ -247,6 +247,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LiveMannersTest>(argc, argv); }
+int live_manners_test(int argc, char** argv) { return runWindowTest<LiveMannersTest>(argc, argv); }
 
 #include "live_manners_test.moc"

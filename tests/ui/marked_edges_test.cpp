@@ -210,5 +210,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<MarkedEdgesTest>(argc, argv); }
+int marked_edges_test(int argc, char** argv) { return runWindowTest<MarkedEdgesTest>(argc, argv); }
 #include "marked_edges_test.moc"

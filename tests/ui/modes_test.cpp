@@ -216,6 +216,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ModesTest>(argc, argv); }
+int modes_test(int argc, char** argv) { return runWindowTest<ModesTest>(argc, argv); }
 
 #include "modes_test.moc"
