@@ -18,8 +18,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace edgescan::batch {
@@ -35,6 +37,8 @@ constexpr const char* kSettingsBegin = "settings";
 constexpr const char* kSettingsEnd = ".sha256";
 constexpr JsonBounds kRowJson{std::size_t{16} << 20U, 12, 100'000};
 constexpr double kSyncSeconds = 1;
+/// The workers of a run that was killed end a moment after it and hold its lock until then.
+constexpr std::chrono::seconds kWorkersEndWithin{2};
 
 Error journalError(const fs::path& path, int code) {
     if (code == ELOOP)
@@ -198,9 +202,13 @@ Result<Journal> Journal::open(const fs::path& results, const Shard& shard, bool 
     journal.path_ = folder / (kRowsBegin + tailOf(shard) + kRowsEnd);
     const Error busy{"another run works on these results", results.string(), "wait for it, or give -o another folder"};
     const auto others = journalsIn(results);
-    for (const fs::path& other : others) {
-        const bool concerns = whole || other == folder / (std::string(kRowsBegin) + kRowsEnd); // a whole run conflicts with every part
-        if (concerns && heldByAnother(other)) return busy;
+    const auto isInTheWay = [&](const fs::path& other) {
+        const bool concerns = whole || other == journal.path_ || other == folder / (std::string(kRowsBegin) + kRowsEnd);
+        return concerns && heldByAnother(other); // a whole run conflicts with every part
+    };
+    for (const auto until = std::chrono::steady_clock::now() + kWorkersEndWithin; std::ranges::any_of(others, isInTheWay);) {
+        if (std::chrono::steady_clock::now() >= until) return busy;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     if (!whole) {
         auto parts = partsOfOtherSettings(results, shard, settingsSha256);

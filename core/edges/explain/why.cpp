@@ -90,6 +90,7 @@ Why whyCell(const Detection& detection, std::size_t k) {
     const bool linked = why.linked.size() > 0;
     why.level = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
     if (linked) followChain(why);
+    why.linked = {}; // frees its memory: the threshold below needs as much again
     if (why.shown != nullptr) convertToShownUnits(why, settings);
     const double highest = decision.threshold(detection, k);
     if (highest >= 0) {
