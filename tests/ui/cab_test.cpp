@@ -188,10 +188,12 @@ private slots:
         on.viewer.markedEdges.mark(on.viewer.views.cellAt(100, 120), true);
         QSet<QString> dialogs;
         QStringList small;
+        bool asked = false;
         const auto measure = [&] {
             for (QWidget* top : QApplication::topLevelWidgets()) {
                 auto* dialog = qobject_cast<QDialog*>(top);
                 if (dialog == nullptr || !dialog->isVisible()) continue;
+                asked = true;
                 if (qobject_cast<QFileDialog*>(dialog) == nullptr) {
                     dialogs << dialog->windowTitle();
                     for (const QWidget* each : dialog->findChildren<QWidget*>()) {
@@ -212,7 +214,10 @@ private slots:
                 }
                 dialog->reject();
             }
-            if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+            if (QWidget* popup = QApplication::activePopupWidget()) {
+                asked = true;
+                popup->close();
+            }
         };
         for (QAction* action : on.window.actions()) {
             const QString text = QString(action->text()).remove('&');
@@ -223,9 +228,13 @@ private slots:
             look.setInterval(50);
             connect(&look, &QTimer::timeout, this, measure);
             look.start();
+            asked = false;
             action->trigger();
-            QTest::qWait(150); // for dialogs that are not modal
-            measure();
+            const bool any = eventually([&] { // a dialog that is not modal
+                measure();
+                return asked;
+            });
+            QVERIFY2(any, qPrintable(text));
         }
         qInfo("%d dialogs measured", static_cast<int>(dialogs.size()));
         QVERIFY2(dialogs.size() >= 8, qPrintable(QStringList(dialogs.values()).join(", ")));

@@ -2,6 +2,7 @@
 #include "core/edges/settings/parameters.h"
 #include "tests/support/damage.h"
 #include "tests/support/run_program.h"
+#include "tests/ui/run_test.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/preferences.h"
 
@@ -77,5 +78,5 @@ private:
 
 } // namespace
 
-QTEST_GUILESS_MAIN(DamagedSettingsTest)
+int damaged_settings_test(int argc, char** argv) { return runTest<DamagedSettingsTest, QCoreApplication>(argc, argv); }
 #include "damaged_settings_test.moc"

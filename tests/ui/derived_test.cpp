@@ -108,6 +108,24 @@ private slots:
         QCOMPARE(on.failures.size(), 1);
     }
 
+    // More questions than the pool has threads, most of which fail; every one is answered or reported, whatever fails next to it.
+    void failuresOfManyAtATimeAreReportedEach() {
+        std::vector<std::unique_ptr<Asked>> all;
+        for (int n = 0; n < 40; ++n) all.push_back(std::make_unique<Asked>(n % 2 == 0 ? Older::Dropped : Older::Delivered));
+        for (int round = 0; round < 25; ++round) {
+            for (std::size_t n = 0; n < all.size(); ++n) all[n]->derived.ask((round + static_cast<int>(n)) % 4 == 0 ? 100 + round : -1);
+            if (round % 5 == 0) QCoreApplication::processEvents();
+        }
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            Asked& each = *all[n];
+            QTRY_VERIFY(!each.derived.behind());
+            if ((24 + n) % 4 == 0)
+                QCOMPARE(each.answers.back(), 1240);
+            else
+                QCOMPARE(each.failures.value(each.failures.size() - 1), QString("no memory"));
+        }
+    }
+
     void whatWasGivenUpIsNotDelivered() {
         for (const Older older : {Older::Dropped, Older::Delivered}) {
             Asked on(older);

@@ -210,7 +210,8 @@ private slots:
         QCOMPARE(window.viewer().live.panel().strip().badge().text(), QString("STOPPED"));
     }
 
-    void aStallIsGreyedWithinTwoSeconds() {
+    // That a picture is called outdated after two seconds is tested with the status itself (LiveHealth).
+    void anOutdatedPictureIsGreyedAtOnce() {
         scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 60;
         settings.faults.stallEvery = 70;
@@ -225,11 +226,14 @@ private slots:
         QVERIFY(waitForLines(window, 60));
         QVERIFY(window.viewer().views.gray().stale().isEmpty());
         const QImage fresh = seen(window.viewer().views.gray());
-        QVERIFY(eventually([&] { return emulated->statistics().stalls >= 1; }));
-        QElapsedTimer since;
-        since.start();
-        QVERIFY(eventually([&] { return !window.viewer().views.gray().stale().isEmpty(); }));
-        QVERIFY2(since.elapsed() <= 2000, qPrintable(QString("grey after %1 ms").arg(since.elapsed())));
+        int outdated = 0, notGreyed = 0;
+        connect(&window.viewer().live.scanner(), &ScannerLink::healthChanged, this, [&] {
+            if (!window.viewer().live.scanner().showsStale()) return;
+            ++outdated;
+            notGreyed += window.viewer().views.gray().stale().isEmpty() ? 1 : 0;
+        });
+        QVERIFY(eventually([&] { return outdated > 0; }));
+        QCOMPARE(notGreyed, 0);
         QVERIFY2(window.viewer().views.gray().stale().startsWith("STALE") || window.viewer().views.gray().stale().startsWith("LOST"),
                  qPrintable(window.viewer().views.gray().stale()));
         QCOMPARE(window.viewer().views.edges().stale(), window.viewer().views.gray().stale());
@@ -351,7 +355,7 @@ private slots:
         {
             const test::ServedProgram served(bell_ + " --rate 600 --loop --lose-every 33");
             const auto run = test::runCli("record " + served.address() + " -o " + path + " --lines 390 --expected-lines 160 --axis sweep" +
-                                          " --first-line -90 --line-step 1.125 --seconds 30");
+                                          " --first-line -90 --line-step 1.125 --seconds 120");
             QCOMPARE(run.code, 0);
         }
         WindowFixture on;

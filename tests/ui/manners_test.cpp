@@ -107,17 +107,24 @@ private slots:
         QVERIFY(on.show());
         QToolTip::showText(on.window.mapToGlobal(QPoint(100, 100)), "<b>tip</b>", &on.window);
         QTRY_VERIFY(QToolTip::isVisible());
+        int tips = 0, messages = 0;
         for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (widget->inherits("QTipLabel")) QCOMPARE(qobject_cast<QLabel*>(widget)->textFormat(), Qt::PlainText);
+            if (!widget->inherits("QTipLabel")) continue;
+            ++tips;
+            QCOMPARE(qobject_cast<QLabel*>(widget)->textFormat(), Qt::PlainText);
         }
+        QVERIFY(tips > 0);
         QToolTip::hideText();
         QMessageBox box;
         box.setText("<b>message</b>");
         box.show();
         QVERIFY(QTest::qWaitForWindowExposed(&box, kPatienceMs));
         for (const QLabel* label : box.findChildren<QLabel*>()) {
-            if (label->text().contains("message")) QCOMPARE(label->textFormat(), Qt::PlainText);
+            if (!label->text().contains("message")) continue;
+            ++messages;
+            QCOMPARE(label->textFormat(), Qt::PlainText);
         }
+        QVERIFY(messages > 0);
     }
 
     void whatFailsIsToldInPlainAndShortWords() {
