@@ -114,8 +114,10 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     EXPECT_EQ(all.received + status.sweep.duplicates, status.lines);
     EXPECT_EQ(status.undecodable, 0);
     EXPECT_EQ(status.statistics.scans, static_cast<std::uint64_t>(status.lines));
-    EXPECT_EQ(status.statistics.connections, sent.clients);
-    EXPECT_EQ(status.statistics.reconnects, sent.clients - 1);
+    // The scanner may have accepted a last connection that stop() ended before it was made here.
+    EXPECT_LE(status.statistics.connections, sent.clients);
+    EXPECT_GE(status.statistics.connections + 1, sent.clients);
+    EXPECT_EQ(status.statistics.reconnects + 1, status.statistics.connections);
     EXPECT_GE(status.statistics.reconnects, sent.drops);
     EXPECT_GT(early, 0.0);
     EXPECT_LT(late - early, kMostGrowthMb);
