@@ -26,9 +26,10 @@ Lock lockAs(int kind, int file, std::chrono::milliseconds within) {
 
 Lock lockFile(int file, std::chrono::milliseconds within) { return lockAs(LOCK_EX, file, within); }
 
-bool isLocked(const char* path, std::chrono::milliseconds within) {
+bool isLocked(const char* path) {
     const Descriptor file(::open(path, O_RDONLY | O_CLOEXEC));
-    return file.isOpen() && lockAs(LOCK_SH, file.number(), within) == Lock::Busy; // NFS allows no other lock on a file opened for reading
+    return file.isOpen() && lockAs(LOCK_SH, file.number(), std::chrono::milliseconds(0)) ==
+                                Lock::Busy; // NFS allows no other lock on a file opened for reading
 }
 
 } // namespace edgescan

@@ -15,6 +15,6 @@ enum class Lock {
 [[nodiscard]] Lock lockFile(int file, std::chrono::milliseconds within = std::chrono::milliseconds(0));
 
 /// Whether another program has locked the file; false if it cannot be opened.
-[[nodiscard]] bool isLocked(const char* path, std::chrono::milliseconds within);
+[[nodiscard]] bool isLocked(const char* path);
 
 } // namespace edgescan

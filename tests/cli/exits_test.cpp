@@ -377,7 +377,7 @@ TEST(Exits, PipesHangNothing) {
         for (const char* extension : {".pcd", ".json", ".mcap"}) fs::create_symlink(pipe, pipe + extension);
         std::string command = std::regex_replace(commands[n], std::regex("PIPE"), pipe);
         command = std::regex_replace(command, std::regex("SCAN"), scan);
-        const std::string line = "timeout 60 " + test::programFolder() + "/" + programOf(command.substr(0, command.find(' '))) + " " +
+        const std::string line = "timeout 120 " + test::programFolder() + "/" + programOf(command.substr(0, command.find(' '))) + " " +
                                  command + " >" + words(n) + " 2>&1";
         statuses.push_back(std::async(std::launch::async, [line] { return std::system(line.c_str()); }));
     }

@@ -71,7 +71,7 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     {
         const Served served(scan + " --rate 0");
         const auto record =
-            runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 30");
+            runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 120");
         ASSERT_EQ(record.code, 0) << record.err;
         const json summary = json::parse(record.out);
         EXPECT_EQ(summary["lines"], 90);
@@ -97,7 +97,7 @@ TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     const Served served(bell + " --rate 0");
     const std::string flags = served.said()["record_flags"];
     EXPECT_EQ(flags, "--axis sweep --first-line -90 --line-step 0.45 --standing --expected-lines 400");
-    const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 400 --seconds 60 " + flags);
+    const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 400 --seconds 120 " + flags);
     ASSERT_EQ(record.code, 0) << record.err;
     EXPECT_TRUE(json::parse(record.out)["mounting"]["assumed"].empty());
     EXPECT_EQ(hashOf(recording), hashOf(bell));
@@ -107,7 +107,7 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
     const auto recorded = [&](const std::string& name, const std::string& flags) {
         const Served served(scan + " --rate 0"); // each recording begins with the first line
         const std::string path = (folder / name).string();
-        const auto record = runCli("record " + served.address() + " -o " + path + " --lines 40 --seconds 30 " + flags);
+        const auto record = runCli("record " + served.address() + " -o " + path + " --lines 40 --seconds 120 " + flags);
         EXPECT_EQ(record.code, 0) << record.err;
         return std::pair(path, json::parse(record.out));
     };
@@ -259,7 +259,7 @@ TEST_F(Live, ARecordingEndsInTimeWhateverThePeerSends) {
 TEST_F(Live, LostLinesAreTold) {
     const std::string recording = (folder / "lossy.mcap").string();
     const Served served(scan + " --rate 0 --lose-every 20 --split --merge --garbage-every 7");
-    const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 80 --expected-lines 90 --seconds 30");
+    const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 80 --expected-lines 90 --seconds 120");
     ASSERT_EQ(record.code, 0) << record.err;
     const json summary = json::parse(record.out);
     EXPECT_GE(summary["lost_lines"].size(), 3U);
@@ -285,7 +285,7 @@ TEST_F(Live, CountersBeamsAndClocksThatAreWrongAreToldWhileTheyAreRecorded) {
         const std::string recording =
             (folder / (std::string(each.flag).substr(2, 5) + each.flag[std::string(each.flag).size() - 1] + ".mcap")).string();
         const auto record =
-            runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 30");
+            runCli("record " + served.address() + " -o " + recording + " --line-step 2 --lines 90 --expected-lines 90 --seconds 120");
         ASSERT_EQ(record.code, 0) << record.err;
         const json summary = json::parse(record.out);
         EXPECT_EQ(summary["sweep"], each.sweep);

@@ -129,7 +129,7 @@ std::string inBrowser(const fs::path& folder, const fs::path& page, const std::s
     std::ofstream(folder / "tried.html", std::ios::binary) << text;
     const std::string command =
         "cd " + folder.string() +
-        " && timeout 90 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
+        " && timeout 300 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
         "--user-data-dir=profile --window-size=1200,900 --enable-logging=stderr --virtual-time-budget=3000 --dump-dom "
         "tried.html >dom 2>log";
     EXPECT_EQ(std::system(command.c_str()), 0) << fileText(folder / "log");
@@ -242,7 +242,7 @@ TEST(CliReport, PrintsOnA4InARealBrowser) {
     ASSERT_TRUE(files::saveScan(test::boxesScan(80, 120, 4), folder / "s.json"));
     ASSERT_EQ(runCli("report " + (folder / "s.json").string() + " -o " + (folder / "s.html").string()).code, 0);
     const std::string command = "cd " + folder.path().string() +
-                                " && timeout 90 chromium --headless --no-sandbox --user-data-dir=profile --no-pdf-header-footer "
+                                " && timeout 300 chromium --headless --no-sandbox --user-data-dir=profile --no-pdf-header-footer "
                                 "--print-to-pdf=s.pdf s.html >log 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0) << fileText(folder / "log");
     const std::string pdf = fileText(folder / "s.pdf");

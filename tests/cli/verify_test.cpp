@@ -91,20 +91,25 @@ TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
     EXPECT_EQ(runCli("verify " + exported).code, 0) << "the record inside is enough";
 }
 
-TEST(CliVerify, ARealScanInEveryFormat) {
-    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
-    const std::string corridor = (test::sharedFolder() / "data/lms200_corridor/").string();
+// Of `scan` in the folder `scans`: exported edges and clouds of every format verify.
+void expectVerified(const std::string& scans, const std::string& scan) {
     const test::TemporaryFolder folder;
     std::string all;
     for (const char* name : {"e.pcd", "e.ply", "e.csv", "e.xyz"}) {
         const std::string path = (folder / name).string();
-        ASSERT_EQ(
-            runCli("detect " + corridor + "scan000.3d --edges " + path + " --cloud " + (folder / (std::string("c") + name)).string()).code,
-            0);
+        ASSERT_EQ(runCli("detect " + scans + scan + " --edges " + path + " --cloud " + (folder / (std::string("c") + name)).string()).code,
+                  0);
         all += path + " " + (folder / (std::string("c") + name)).string() + " ";
     }
-    const auto verify = runCli("verify --scans " + corridor + " " + all);
+    const auto verify = runCli("verify --scans " + scans + " " + all);
     EXPECT_EQ(verify.code, 0) << verify.out << verify.err;
+}
+
+TEST(CliVerify, AScanInEveryFormat) { expectVerified((test::ownData() / "thesis/").string(), "steps.json"); }
+
+TEST(CliVerify, ARealScanInEveryFormat) {
+    EDGESCAN_NEEDS_SHARED("data/lms200_corridor");
+    expectVerified((test::sharedFolder() / "data/lms200_corridor/").string(), "scan000.3d");
 }
 
 } // namespace

@@ -14,6 +14,7 @@ struct OwnSocket {
     bool listening = false;
     int localPort = 0, remotePort = 0;
     bool loopback = false; ///< the other end is 127.0.0.1
+    bool underWay = false; ///< bytes that were sent are not received, or were received and are not read
 };
 
 inline std::set<std::string> ownInodes() {
@@ -40,7 +41,8 @@ inline std::vector<OwnSocket> ownTcpSockets() {
             words >> slot >> local >> remote >> state >> queues >> timer >> retransmitted >> user >> timeout >> inode;
             if (!inodes.contains(inode)) continue;
             const auto port = [](const std::string& address) { return std::stoi(address.substr(address.find(':') + 1), nullptr, 16); };
-            sockets.push_back({state == "0A", port(local), port(remote), remote.starts_with("0100007F:")});
+            sockets.push_back({state == "0A", port(local), port(remote), remote.starts_with("0100007F:"),
+                               state != "0A" && queues != "00000000:00000000"});
         }
     }
     return sockets;

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <string>
-#include <thread>
+#include <sys/prctl.h>
 
 namespace edgescan::test {
 
@@ -18,10 +18,11 @@ class ServedProgram {
 public:
     /// `arguments` as typed behind "serve"; any free port.
     explicit ServedProgram(const std::string& arguments) {
-        const std::string command = "exec " + programFolder() + "/edgescan-cli serve " + arguments + " --port 0 --seconds 120 >" +
-                                    (folder_ / "out").string() + " 2>&1";
+        const std::string command =
+            "exec " + programFolder() + "/edgescan-cli serve " + arguments + " --port 0 >" + (folder_ / "out").string() + " 2>&1";
         process_ = fork();
         if (process_ == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGTERM); // also where the test crashes
             execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
             _exit(127);
         }

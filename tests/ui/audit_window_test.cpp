@@ -96,5 +96,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<AuditWindowTest>(argc, argv); }
+int audit_window_test(int argc, char** argv) { return runWindowTest<AuditWindowTest>(argc, argv); }
 #include "audit_window_test.moc"

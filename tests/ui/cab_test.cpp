@@ -466,5 +466,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<CabTest>(argc, argv); }
+int cab_test(int argc, char** argv) { return runWindowTest<CabTest>(argc, argv); }
 #include "cab_test.moc"

@@ -258,5 +258,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CalibratingTest)
+int calibrating_test(int argc, char** argv) { return runWindowTest<CalibratingTest>(argc, argv); }
 #include "calibrating_test.moc"

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "cloud_demo_scan.h"
+#include "tests/ui/mouse_wheel.h"
 #include "tests/ui/patience.h"
+#include "tests/ui/pictures.h"
+#include "tests/ui/run_test.h"
 
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
@@ -10,22 +13,14 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>
-#include <QWheelEvent>
 #include <QtTest>
 
 #include <cmath>
 #include <functional>
 #include <set>
 
-namespace edgescan::ui::test {
+namespace edgescan::ui {
 
-inline int countColour(const QImage& image, const std::function<bool(QRgb)>& is) {
-    int n = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) n += is(image.pixel(x, y));
-    }
-    return n;
-}
 inline bool isGreen(QRgb p) { return qGreen(p) > 200 && qRed(p) < 60 && qBlue(p) < 60; }
 inline bool isGray121(QRgb p) { return qRed(p) == 121 && qGreen(p) == 121 && qBlue(p) == 121; }
 inline bool isBright(QRgb p) { return qRed(p) == 230 && qGreen(p) == 230 && qBlue(p) == 230; }
@@ -38,12 +33,6 @@ inline int colours(const QImage& image) {
         for (int x = 0; x < image.width(); x += 3) seen.insert(image.pixel(x, y));
     }
     return static_cast<int>(seen.size());
-}
-
-// Saves pictures for inspection: EDGESCAN_PICTURES=FOLDER
-inline void keep(const QImage& image, const QString& name) {
-    const QString folder = qEnvironmentVariable("EDGESCAN_PICTURES");
-    if (!folder.isEmpty()) image.save(folder + "/" + name + ".png");
 }
 
 inline void drag(QWidget& view, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint from, QPoint to) {
@@ -59,11 +48,6 @@ inline void drag(QWidget& view, Qt::MouseButton button, Qt::KeyboardModifiers mo
 inline void hover(QWidget& view, QPoint at) {
     QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
     QApplication::sendEvent(&view, &move);
-}
-
-inline void wheel(QWidget& view, QPoint at, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&view, &event);
 }
 
 /// A visible view before each test; asserts that there is an OpenGL context.
@@ -108,9 +92,7 @@ private slots:
 template <class Test>
 int runCloudTest(int argc, char** argv) {
     QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
-    const QApplication app(argc, argv);
-    Test test;
-    return QTest::qExec(&test, argc, argv);
+    return runTest<Test, QApplication>(argc, argv);
 }
 
-} // namespace edgescan::ui::test
+} // namespace edgescan::ui

@@ -6,7 +6,6 @@
 
 using namespace edgescan;
 using namespace edgescan::ui;
-using namespace edgescan::ui::test;
 
 class CloudMouseTest : public CloudFixture {
     Q_OBJECT
@@ -89,13 +88,13 @@ private slots:
         wheel(*view_, {400, 300}, 1, Qt::AltModifier);
         QCOMPARE(view_->pointSize(), 3.0);
         QCOMPARE(size.count(), 1);
-        const int whole = countColour(view_->grabFrame(CloudView::Points::All), isGray121);
+        const int whole = countPixels(view_->grabFrame(CloudView::Points::All), isGray121);
         for (int i = 0; i < 30; ++i) wheel(*view_, {400, 300}, 1, Qt::ControlModifier);
-        const int nearCut = countColour(view_->grabFrame(CloudView::Points::All), isGray121);
+        const int nearCut = countPixels(view_->grabFrame(CloudView::Points::All), isGray121);
         QVERIFY(nearCut < whole);
         view_->resetView();
         for (int i = 0; i < 30; ++i) wheel(*view_, {400, 300}, -1, Qt::ControlModifier | Qt::ShiftModifier);
-        const int farCut = countColour(view_->grabFrame(CloudView::Points::All), isGray121);
+        const int farCut = countPixels(view_->grabFrame(CloudView::Points::All), isGray121);
         QVERIFY(farCut < whole);
         QVERIFY(view_->camera().position.isApprox(start.position));
     }
@@ -131,9 +130,9 @@ private slots:
         const QImage image = view_->grabFrame(CloudView::Points::All);
         keep(image, "cloud_turning");
         const auto yellowish = [](QRgb p) { return qRed(p) > qBlue(p) + 25 && qGreen(p) > qBlue(p) + 25; };
-        QVERIFY(countColour(image, yellowish) > 100);
+        QVERIFY(countPixels(image, yellowish) > 100);
         QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {470, 300});
-        QCOMPARE(countColour(view_->grabFrame(), yellowish), 0);
+        QCOMPARE(countPixels(view_->grabFrame(), yellowish), 0);
     }
 
     void timesAtFullSize() { // printed, not asserted: other programs use the machine too
@@ -197,6 +196,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runCloudTest<CloudMouseTest>(argc, argv); }
+int cloud_mouse_test(int argc, char** argv) { return runCloudTest<CloudMouseTest>(argc, argv); }
 #include "cloud_mouse_test.moc"
-#include "moc_cloud_fixture.cpp"

@@ -1,5 +1,6 @@
 // The parts of the cloud view that need no display: geometry, camera motion, picking, budget, mouse bindings.
 #include "cloud_demo_scan.h"
+#include "tests/ui/run_test.h"
 
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
@@ -8,7 +9,6 @@
 #include "ui/views/cloud/point_pick.h"
 
 #include <QElapsedTimer>
-#include <QtTest>
 
 #include <algorithm>
 #include <numbers>
@@ -346,5 +346,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CloudRoomsTest)
+int cloud_rooms_test(int argc, char** argv) { return runTest<CloudRoomsTest, QCoreApplication>(argc, argv); }
 #include "cloud_rooms_test.moc"

@@ -7,7 +7,6 @@
 
 using namespace edgescan;
 using namespace edgescan::ui;
-using namespace edgescan::ui::test;
 
 class CloudViewTest : public CloudFixture {
     Q_OBJECT
@@ -33,7 +32,7 @@ private slots:
         view_->setEdges(std::make_shared<std::vector<std::uint32_t>>(std::vector<std::uint32_t>{1, 2, 3}));
         const QImage image = view_->grabFrame();
         keep(image, "cloud_no_point");
-        QCOMPARE(countColour(image, isGreen), 0);
+        QCOMPARE(countPixels(image, isGreen), 0);
         QVERIFY(colours(image) > 1);
     }
 
@@ -41,28 +40,28 @@ private slots:
         view_->setScan(scan_);
         const QImage plain = view_->grabFrame(CloudView::Points::All);
         keep(plain, "cloud_plain");
-        QVERIFY(countColour(plain, isGray121) > 20000);
-        QCOMPARE(countColour(plain, isGreen), 0);
+        QVERIFY(countPixels(plain, isGray121) > 20000);
+        QCOMPARE(countPixels(plain, isGreen), 0);
 
         view_->setEdges(edges_);
         const QImage image = view_->grabFrame(CloudView::Points::All);
         keep(image, "cloud_edges");
         keep(image.copy(200, 150, 220, 180).scaled(880, 720), "cloud_edges_close");
-        QVERIFY(countColour(image, isGreen) > static_cast<int>(edges_->size()));
-        QVERIFY(countColour(image, isHalo) > 500);
+        QVERIFY(countPixels(image, isGreen) > static_cast<int>(edges_->size()));
+        QVERIFY(countPixels(image, isHalo) > 500);
 
         view_->setEdgeColours(kColourBlindColours);
         const QImage yellow = view_->grabFrame();
-        QCOMPARE(countColour(yellow, isGreen), 0);
-        QVERIFY(countColour(yellow, isYellow) > static_cast<int>(edges_->size()));
+        QCOMPARE(countPixels(yellow, isGreen), 0);
+        QVERIFY(countPixels(yellow, isYellow) > static_cast<int>(edges_->size()));
 
         view_->setEdgesVisible(false);
         const QImage off = view_->grabFrame();
-        QCOMPARE(countColour(off, isYellow), 0);
-        QVERIFY(countColour(off, isBright) > 20000);
+        QCOMPARE(countPixels(off, isYellow), 0);
+        QVERIFY(countPixels(off, isBright) > 20000);
         view_->setEdgesVisible(true);
         view_->setCloudDimmed(false);
-        QVERIFY(countColour(view_->grabFrame(), isBright) > 20000);
+        QVERIFY(countPixels(view_->grabFrame(), isBright) > 20000);
     }
 
     void everyVisibleEdgePointIsGreen() {
@@ -93,25 +92,25 @@ private slots:
         }
         QVERIFY(!one->empty());
         view_->setEdges(one);
-        const int seen = countColour(view_->grabFrame(CloudView::Points::All), isGreen);
+        const int seen = countPixels(view_->grabFrame(CloudView::Points::All), isGreen);
         view_->viewRight();
-        const int open = countColour(view_->grabFrame(CloudView::Points::All), isGreen);
+        const int open = countPixels(view_->grabFrame(CloudView::Points::All), isGreen);
         QVERIFY2(seen * 2 < open, qPrintable(QString("%1 %2").arg(seen).arg(open)));
     }
 
     void retuneReplacesOnlyTheEdges() {
         view_->setScan(scan_);
         view_->setEdges(edges_);
-        const int before = countColour(view_->grabFrame(CloudView::Points::All), isGreen);
+        const int before = countPixels(view_->grabFrame(CloudView::Points::All), isGreen);
         view_->setEdges(std::make_shared<std::vector<std::uint32_t>>(edges_->begin(), edges_->begin() + 50));
-        const int fewer = countColour(view_->grabFrame(CloudView::Points::All), isGreen);
+        const int fewer = countPixels(view_->grabFrame(CloudView::Points::All), isGreen);
         QVERIFY(fewer > 0 && fewer < before / 4);
         view_->setEdges(std::make_shared<std::vector<std::uint32_t>>());
-        QCOMPARE(countColour(view_->grabFrame(CloudView::Points::All), isGreen), 0);
+        QCOMPARE(countPixels(view_->grabFrame(CloudView::Points::All), isGreen), 0);
         view_->setEdges(edges_);
-        QCOMPARE(countColour(view_->grabFrame(CloudView::Points::All), isGreen), before);
+        QCOMPARE(countPixels(view_->grabFrame(CloudView::Points::All), isGreen), before);
         view_->setEdges(nullptr);
-        QCOMPARE(countColour(view_->grabFrame(CloudView::Points::All), isGreen), 0);
+        QCOMPARE(countPixels(view_->grabFrame(CloudView::Points::All), isGreen), 0);
     }
 
     void edgeCellsWithoutAPointAreLeftOut() {
@@ -120,7 +119,7 @@ private slots:
         auto all = std::make_shared<std::vector<std::uint32_t>>();
         for (std::uint32_t k = 0; k < 6000; ++k) all->push_back(k); // invalid cells and cells beyond the end
         view_->setEdges(all);
-        QVERIFY(countColour(view_->grabFrame(), isGreen) > 1000);
+        QVERIFY(countPixels(view_->grabFrame(), isGreen) > 1000);
     }
 
     void markerAndRay() {
@@ -142,8 +141,8 @@ private slots:
         const auto white = [](QRgb p) { return qRed(p) > 240 && qGreen(p) > 240 && qBlue(p) > 240; };
         const QPoint at = (*view_->pixelOf(*cell) * view_->devicePixelRatioF()).toPoint();
         const int reach = static_cast<int>(12 * view_->devicePixelRatioF());
-        QVERIFY(countColour(image.copy(QRect(at - QPoint(reach, reach), at + QPoint(reach, reach))), white) > 30);
-        QCOMPARE(countColour(before, white), 0);
+        QVERIFY(countPixels(image.copy(QRect(at - QPoint(reach, reach), at + QPoint(reach, reach))), white) > 30);
+        QCOMPARE(countPixels(before, white), 0);
         // A hidden point gets a dotted ring.
         bool hidden = false;
         for (std::uint32_t k = 0; k < scan_->cells(); k += 31) {
@@ -154,13 +153,13 @@ private slots:
             view_->setMarkedCell(k);
             const QImage dotted = view_->grabFrame(CloudView::Points::All);
             keep(dotted, "cloud_marker_hidden");
-            QVERIFY(countColour(dotted, white) > 0);
+            QVERIFY(countPixels(dotted, white) > 0);
             hidden = true;
             break;
         }
         QVERIFY(hidden);
         view_->setMarkedCell(std::nullopt);
-        QCOMPARE(countColour(view_->grabFrame(), white), 0);
+        QCOMPARE(countPixels(view_->grabFrame(), white), 0);
     }
 
     void viewsLookFromTheirSides() {
@@ -181,12 +180,12 @@ private slots:
             QVERIFY(view_->camera().forward().isApprox(c.forward));
             const QImage image = view_->grabFrame();
             keep(image, QString("cloud_") + c.name);
-            QVERIFY(countColour(image, isGray121) > 3000);
+            QVERIFY(countPixels(image, isGray121) > 3000);
         }
         view_->viewFront();
         view_->setParallel(true);
-        QVERIFY(countColour(view_->grabFrame(), isGray121) > 3000);
-        QVERIFY(countColour(view_->grabFrame(), isGreen) > 300);
+        QVERIFY(countPixels(view_->grabFrame(), isGray121) > 3000);
+        QVERIFY(countPixels(view_->grabFrame(), isGreen) > 300);
         keep(view_->grabFrame(), "cloud_parallel");
         QVERIFY(view_->cellAt({450, 320}).has_value());
         view_->flyTo(100 * 300 + 150);
@@ -241,6 +240,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runCloudTest<CloudViewTest>(argc, argv); }
+int cloud_view_test(int argc, char** argv) { return runCloudTest<CloudViewTest>(argc, argv); }
 #include "cloud_view_test.moc"
 #include "moc_cloud_fixture.cpp"

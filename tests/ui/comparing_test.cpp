@@ -302,5 +302,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ComparingTest>(argc, argv); }
+int comparing_test(int argc, char** argv) { return runWindowTest<ComparingTest>(argc, argv); }
 #include "comparing_test.moc"

@@ -203,5 +203,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ConfidenceTest>(argc, argv); }
+int confidence_test(int argc, char** argv) { return runWindowTest<ConfidenceTest>(argc, argv); }
 #include "confidence_test.moc"

@@ -88,5 +88,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ContactSheetTest>(argc, argv); }
+int contact_sheet_test(int argc, char** argv) { return runWindowTest<ContactSheetTest>(argc, argv); }
 #include "contact_sheet_test.moc"

@@ -1,7 +1,7 @@
 // Derived: questions and answers between the GUI thread and the pool, without a window.
 #include "ui/engine/worker_bridge/derived.h"
 
-#include <QTest>
+#include "tests/ui/run_test.h"
 
 #include <memory>
 #include <stdexcept>
@@ -233,5 +233,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DerivedTest)
+int derived_test(int argc, char** argv) { return runTest<DerivedTest, QCoreApplication>(argc, argv); }
 #include "derived_test.moc"

@@ -188,7 +188,7 @@ private slots:
             QSignalSpy saved(&window.viewer().engine, &Engine::saved);
             const std::string name = std::string(kind.key) + (kind.files.empty() ? ".pcd" : kind.files.front().extension);
             window.viewer().engine.save(kind.content, QString::fromStdString((folder_ / name).string()));
-            QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1 && !window.viewer().engine.working(); }, 10000));
+            QVERIFY2(eventually([&] { return saved.count() == 1 && !window.viewer().engine.working(); }), kind.key);
             const QString counted = QString("%1 %2").arg(saved.front()[2].toLongLong()).arg(exports::countedThings(kind));
             QVERIFY2(window.viewer().notice.text().contains(counted), qPrintable(window.viewer().notice.text()));
         }
@@ -290,6 +290,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<FilesWindowTest>(argc, argv); }
+int files_window_test(int argc, char** argv) { return runWindowTest<FilesWindowTest>(argc, argv); }
 
 #include "files_window_test.moc"

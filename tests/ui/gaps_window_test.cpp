@@ -65,5 +65,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(GapsWindowTest)
+int gaps_window_test(int argc, char** argv) { return runWindowTest<GapsWindowTest>(argc, argv); }
 #include "gaps_window_test.moc"

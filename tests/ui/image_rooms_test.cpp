@@ -1,10 +1,10 @@
 // The parts of the image view that need no display: pyramid and view port.
 #include "tests/ui/ramp_image.h"
+#include "tests/ui/run_test.h"
 #include "ui/views/image/pyramid.h"
 #include "ui/views/image/viewport.h"
 
 #include <QLineF>
-#include <QtTest>
 
 #include <random>
 
@@ -125,5 +125,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ImageRoomsTest)
+int image_rooms_test(int argc, char** argv) { return runTest<ImageRoomsTest, QCoreApplication>(argc, argv); }
 #include "image_rooms_test.moc"

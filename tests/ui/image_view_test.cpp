@@ -1,6 +1,9 @@
 // The image view as a real widget with real mouse events.
+#include "tests/ui/mouse_wheel.h"
 #include "tests/ui/patience.h"
+#include "tests/ui/pictures.h"
 #include "tests/ui/ramp_image.h"
+#include "tests/ui/run_test.h"
 #include "ui/views/image/image_view.h"
 
 #include <QApplication>
@@ -25,19 +28,6 @@ std::shared_ptr<const QImage> edgeMap(int beams, int lines) {
     return image;
 }
 
-int count(const QImage& image, const std::function<bool(QRgb)>& is) {
-    int n = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) n += is(image.pixel(x, y));
-    }
-    return n;
-}
-
-void keep(const QImage& image, const QString& name) {
-    const QString folder = qEnvironmentVariable("EDGESCAN_PICTURES");
-    if (!folder.isEmpty()) image.save(folder + "/" + name + ".png");
-}
-
 void move(QWidget& view, QPoint at, Qt::MouseButtons buttons = Qt::NoButton, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
     QApplication::sendEvent(&view, &event);
@@ -47,11 +37,6 @@ void drag(QWidget& view, Qt::MouseButton button, QPoint from, QPoint to, Qt::Key
     QTest::mousePress(&view, button, modifiers, from);
     for (int i = 1; i <= 5; ++i) move(view, from + (to - from) * i / 5, button, modifiers);
     QTest::mouseRelease(&view, button, modifiers, to);
-}
-
-void wheel(QWidget& view, QPoint at, int notches) {
-    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&view, &event);
 }
 
 // In device pixels: run the tests with QT_SCALE_FACTOR=2 too.
@@ -79,7 +64,7 @@ private slots:
         view_->setNote("no scan open");
         const QImage image = grab(*view_);
         QCOMPARE(image.pixelColor(3, 3), QColor(48, 48, 48));
-        QVERIFY(count(image, [](QRgb p) { return qGray(p) > 150; }) > 10);
+        QVERIFY(countPixels(image, [](QRgb p) { return qGray(p) > 150; }) > 10);
         move(*view_, {100, 100});
         QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::NoModifier, {100, 100});
         drag(*view_, Qt::LeftButton, {100, 100}, {150, 150}, Qt::ShiftModifier);
@@ -111,7 +96,7 @@ private slots:
         view_->setImage(image);
         for (int i = 0; i < 6; ++i) wheel(*view_, {133, 71}, 1);
         const QImage shown = grab(*view_);
-        QCOMPARE(count(shown, [](QRgb p) { return qGray(p) != 0 && qGray(p) != 255; }), 0);
+        QCOMPARE(countPixels(shown, [](QRgb p) { return qGray(p) != 0 && qGray(p) != 255; }), 0);
         // Every screen pixel shows the cell that cellAt() returns for it.
         const double dpr = view_->devicePixelRatioF();
         int wrong = 0, looked = 0;
@@ -258,8 +243,8 @@ private slots:
             const QPoint at = (port_->toPixel({60.5, 70.5}, view_->size()) * dpr).toPoint();
             const int reach = static_cast<int>(10 * dpr);
             const QImage patch = ring.copy(QRect(at - QPoint(reach, reach), at + QPoint(reach, reach)));
-            QVERIFY(count(patch, [](QRgb p) { return qGray(p) > 220; }) > 15);
-            QVERIFY(count(patch, [](QRgb p) { return qGray(p) < 60; }) > 15);
+            QVERIFY(countPixels(patch, [](QRgb p) { return qGray(p) > 220; }) > 15);
+            QVERIFY(countPixels(patch, [](QRgb p) { return qGray(p) < 60; }) > 15);
             view_->setCrosshair(QPoint(150, 30));
             QVERIFY(grab(*view_) != ring);
         }
@@ -278,13 +263,13 @@ private slots:
         view_->setImage(gray);
         view_->setOverlay(edges, 1.0);
         const auto green = [](QRgb p) { return qGreen(p) > 240 && qRed(p) < 20; };
-        QVERIFY(count(grab(*view_), green) > 300);
+        QVERIFY(countPixels(grab(*view_), green) > 300);
         view_->setOverlay(edges, 0.5);
         const QPoint at = (port_->toPixel({100.5, 75.5}, view_->size()) * view_->devicePixelRatioF()).toPoint();
         const QColor mixed = grab(*view_).pixelColor(at);
         QVERIFY(std::abs(mixed.red() - 50) < 4 && std::abs(mixed.green() - 178) < 4);
         view_->setOverlay(nullptr, 1.0);
-        QCOMPARE(count(grab(*view_), green), 0);
+        QCOMPARE(countPixels(grab(*view_), green), 0);
     }
 
     void timesAtFullSize() { // printed, not asserted: other programs use the machine too
@@ -322,5 +307,5 @@ private:
     std::unique_ptr<ImageView> view_;
 };
 
-QTEST_MAIN(ImageViewTest)
+int image_view_test(int argc, char** argv) { return runTest<ImageViewTest, QApplication>(argc, argv); }
 #include "image_view_test.moc"

@@ -300,5 +300,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LanguagesTest>(argc, argv); }
+int languages_test(int argc, char** argv) { return runWindowTest<LanguagesTest>(argc, argv); }
 #include "languages_test.moc"

@@ -173,6 +173,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LayoutTest>(argc, argv); }
+int layout_test(int argc, char** argv) { return runWindowTest<LayoutTest>(argc, argv); }
 
 #include "layout_test.moc"

@@ -163,6 +163,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LegibleTest>(argc, argv); }
+int legible_test(int argc, char** argv) { return runWindowTest<LegibleTest>(argc, argv); }
 
 #include "legible_test.moc"

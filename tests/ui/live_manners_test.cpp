@@ -220,7 +220,7 @@ private slots:
             const auto emulated = scanner(400);
             QVERIFY(emulated);
             const auto run = test::runCli("record 127.0.0.1:" + std::to_string(emulated->port()) + " -o " + path +
-                                          " --lines 120 --expected-lines 120 --axis spin --first-line -90 --line-step 1.5 --seconds 30");
+                                          " --lines 120 --expected-lines 120 --axis spin --first-line -90 --line-step 1.5 --seconds 120");
             QCOMPARE(run.code, 0);
         }
         WindowFixture on;
@@ -247,6 +247,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LiveMannersTest>(argc, argv); }
+int live_manners_test(int argc, char** argv) { return runWindowTest<LiveMannersTest>(argc, argv); }
 
 #include "live_manners_test.moc"

@@ -159,5 +159,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LiveSessionTest>(argc, argv); }
+int live_session_test(int argc, char** argv) { return runWindowTest<LiveSessionTest>(argc, argv); }
 #include "live_session_test.moc"

@@ -383,6 +383,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<LiveWindowTest>(argc, argv); }
+int live_window_test(int argc, char** argv) { return runWindowTest<LiveWindowTest>(argc, argv); }
 
 #include "live_window_test.moc"

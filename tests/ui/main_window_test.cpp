@@ -307,6 +307,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<MainWindowTest>(argc, argv); }
+int main_window_test(int argc, char** argv) { return runWindowTest<MainWindowTest>(argc, argv); }
 
 #include "main_window_test.moc"

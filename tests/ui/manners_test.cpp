@@ -255,5 +255,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<MannersTest>(argc, argv); }
+int manners_test(int argc, char** argv) { return runWindowTest<MannersTest>(argc, argv); }
 #include "manners_test.moc"

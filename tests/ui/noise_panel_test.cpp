@@ -51,5 +51,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(NoisePanelTest)
+int noise_panel_test(int argc, char** argv) { return runWindowTest<NoisePanelTest>(argc, argv); }
 #include "noise_panel_test.moc"

@@ -222,5 +222,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<OpeningWindowTest>(argc, argv); }
+int opening_window_test(int argc, char** argv) { return runWindowTest<OpeningWindowTest>(argc, argv); }
 #include "opening_window_test.moc"

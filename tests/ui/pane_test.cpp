@@ -198,6 +198,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<PaneTest>(argc, argv); }
+int pane_test(int argc, char** argv) { return runWindowTest<PaneTest>(argc, argv); }
 
 #include "pane_test.moc"

@@ -145,6 +145,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<PlaceExportTest>(argc, argv); }
+int place_export_test(int argc, char** argv) { return runWindowTest<PlaceExportTest>(argc, argv); }
 
 #include "place_export_test.moc"

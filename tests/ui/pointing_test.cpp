@@ -326,6 +326,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<PointingTest>(argc, argv); }
+int pointing_test(int argc, char** argv) { return runWindowTest<PointingTest>(argc, argv); }
 
 #include "pointing_test.moc"

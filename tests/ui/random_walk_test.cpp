@@ -239,5 +239,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<RandomWalkTest>(argc, argv); }
+int random_walk_test(int argc, char** argv) { return runWindowTest<RandomWalkTest>(argc, argv); }
 #include "random_walk_test.moc"

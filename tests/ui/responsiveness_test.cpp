@@ -153,6 +153,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ResponsivenessTest, TimedApplication>(argc, argv); }
+int responsiveness_test(int argc, char** argv) { return runWindowTest<ResponsivenessTest, TimedApplication>(argc, argv); }
 
 #include "responsiveness_test.moc"

@@ -672,6 +672,6 @@ private:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<RocksWindowTest>(argc, argv); }
+int rocks_window_test(int argc, char** argv) { return runWindowTest<RocksWindowTest>(argc, argv); }
 
 #include "rocks_window_test.moc"

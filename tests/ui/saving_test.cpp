@@ -287,6 +287,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<SavingTest>(argc, argv); }
+int saving_test(int argc, char** argv) { return runWindowTest<SavingTest>(argc, argv); }
 
 #include "saving_test.moc"

@@ -288,5 +288,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ScanLookTest>(argc, argv); }
+int scan_look_test(int argc, char** argv) { return runWindowTest<ScanLookTest>(argc, argv); }
 #include "scan_look_test.moc"

@@ -4,8 +4,7 @@
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "tests/support/scans.h"
-
-#include <QTest>
+#include "tests/ui/run_test.h"
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -14,8 +13,8 @@ namespace {
 
 using Colours = std::shared_ptr<const std::vector<std::uint32_t>>;
 constexpr std::uint32_t kOthers = 0xff112233U;
-const EdgeColours kBands{Qt::cyan, Qt::magenta, Qt::yellow, Qt::gray, Qt::black};
-const EdgeColours kChanges{Qt::red, Qt::green, Qt::blue, Qt::white, Qt::black};
+const EdgeColours kBandColours{Qt::cyan, Qt::magenta, Qt::yellow, Qt::gray, Qt::black};
+const EdgeColours kChangeColours{Qt::red, Qt::green, Qt::blue, Qt::white, Qt::black};
 
 std::shared_ptr<const Picture> pictureOf(const std::shared_ptr<const Scan>& scan) {
     return makePicture(edges::detectEdges(scan, edges::Settings{}), {}, edges::Settings{}, makeCloudGeometry(*scan), nullptr);
@@ -155,8 +154,8 @@ private slots:
         picture_ = pictureOf(std::make_shared<const Scan>(test::boxesScan(40, 60, 2)));
         a_ = pictureOf(std::make_shared<const Scan>(test::boxesScan(40, 60, 3)));
         QVERIFY(picture_->detection->classes && a_->detection->classes && !picture_->detection->edges->empty());
-        changes_ = edgesOn(*picture_, kChanges, false);
-        bands_ = edgesOn(*picture_, kBands, true);
+        changes_ = edgesOn(*picture_, kChangeColours, false);
+        bands_ = edgesOn(*picture_, kBandColours, true);
         const std::size_t cells = picture_->detection->scan->cells();
         changed_ = std::make_shared<const std::vector<std::uint32_t>>(cells, 0xff010203U);
         rocks_ = std::make_shared<const std::vector<std::uint32_t>>(cells, 0xff040506U);
@@ -219,5 +218,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SceneTest)
+int scene_test(int argc, char** argv) { return runTest<SceneTest, QCoreApplication>(argc, argv); }
 #include "scene_test.moc"

@@ -394,5 +394,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<SessionsTest>(argc, argv); }
+int sessions_test(int argc, char** argv) { return runWindowTest<SessionsTest>(argc, argv); }
 #include "sessions_test.moc"

@@ -148,5 +148,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ShortcutsTest>(argc, argv); }
+int shortcuts_test(int argc, char** argv) { return runWindowTest<ShortcutsTest>(argc, argv); }
 #include "shortcuts_test.moc"

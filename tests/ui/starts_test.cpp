@@ -8,12 +8,12 @@
 #include "tests/support/robot_files.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
+#include "tests/ui/run_test.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
-#include <QTest>
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kPatienceMs = 240'000;
+constexpr int kProcessPatienceMs = 240'000;
 constexpr std::size_t kAtOnce = 4; // processes that compute
 
 /// A listening socket to which this test never answers; `open` false: the port is free again, so that a connection is refused.
@@ -248,7 +248,7 @@ private slots:
                 running.push_back(waiting.front()());
                 waiting.pop_front();
             }
-            if (sinceEnd.elapsed() < kPatienceMs) continue;
+            if (sinceEnd.elapsed() < kProcessPatienceMs) continue;
             for (Running& one : running) {
                 faults << one.start.name + ": it does not end";
                 one.process->kill();
@@ -260,6 +260,6 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StartsTest)
+int starts_test(int argc, char** argv) { return runTest<StartsTest, QCoreApplication>(argc, argv); }
 
 #include "starts_test.moc"

@@ -199,6 +199,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<SwitchesTest>(argc, argv); }
+int switches_test(int argc, char** argv) { return runWindowTest<SwitchesTest>(argc, argv); }
 
 #include "switches_test.moc"

@@ -667,6 +667,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<TargetsTest>(argc, argv); }
+int targets_test(int argc, char** argv) { return runWindowTest<TargetsTest>(argc, argv); }
 
 #include "targets_test.moc"

@@ -140,5 +140,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ThemesTest>(argc, argv); }
+int themes_test(int argc, char** argv) { return runWindowTest<ThemesTest>(argc, argv); }
 #include "themes_test.moc"

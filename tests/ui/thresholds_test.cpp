@@ -298,6 +298,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) { return runWindowTest<ThresholdsTest>(argc, argv); }
+int thresholds_test(int argc, char** argv) { return runWindowTest<ThresholdsTest>(argc, argv); }
 
 #include "thresholds_test.moc"

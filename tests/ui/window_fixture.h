@@ -6,6 +6,8 @@
 #include "tests/support/run_program.h"
 #include "tests/support/shared_folder.h"
 #include "tests/ui/patience.h"
+#include "tests/ui/pictures.h"
+#include "tests/ui/run_test.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/parameter_row.h"
@@ -72,21 +74,10 @@ struct WindowFixture {
     return simulated;
 }
 
-/// Number of pixels for which `is` is true.
-[[nodiscard]] inline int countPixels(const QImage& image, const std::function<bool(QRgb)>& is) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) count += is(image.pixel(x, y)) ? 1 : 0;
-    }
-    return count;
-}
-
 template <class Test, class Application = QApplication>
 int runWindowTest(int argc, char** argv) {
     QSurfaceFormat::setDefaultFormat(CloudView::surfaceFormat());
-    Application application(argc, argv);
-    Test test;
-    return QTest::qExec(&test, argc, argv);
+    return runTest<Test, Application>(argc, argv);
 }
 
 } // namespace edgescan::ui

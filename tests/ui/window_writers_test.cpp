@@ -58,7 +58,8 @@ private slots:
             std::vector<std::unique_ptr<QProcess>> writers;
             for (int writer = 0; writer < kWriters; ++writer) {
                 writers.push_back(std::make_unique<QProcess>());
-                writers.back()->start(QCoreApplication::applicationFilePath(), {"--write-as", QString::number(writer), place});
+                writers.back()->start(QCoreApplication::applicationFilePath(),
+                                      {"window_writers_test", "--write-as", QString::number(writer), place});
             }
             for (const auto& writer : writers) {
                 QVERIFY(writer->waitForFinished(kPatienceMs));
@@ -123,7 +124,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
+int window_writers_test(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     const QStringList words = application.arguments();
     if (words.size() == 4 && words[1] == "--write-as") return writeAs(words[2].toInt(), words[3]);

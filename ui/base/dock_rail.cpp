@@ -96,3 +96,5 @@ void DockRail::showFolded() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_dock_rail.cpp"

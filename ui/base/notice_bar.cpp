@@ -135,3 +135,5 @@ void NoticeBar::setBrief(bool on) { copy_->setVisible(!on); }
 QString NoticeBar::text() const { return text_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_notice_bar.cpp"

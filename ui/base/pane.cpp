@@ -126,3 +126,5 @@ bool Pane::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_pane.cpp"

@@ -158,3 +158,5 @@ ThemeNews& ThemeNews::self() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_themes.cpp"

@@ -70,3 +70,5 @@ void TwoPictures::centre() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_two_pictures.cpp"

@@ -18,3 +18,5 @@ void ViewPlate::paintEvent(QPaintEvent* /*event*/) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_view_plate.cpp"

@@ -133,3 +133,5 @@ void AuditTrail::pump() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_audit_trail.cpp"

@@ -317,3 +317,5 @@ bool Comparing::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_comparing.cpp"

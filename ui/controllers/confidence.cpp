@@ -163,3 +163,5 @@ void Confidence::show() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_confidence.cpp"

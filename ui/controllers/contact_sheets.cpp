@@ -92,3 +92,5 @@ void ContactSheets::take(const std::vector<edges::SheetEntry>& entries) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_contact_sheets.cpp"

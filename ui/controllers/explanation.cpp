@@ -133,3 +133,5 @@ void Explanation::explainMarked() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_explanation.cpp"

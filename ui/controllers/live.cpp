@@ -196,3 +196,5 @@ QString Live::newRecordingPath(const char* kind) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_live.cpp"

@@ -97,3 +97,5 @@ void ScanLook::showWindow() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_scan_look.cpp"

@@ -103,3 +103,5 @@ void ScanReport::writeTo(const QString& path) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_scan_report.cpp"

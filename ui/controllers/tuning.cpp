@@ -159,3 +159,5 @@ void Tuning::askSavePreset() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_tuning.cpp"

@@ -171,3 +171,5 @@ void CabMode::showScan() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_cab_mode.cpp"

@@ -328,3 +328,5 @@ void MainWindow::escape() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_main_window.cpp"

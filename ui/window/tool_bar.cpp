@@ -126,3 +126,5 @@ QString ToolBar::shown() const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_tool_bar.cpp"

@@ -21,6 +21,7 @@
 #include <chrono>
 #include <cstring>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace edgescan::batch {
@@ -36,6 +37,8 @@ constexpr const char* kSettingsBegin = "settings";
 constexpr const char* kSettingsEnd = ".sha256";
 constexpr JsonBounds kRowJson{std::size_t{16} << 20U, 12, 100'000};
 constexpr double kSyncSeconds = 1;
+/// The workers of a run that was killed end a moment after it and hold its lock until then.
+constexpr std::chrono::seconds kWorkersEndWithin{2};
 
 Error journalError(const fs::path& path, int code) {
     if (code == ELOOP)
@@ -56,10 +59,7 @@ std::vector<fs::path> journalsIn(const fs::path& results) {
     return found;
 }
 
-/// The processes of a killed run hold its lock for a moment longer.
-constexpr std::chrono::seconds kEndsWithin{3};
-
-bool heldByAnother(const fs::path& path) { return isLocked(path.c_str(), kEndsWithin); }
+bool heldByAnother(const fs::path& path) { return isLocked(path.c_str()); }
 
 // Removes a line that a crash tore, so that the next line does not continue it.
 Result<Done> cutTornLine(const fs::path& path, int file) {
@@ -191,9 +191,13 @@ Result<Journal> Journal::open(const fs::path& results, const Shard& shard, bool 
     if (opening.isOpen() && lockFile(opening.number(), kOpenWithin) == Lock::Busy) return busy;
     journal.path_ = folder / (kRowsBegin + tailOf(shard) + kRowsEnd);
     const auto others = journalsIn(results);
-    for (const fs::path& other : others) {
-        const bool concerns = whole || other == folder / (std::string(kRowsBegin) + kRowsEnd); // a whole run conflicts with every part
-        if (concerns && heldByAnother(other)) return busy;
+    const auto isInTheWay = [&](const fs::path& other) {
+        const bool concerns = whole || other == journal.path_ || other == folder / (std::string(kRowsBegin) + kRowsEnd);
+        return concerns && heldByAnother(other); // a whole run conflicts with every part
+    };
+    for (const auto until = std::chrono::steady_clock::now() + kWorkersEndWithin; std::ranges::any_of(others, isInTheWay);) {
+        if (std::chrono::steady_clock::now() >= until) return busy;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     if (!whole) {
         auto parts = partsOfOtherSettings(results, shard, settingsSha256);
@@ -202,7 +206,7 @@ Result<Journal> Journal::open(const fs::path& results, const Shard& shard, bool 
     }
     journal.rows_ = ::open(journal.path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (journal.rows_ < 0) return journalError(journal.path_, errno);
-    if (lockFile(journal.rows_, kEndsWithin) == Lock::Busy) return busy;
+    if (lockFile(journal.rows_) == Lock::Busy) return busy;
     if (!settingsSha256.empty()) {
         for (const fs::path& other : others) {
             if (whole) fs::remove(settingsOf(other), problem);

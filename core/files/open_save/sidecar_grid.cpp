@@ -37,13 +37,14 @@ struct SidecarGrid {
 /// Angles, or room for the points that are still to be laid into their cells; false where the description has neither.
 bool takeGeometry(Scan& scan, const GridDescription& grid) {
     auto polar = polarOf(grid);
+    const bool known = grid.sensorM || polar;
     if (grid.sensorM) {
         const Grid<Vector3d> missing(scan.lines(), scan.beams(), Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
         scan.geometry = PointGeometry{missing, *grid.sensorM, std::move(polar)};
     } else if (polar) {
         scan.geometry = std::move(*polar);
     }
-    return grid.sensorM || polar;
+    return known;
 }
 
 /// Error: `what` says what is wrong with the record, as the end of a sentence.

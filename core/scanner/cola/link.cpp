@@ -49,11 +49,16 @@ Error connectError(const error_code& problem, bool late, const std::string& wher
 struct ColaLink::Socket {
     explicit Socket(Hooks given) : hooks(std::move(given)) {}
 
-    /// Runs until `done`, the deadline or an interruption. Returns false if not done.
+    /// Runs until `done`, the deadline or an interruption. Returns false if not done. After the deadline it takes what is ready: a computer
+    /// that was busy or asleep for longer than a timeout reads what arrived meanwhile, before it calls the scanner silent.
     bool run(const bool& done, Clock::time_point deadline) {
         while (!done && !stop && Clock::now() < deadline) {
             context.restart();
             context.run_one_until(deadline);
+        }
+        if (!done && !stop) {
+            context.restart();
+            context.poll();
         }
         return done;
     }

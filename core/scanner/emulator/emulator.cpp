@@ -120,6 +120,7 @@ void EmulatedScanner::Server::accept() {
             return accept();
         }
         // The system has no free descriptor or no memory: new clients wait until it has.
+        count([](auto& s) { ++s.failedAccepts; });
         acceptAgain.expires_after(kAcceptAgain);
         acceptAgain.async_wait([this](const error_code& ended) {
             if (!ended) accept();

@@ -62,9 +62,10 @@ struct EmulatedScannerStatistics {
     std::uint64_t garbage = 0; ///< insertions of random bytes
     std::uint64_t stalls = 0;
     std::uint64_t drops = 0;
-    std::uint64_t clients = 0; ///< connections accepted
-    std::uint64_t writes = 0;  ///< requests other than reads and subscriptions
-    bool finished = false;     ///< AtEnd::Stop: the last telegram was sent
+    std::uint64_t clients = 0;       ///< connections accepted
+    std::uint64_t failedAccepts = 0; ///< tries to accept one that the system refused: no free descriptor, no memory
+    std::uint64_t writes = 0;        ///< requests other than reads and subscriptions
+    bool finished = false;           ///< AtEnd::Stop: the last telegram was sent
 };
 
 /// Runs on its own thread from construction to destruction.

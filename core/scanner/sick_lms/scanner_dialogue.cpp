@@ -46,7 +46,7 @@ std::string ScannerIdentity::words() const {
 Result<std::optional<ColaAnswer>> ScannerDialogue::await(const ColaRequest& request, std::chrono::milliseconds timeout) {
     const auto deadline = ColaLink::Clock::now() + timeout;
     std::optional<ColaAnswer> found;
-    while (!found && !link_.interrupted() && ColaLink::Clock::now() < deadline) {
+    do {
         const auto frames = link_.receive(deadline);
         if (!frames) return frames.error();
         for (const ColaFrame& frame : *frames) {
@@ -55,7 +55,7 @@ Result<std::optional<ColaAnswer>> ScannerDialogue::await(const ColaRequest& requ
             auto answer = parseAnswer(frame.payload(), frame.dialect);
             if (!found && answer && answers(*answer, request)) found = std::move(*answer);
         }
-    }
+    } while (!found && !link_.interrupted() && ColaLink::Clock::now() < deadline);
     return found;
 }
 

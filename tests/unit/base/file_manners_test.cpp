@@ -2,13 +2,15 @@
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "tests/support/run_program.h"
+#include "tests/support/wait_until.h"
 
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
-#include <chrono>
 #include <thread>
 
 namespace edgescan {
@@ -69,6 +71,13 @@ TEST(FileManners, LinksOfAnotherUserAreNotFollowed) {
     EXPECT_EQ(fileText(folder / "mine"), "old");
 }
 
+/// Whether this thread of the process waits for something.
+bool sleeps(long thread) {
+    const std::string facts = fileText("/proc/self/task/" + std::to_string(thread) + "/stat");
+    const std::size_t name = facts.rfind(") ");
+    return name != std::string::npos && facts.at(name + 2) == 'S';
+}
+
 TEST(FileManners, APipeWithoutAReaderIsRefusedAndOneWithIsWritten) {
     const test::TemporaryFolder folder;
     const fs::path pipe = folder / "pipe";
@@ -76,11 +85,11 @@ TEST(FileManners, APipeWithoutAReaderIsRefusedAndOneWithIsWritten) {
     const auto refused = writeWholeFile(pipe, std::string("x"));
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence().find("no program reads"), std::string::npos) << refused.error().sentence();
-    // More than a pipe holds, and a reader that comes late.
+    // More than a pipe holds, and a reader that comes when the writer waits for it.
     const std::string text(1 << 20, 'x');
     std::string read;
-    std::thread reader([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::thread reader([&, writer = ::syscall(SYS_gettid)] {
+        EXPECT_TRUE(test::waitUntil([&] { return sleeps(writer); }));
         read = fileText(pipe);
     });
     EXPECT_TRUE(writeWholeFile(pipe, text));

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
+#include <new>
+#include <random>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -109,4 +113,60 @@ TEST(WorkPool, WhatIsDroppedDoesNotStart) {
     first.lane().post([&] { next = true; });
     EXPECT_TRUE(waitUntil([&] { return next.load(); }));
     EXPECT_FALSE(ran);
+}
+
+// As Derived does it: what work throws is caught in it. Many lanes on few threads, dropped and ended while others post.
+TEST(WorkPool, WorkThatThrowsUnderContentionEndsNoOther) {
+    constexpr int kLanes = 24, kPosts = 300;
+    WorkPool pool;
+    struct Busy {
+        std::atomic<int> inside{0}, most{0}, thrown{0}, held{0};
+        std::atomic<bool> last{false};
+    };
+    std::vector<Busy> busy(kLanes);
+    std::vector<std::unique_ptr<Lane>> lanes;
+    for (int n = 0; n < kLanes; ++n) lanes.push_back(std::make_unique<Lane>(pool, static_cast<Urgency>(n % static_cast<int>(kUrgencies))));
+    const auto throwing = [](Busy& of, int number) {
+        ++of.held;
+        const std::shared_ptr<Busy> counted(&of, [](Busy* b) { --b->held; });
+        return [&of, number, counted] {
+            of.most = std::max(of.most.load(), ++of.inside);
+            try {
+                if (number % 3 == 0) throw std::runtime_error("no");
+                if (number % 3 == 1) throw std::bad_alloc();
+                throw number;
+            } catch (...) {
+                ++of.thrown;
+            }
+            --of.inside;
+        };
+    };
+    std::vector<std::thread> posters;
+    for (int p = 0; p < 4; ++p) {
+        posters.emplace_back([&, p] {
+            std::mt19937 random(static_cast<unsigned>(p));
+            for (int n = 0; n < kPosts; ++n) {
+                const std::size_t at = random() % kLanes;
+                lanes[at]->post(throwing(busy[at], n));
+                if (random() % 16 == 0) lanes[at]->drop();
+                if (random() % 64 == 0) lanes[at]->end();
+            }
+        });
+    }
+    for (std::thread& poster : posters) poster.join();
+    std::vector<int> before; // on a busy machine the posts above may have replaced each other
+    for (std::size_t n = 0; n < busy.size(); ++n) {
+        lanes[n]->end();
+        before.push_back(busy[n].thrown);
+        lanes[n]->post(throwing(busy[n], static_cast<int>(n)));
+    }
+    for (std::size_t n = 0; n < busy.size(); ++n) EXPECT_TRUE(waitUntil([&] { return busy[n].thrown > before[n]; }));
+    for (std::size_t n = 0; n < busy.size(); ++n) lanes[n]->post([&of = busy[n]] { of.last = true; });
+    for (const Busy& each : busy) EXPECT_TRUE(waitUntil([&] { return each.last.load(); }));
+    lanes.clear();
+    for (const Busy& each : busy) {
+        EXPECT_EQ(each.inside, 0);
+        EXPECT_LE(each.most, 1) << "of each lane one at a time";
+        EXPECT_EQ(each.held, 0) << "what work holds is freed with it";
+    }
 }

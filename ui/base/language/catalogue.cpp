@@ -39,3 +39,5 @@ QString Catalogue::translate(const char*, const char* source, const char*, int) 
 }
 
 } // namespace edgescan::ui
+
+#include "moc_catalogue.cpp"

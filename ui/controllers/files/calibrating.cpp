@@ -310,3 +310,5 @@ void Calibrating::apply() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_calibrating.cpp"

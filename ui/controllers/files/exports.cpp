@@ -132,3 +132,5 @@ void Exports::copyCommand() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_exports.cpp"

@@ -197,3 +197,5 @@ std::optional<inspect::SessionScan> Files::scanShown(const Scan& scan) const {
 QString Files::placeInSeries() const { return series_.size() > 1 ? tr(" (%1 of %2)").arg(place_ + 1).arg(series_.size()) : QString(); }
 
 } // namespace edgescan::ui
+
+#include "moc_files.cpp"

@@ -110,3 +110,5 @@ void Opening::closed() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_opening.cpp"

@@ -136,3 +136,5 @@ void RockSidecar::writeInBackground() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_sidecar.cpp"

@@ -266,3 +266,5 @@ void Rocks::jumpTo(std::uint32_t label) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rocks.cpp"

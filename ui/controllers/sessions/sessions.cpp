@@ -331,3 +331,5 @@ std::string Sessions::textFor(const QString& folder) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_sessions.cpp"

@@ -160,3 +160,5 @@ void MarkedEdges::putBack() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_marked_edges.cpp"

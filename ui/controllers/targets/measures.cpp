@@ -109,3 +109,5 @@ void Measures::show() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_measures.cpp"

@@ -214,3 +214,5 @@ void Selection::addToMenu(QMenu& menu, std::size_t cell) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_selection.cpp"

@@ -80,3 +80,5 @@ void TargetStore::take(const Texts& written, const std::string& trouble) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_target_store.cpp"

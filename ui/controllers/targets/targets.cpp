@@ -305,3 +305,5 @@ void Targets::keepConfidence() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_targets.cpp"

@@ -67,3 +67,5 @@ void CellCursor::moveBy(ImageView& view, QPoint step) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_cell_cursor.cpp"

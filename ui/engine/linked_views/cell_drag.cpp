@@ -75,3 +75,5 @@ bool CellDrag::takeWheel(QEvent& event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_cell_drag.cpp"

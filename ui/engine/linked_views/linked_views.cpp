@@ -358,3 +358,5 @@ void LinkedViews::applyAspect() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_linked_views.cpp"

@@ -34,3 +34,5 @@ void EdgeCounter::want(const std::shared_ptr<const edges::Detection>& detection)
 }
 
 } // namespace edgescan::ui
+
+#include "moc_edge_counter.cpp"

@@ -210,3 +210,5 @@ void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_engine.cpp"

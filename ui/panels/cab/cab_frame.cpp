@@ -108,3 +108,5 @@ void CabFrame::resizeEvent(QResizeEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_cab_frame.cpp"

@@ -102,3 +102,5 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_corner_picture.cpp"

@@ -41,3 +41,5 @@ void HoldButton::paintEvent(QPaintEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_hold_button.cpp"

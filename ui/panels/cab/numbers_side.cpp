@@ -218,3 +218,5 @@ void NumbersSide::addButton(QToolButton* button) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_numbers_side.cpp"

@@ -74,3 +74,5 @@ void Stepper::showValue(const QString& value) { value_->setText(value); }
 QString Stepper::value() const { return value_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_stepper.cpp"

@@ -96,3 +96,5 @@ void ToolColumn::layOut() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_tool_column.cpp"

@@ -147,3 +147,5 @@ void ChangeLegend::emitRows() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_change_legend.cpp"

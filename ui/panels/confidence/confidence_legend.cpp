@@ -118,3 +118,5 @@ QString ConfidenceLegend::counted(std::size_t band) const { return counts_[band]
 QString ConfidenceLegend::words() const { return words_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_confidence_legend.cpp"

@@ -242,3 +242,5 @@ void CalibrationCard::hideEvent(QHideEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_calibration_card.cpp"

@@ -90,3 +90,5 @@ void runFromPalette(QWidget* parent, const QList<QAction*>& actions) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_command_palette.cpp"

@@ -98,3 +98,5 @@ void ContactCard::hideEvent(QHideEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_contact_card.cpp"

@@ -204,3 +204,5 @@ void ExportDialog::follow() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_export_dialog.cpp"

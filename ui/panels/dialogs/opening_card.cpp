@@ -137,3 +137,5 @@ void OpeningCard::showState(const QString& words) { state_->setText(words); }
 QString OpeningCard::verdict() const { return verdict_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_opening_card.cpp"

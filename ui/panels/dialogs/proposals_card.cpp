@@ -69,3 +69,5 @@ void ProposalsCard::showProposals(const QString& verdict, const QStringList& row
 QString ProposalsCard::verdict() const { return verdict_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_proposals_card.cpp"

@@ -110,3 +110,5 @@ void ReadingDialog::accept() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_reading_dialog.cpp"

@@ -123,3 +123,5 @@ void ShortcutEditor::find() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_shortcut_editor.cpp"

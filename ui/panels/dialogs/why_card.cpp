@@ -122,3 +122,5 @@ QString WhyCard::text() const { return numbers_->text().isEmpty() ? verdict_->te
 QString WhyCard::verdict() const { return verdict_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_why_card.cpp"

@@ -96,3 +96,5 @@ bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_commands.cpp"

@@ -69,3 +69,5 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_health_strip.cpp"

@@ -135,3 +135,5 @@ void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture
 }
 
 } // namespace edgescan::ui
+
+#include "moc_live_panel.cpp"

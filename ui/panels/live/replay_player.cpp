@@ -121,3 +121,5 @@ ReplayedSweep ReplayPlayer::at(files::Replay& replay, int line) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_replay_player.cpp"

@@ -210,3 +210,5 @@ void ScannerLink::keepRecent(const QString& path) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_scanner_link.cpp"

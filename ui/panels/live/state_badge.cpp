@@ -122,3 +122,5 @@ StateBadge::Sign signOf(files::Condition condition) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_state_badge.cpp"

@@ -71,3 +71,5 @@ scanner::SweepSettings SweepForm::settings() const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_sweep_form.cpp"

@@ -177,3 +177,5 @@ void Timeline::seek() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_timeline.cpp"

@@ -45,3 +45,5 @@ void TimelineSlider::mousePressEvent(QMouseEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_timeline_slider.cpp"

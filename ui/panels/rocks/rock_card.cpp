@@ -186,3 +186,5 @@ QString RockCard::text() const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_card.cpp"

@@ -32,3 +32,5 @@ std::shared_ptr<const RockPicture> RockFinder::run(const RockQuestion& question)
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_finder.cpp"

@@ -149,3 +149,5 @@ void RockTable::emitChosen() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_table.cpp"

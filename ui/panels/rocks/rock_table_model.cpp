@@ -129,3 +129,5 @@ bool ShownRocks::filterAcceptsRow(int row, const QModelIndex& parent) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_rock_table_model.cpp"

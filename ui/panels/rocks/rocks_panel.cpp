@@ -133,3 +133,5 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
 QString RocksPanel::text() const { return result_->text() + "\n" + curve_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_rocks_panel.cpp"

@@ -185,3 +185,5 @@ void SizeCurveView::drawCurve(QPainter& painter) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_size_curve_view.cpp"

@@ -212,3 +212,5 @@ void StartPage::showSession(const QString& path) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_start_page.cpp"

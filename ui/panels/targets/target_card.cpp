@@ -165,3 +165,5 @@ std::vector<std::pair<std::string, std::string>> rowsToStore(const inspect::Cell
 }
 
 } // namespace edgescan::ui
+
+#include "moc_target_card.cpp"

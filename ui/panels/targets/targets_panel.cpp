@@ -105,3 +105,5 @@ void TargetsPanel::showNote(const QString& note) {
 QString TargetsPanel::note() const { return note_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_targets_panel.cpp"

@@ -102,3 +102,5 @@ void CountCurve::paintEvent(QPaintEvent*) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_count_curve.cpp"

@@ -156,3 +156,5 @@ void EdgeLegend::emitClasses() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_edge_legend.cpp"

@@ -337,3 +337,5 @@ void EdgesPanel::setPreset(const edges::Preset& preset) {
 void EdgesPanel::setBehind(bool behind) { behind_->setText(behind ? tr("computing …") : QString()); }
 
 } // namespace edgescan::ui
+
+#include "moc_edges_panel.cpp"

@@ -260,3 +260,5 @@ bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_parameter_row.cpp"

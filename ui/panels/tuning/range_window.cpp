@@ -233,3 +233,5 @@ bool RangeWindow::locked() const { return lock_->isChecked(); }
 QString RangeWindow::words() const { return words_->text(); }
 
 } // namespace edgescan::ui
+
+#include "moc_range_window.cpp"

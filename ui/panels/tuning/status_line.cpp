@@ -315,3 +315,5 @@ QString StatusLine::settingsShown() const { return factLabel(Fact::Settings).wor
 QString StatusLine::countsShown() const { return factLabel(Fact::Counts).words; }
 
 } // namespace edgescan::ui
+
+#include "moc_status_line.cpp"

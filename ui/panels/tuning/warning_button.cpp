@@ -36,3 +36,5 @@ void WarningButton::showState() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_warning_button.cpp"

@@ -71,3 +71,5 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_cloud_overlay.cpp"

@@ -389,3 +389,5 @@ void CloudView::showFocus() {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_cloud_view.cpp"

@@ -199,3 +199,5 @@ void ScalePlate::drawColours(QPainter& painter) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_scale_plate.cpp"

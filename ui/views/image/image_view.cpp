@@ -300,3 +300,5 @@ void ImageView::drawTexts(QPainter& painter) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_image_view.cpp"

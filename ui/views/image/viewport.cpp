@@ -120,3 +120,5 @@ QPointF ViewPort::toPixel(QPointF cell, QSizeF viewSize) const {
 }
 
 } // namespace edgescan::ui
+
+#include "moc_viewport.cpp"

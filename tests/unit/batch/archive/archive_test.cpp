@@ -7,16 +7,18 @@
 
 #include <gtest/gtest.h>
 
-#include <future>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <fstream>
+#include <future>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
+#include <sys/inotify.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
@@ -204,6 +206,24 @@ TEST(Journal, ATornLineIsCutAndTheNewestRowCounts) {
     EXPECT_EQ(pictureOf(Json{{"picture", {"../../etc/passwd", 0, 10}}}, folder.path()), "");
     std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << "{\"input\":3}\n";
     EXPECT_FALSE(readJournals(folder.path()));
+}
+
+// The workers of a run that was killed hold its lock until they have ended, too.
+TEST(Journal, ALockThatIsFreeInAMomentIsWaitedFor) {
+    const TemporaryFolder folder;
+    auto first = Journal::open(folder.path(), {}, true, "s");
+    ASSERT_TRUE(first);
+    std::optional<Journal> held(std::move(*first));
+    const int watch = ::inotify_init1(IN_CLOEXEC);
+    ASSERT_GE(::inotify_add_watch(watch, (folder / ".batch/rows.ndjson").c_str(), IN_OPEN), 0);
+    bool opened = false;
+    std::thread next([&] { opened = static_cast<bool>(Journal::open(folder.path(), {}, true, "s")); });
+    std::array<char, 4096> event{};
+    EXPECT_GT(::read(watch, event.data(), event.size()), 0); // the next run has come
+    held.reset();
+    next.join();
+    ::close(watch);
+    EXPECT_TRUE(opened);
 }
 
 TEST(Journal, RowsOfOtherTypesAreRefusedWithTheirLine) {

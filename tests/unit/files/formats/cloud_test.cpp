@@ -104,6 +104,34 @@ TEST(Pcd, OrganisedCloudOfACameraKeepsItsPointsAndViewpoint) {
     EXPECT_TRUE(std::isnan(points.pointsM.at(0, 0).x()));
 }
 
+// As PCL stores what a depth camera sees: labels and colours around the coordinates, and NaN where the camera measured nothing.
+TEST(Pcd, ACloudOfADepthCameraWithLabelsAndColoursOpensAsItsGrid) {
+    const Folder folder;
+    std::string bytes;
+    std::size_t measured = 0;
+    for (int i = 0; i < 48; ++i) {
+        for (int j = 0; j < 64; ++j) {
+            const double x = (j - 31.5) / 55, y = (i - 23.5) / 55;
+            const double off = x * x + y * y;
+            const bool ball = off < 0.03;
+            const bool shadow = !ball && off < 0.04;
+            measured += shadow ? 0 : 1;
+            const auto z = static_cast<float>(shadow ? NAN : ball ? 1.5 - std::sqrt(0.09 - 2.25 * off) : 2.5);
+            append<std::uint32_t>(bytes, ball ? 1 : 0);
+            for (const float v : {static_cast<float>(x) * z, static_cast<float>(y) * z, z}) append(bytes, v);
+            append<std::uint32_t>(bytes, 0xFF804020U);
+        }
+    }
+    const char* const fields = "FIELDS label x y z rgba\nSIZE 4 4 4 4 4\nTYPE U F F F U\nCOUNT 1 1 1 1 1\n";
+    writeText(folder / "camera.pcd", header(64, 48, fields, "binary") + bytes);
+    const auto scan = openScan(folder / "camera.pcd");
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_EQ(scan->lines(), 48);
+    EXPECT_EQ(scan->beams(), 64);
+    EXPECT_TRUE(std::holds_alternative<PointGeometry>(scan->geometry));
+    EXPECT_EQ(countCells(*scan)[0], measured);
+}
+
 TEST(Pcd, KinectCloudsOpenAsTheirGrid) {
     EDGESCAN_NEEDS_SHARED("data/mosd_kinect");
     for (const char* name : {"test16.pcd", "test55.pcd"}) {

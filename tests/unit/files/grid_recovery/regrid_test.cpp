@@ -4,6 +4,8 @@
 #include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "core/sim/simulate.h"
+#include "tests/support/point_files.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/shared_folder.h"
 
@@ -206,6 +208,31 @@ TEST(Regrid, LinesStoredTwiceAndShuffledAreRecoveredAndReported) {
     EXPECT_TRUE(anyHolds(scan->warnings, "40 lines x 60 beams were recovered"));
     EXPECT_TRUE(anyHolds(scan->warnings, "line angles are uneven"));
     EXPECT_TRUE(scan->attached.empty());
+}
+
+// A list as survey programs store it, of rocks from a place that is not the scanner's.
+TEST(Regrid, ASimulatedRockPileFromAGivenPlaceGivesSensibleEdges) {
+    sim::SimulationSettings pile;
+    pile.lines = 400;
+    pile.beams = 400;
+    const auto points = listOf(sim::simulate(pile)->scan, {.shuffled = true, .dropped = 0.3, .keepMissing = false});
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(points.size()) +
+                        "\nproperty double x\nproperty double y\nproperty double z\nproperty float scalar_class\nend_header\n";
+    for (const Eigen::Vector3d& p : points) {
+        for (const double v : {p.x(), p.y(), p.z()}) appendValue(bytes, v);
+        appendValue(bytes, 2.0F);
+    }
+    ReadingOptions options;
+    options.sensorM = Eigen::Vector3d(0.4, -0.3, -0.5);
+    auto scan = readText(bytes, ".ply", options);
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_GT(countCells(*scan)[0], points.size() / 6);
+    EXPECT_EQ(countCells(*scan)[0] + scan->attached.size(), points.size());
+    EXPECT_TRUE(anyHolds(scan->warnings, std::to_string(points.size()) + " points in"));
+    const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), edges::cannySettings());
+    const double share = static_cast<double>(detection->edges->size()) / static_cast<double>(countCells(*detection->scan)[0]);
+    EXPECT_GT(share, 0.02) << "outlines: neither empty nor speckle";
+    EXPECT_LT(share, 0.25);
 }
 
 TEST(Regrid, BouldersFromAGivenPlaceGiveSensibleEdges) {

@@ -2,6 +2,7 @@
 // constant, every reconnect is counted.
 #include "core/files/live_feed/live_feed.h"
 #include "tests/support/live_session.h"
+#include "tests/support/own_sockets.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/python_peer.h"
 
@@ -89,7 +90,9 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
         all.take(feed.takeFinished(), true);
         const std::int64_t lines = feed.status().lines;
         if (early == 0.0 && lines > kLines / 4) early = residentMb();
-        quiet = scanner->statistics().finished && lines == before ? quiet + 1 : 0;
+        const bool waits = !scanner->statistics().finished || lines != before ||
+                           std::ranges::any_of(ownTcpSockets(), [](const OwnSocket& socket) { return socket.underWay; });
+        quiet = waits ? 0 : quiet + 1;
         before = lines;
         std::this_thread::sleep_for(5ms);
     }

@@ -96,7 +96,7 @@ TEST(NotRead, BytesBehindTheLastRecordAreReported) {
 
 TEST(NotRead, TheSameFileOnceMoreIsReported) {
     for (const SeedFile& seed : everyReader()) {
-        if (seed.reader == "range_csv" || seed.extension == ".bin") continue; // rows and telegrams go on
+        if (seed.reader == "range_csv" || seed.reader == "capture") continue; // rows and telegrams go on
         SCOPED_TRACE(seed.reader + seed.extension + " of " + std::to_string(seed.bytes.size()) + " bytes");
         EXPECT_FALSE(newWarnings(seed.bytes + seed.bytes, seed).empty());
     }

@@ -38,9 +38,9 @@ public:
         const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
         return count > 0 ? static_cast<std::size_t>(count) : 0;
     }
-    /// Receives frames until `count` are there, or until five seconds pass without one.
+    /// Receives frames until `count` are there.
     std::size_t frames(std::size_t count) {
-        timeval wait{5, 0};
+        timeval wait{kPatience.count(), 0};
         ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
         ColaStream stream;
         Bytes piece(65536);
@@ -86,22 +86,22 @@ TEST(EmulatedScanner, AClientThatAsksAndNeverReadsCostsNoMemory) {
         RawClient greedy(scanner->port());
         ASSERT_TRUE(greedy.connected());
         const double before = residentBytes();
-        // Sends until the scanner has accepted nothing for a while.
+        // Sends until the scanner accepts nothing more; on a busy machine it may only be late before that.
         std::size_t asked = 0;
-        for (int quiet = 0; quiet < 100;) {
+        int quiet = 0;
+        EXPECT_TRUE(waitUntil([&] {
             // A request that was sent in part is completed with the next piece.
             const Bytes rest(many.begin() + static_cast<std::ptrdiff_t>(asked % one.size()), many.end());
             const std::size_t went = greedy.put(rest);
             asked += went;
             quiet = went > 0 ? 0 : quiet + 1;
-            if (went == 0) std::this_thread::sleep_for(5ms);
-        }
+            return quiet >= 250 && asked > 50'000 * one.size();
+        }));
         const std::size_t requests = asked / one.size();
         const auto answered = scanner->statistics().lines;
         const double grown = residentBytes() - before;
         std::printf("[ measured ] %zu requests for %zu MB of answers: %llu answered, %.1f MB more memory\n", requests,
                     requests * 520 / 1'000'000, static_cast<unsigned long long>(answered), grown / 1e6);
-        EXPECT_GT(requests, 50'000U);
         EXPECT_LT(answered, requests / 2); // the contents of the sockets' own buffers, with a margin
         EXPECT_LT(grown, 24e6);
         EXPECT_TRUE(answers(scanner->port())) << "another client is served meanwhile";
@@ -126,7 +126,7 @@ TEST(EmulatedScanner, AcceptsAgainOnceThereAreDescriptors) {
         RawClient unlucky(scanner->port()); // no descriptor at all
         EXPECT_FALSE(unlucky.connected());
         waiting.put(request("sRN DeviceIdent"));
-        std::this_thread::sleep_for(500ms); // the scanner tries and fails
+        EXPECT_TRUE(waitUntil([&] { return scanner->statistics().failedAccepts >= 2; })); // it tries, fails, and tries again
         for (const int filler : fillers) ::close(filler);
         EXPECT_EQ(waiting.frames(1), 1U);
     }
