@@ -235,7 +235,7 @@ private slots:
         environment.insert("XDG_CONFIG_HOME", config);
         viewer.setProcessEnvironment(environment);
         viewer.start(QString::fromStdString(test::programFolder()) + "/edgescan",
-                     {"--preset", "thesis", "--quit-after", "1", QString::fromStdString(real_)});
+                     {"--preset", "thesis", "--screenshot", config + ".png", QString::fromStdString(real_)});
         QVERIFY(viewer.waitForFinished(kPatienceMs));
         QCOMPARE(viewer.exitCode(), 0);
         QVERIFY(Preferences(config + "/edgescan/viewer.ini").settings(own) == own);
