@@ -100,6 +100,9 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
     for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
     for (const std::string& asked : batch.asked) claimInput(asked);     // or a list
+    for (const char* table : {"results.csv", "results.ndjson", "settings.json", "survey.html"}) {
+        if (auto free = checkIsNoInput(fs::path(batch.results) / table); !free) return free.error();
+    }
     work.results = batch.results;
     work.read = batch.read;
     work.method = batch.method;

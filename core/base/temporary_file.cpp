@@ -1,8 +1,9 @@
 // Creates, locks, writes and reads back temporary files; removes those of killed programs.
 #include "core/base/temporary_file.h"
 
+#include "core/base/file_lock.h"
+
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -51,19 +52,12 @@ bool isName(std::string_view name) {
     return std::ranges::count(name, '-') == 1 && name.find_first_not_of("-0123456789") == std::string_view::npos;
 }
 
-enum class Lock { Taken, TakenByAnother, Unknown };
-
-Lock tryLock(int file) {
-    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return Lock::Taken;
-    return errno == EWOULDBLOCK ? Lock::TakenByAnother : Lock::Unknown; // unknown: a file system without locks
-}
-
 /// Removes a temporary file if its program has ended: then its lock can be taken.
 void removeIfDead(const fs::path& path) {
     const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
     struct stat status {};
     if (!file.isOpen() || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != ::geteuid()) return;
-    if (tryLock(file.number()) == Lock::Taken && isOpenAt(file.number(), path)) ::unlink(path.c_str());
+    if (lockFile(file.number()) == Lock::Taken && isOpenAt(file.number(), path)) ::unlink(path.c_str());
 }
 
 /// Once for each folder that this program writes into.
@@ -147,13 +141,14 @@ Result<TemporaryFile> TemporaryFile::write(const fs::path& asked, const fs::path
     removeLeftovers(target.parent_path());
     struct stat old {};
     const bool replaces = ::stat(target.c_str(), &old) == 0;
-    while (true) {
+    constexpr int kMostTries = 100;
+    for (int n = 0; n < kMostTries; ++n) {
         const fs::path path = newName(target);
         Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
         if (!file.isOpen() && errno == EEXIST) continue; // of a killed program with the same process number
         if (!file.isOpen()) return writeError(asked, errno);
         // Another program may take the file for a dead one before it is locked.
-        if (tryLock(file.number()) == Lock::TakenByAnother || !isOpenAt(file.number(), path)) continue;
+        if (lockFile(file.number()) == Lock::Busy || !isOpenAt(file.number(), path)) continue;
         TemporaryFile temporary(std::move(file), path, target);
         const int number = temporary.file_.number();
         // The mode is that of a plain open(), or that of the file that is replaced.
@@ -165,6 +160,7 @@ Result<TemporaryFile> TemporaryFile::write(const fs::path& asked, const fs::path
                          "check the disk and try again"};
         return temporary;
     }
+    return writeError(asked, EEXIST);
 }
 
 TemporaryFile::~TemporaryFile() {

@@ -33,8 +33,11 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
-    /// The file has its target's name now, and this object no longer removes it.
-    void wasRenamed() { renamed_ = true; }
+    /// The file has its target's name now: this object no longer removes it, and its lock ends.
+    void wasRenamed() {
+        renamed_ = true;
+        file_ = Descriptor();
+    }
 
 private:
     TemporaryFile(Descriptor file, std::filesystem::path path, std::filesystem::path target)

@@ -1,23 +1,23 @@
 // Writes through a temporary file and a rename; reads a whole file.
 #include "core/base/whole_file.h"
 
+#include "core/base/file_lock.h"
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
 #include "core/base/temporary_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -51,10 +51,14 @@ Result<Done> checkMayBeReplaced(const fs::path& path, const fs::path& target) {
     if (::stat(target.c_str(), &old) != 0) return Done{};
     if (S_ISDIR(old.st_mode)) return writeError(path, EISDIR);
     constexpr mode_t kAnyWriter = 0222; // root may write everything
-    const bool allowed =
-        (old.st_mode & kAnyWriter) != 0 && (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) == 0 || errno != EACCES);
-    if (allowed) return Done{};
-    return Error{"this file is read-only, so it was not replaced", path.string(), "allow writing with chmod u+w, or choose another name"};
+    const bool own = old.st_uid == ::geteuid() || ::geteuid() == 0;
+    if (own && (old.st_mode & kAnyWriter) == 0)
+        return Error{"this file is read-only, so it was not replaced", path.string(),
+                     "allow writing with chmod u+w, or choose another name"};
+    if (!own && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0 && errno == EACCES)
+        return Error{"this file belongs to another user, who does not allow writing, so it was not replaced", path.string(),
+                     "choose another name, or ask its owner"};
+    return Done{};
 }
 
 Descriptor openFolderOf(const fs::path& file) {
@@ -68,7 +72,7 @@ Descriptor openFolderOf(const fs::path& file) {
 class FolderLocks {
 public:
     explicit FolderLocks(const std::vector<FileMove>& moves) {
-        std::map<std::pair<dev_t, ino_t>, Descriptor> folders; // the same order in every program, so that two do not wait for each other
+        std::map<Number, Descriptor> folders; // the same order in every program, so that two do not wait for each other
         for (const FileMove& move : moves) {
             Descriptor folder = openFolderOf(move.to);
             struct stat status {};
@@ -76,22 +80,26 @@ public:
                 folders.try_emplace({status.st_dev, status.st_ino}, std::move(folder));
         }
         for (auto& [number, folder] : folders) {
-            lock(folder.number());
+            lock(number, folder.number());
             held_.push_back(std::move(folder));
         }
     }
 
 private:
-    static void lock(int folder) {
-        static std::atomic<bool> waitedInVain{false}; // this program does not wait again
-        const auto until = std::chrono::steady_clock::now() + (waitedInVain ? std::chrono::seconds(0) : kLongestWait);
-        while (::flock(folder, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR)) {
-            if (std::chrono::steady_clock::now() >= until) {
-                waitedInVain = true;
-                return;
-            }
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
+    using Number = std::pair<dev_t, ino_t>;
+    static void lock(const Number& number, int folder) {
+        static std::mutex mutex;
+        static std::set<Number> waitedInVain; // this program does not wait for them again until they are free
+        const auto within = [&] {
+            const std::lock_guard guard(mutex);
+            return waitedInVain.contains(number) ? std::chrono::seconds(0) : kLongestWait;
+        }();
+        const Lock outcome = lockFile(folder, within);
+        const std::lock_guard guard(mutex);
+        if (outcome == Lock::Busy)
+            waitedInVain.insert(number);
+        else
+            waitedInVain.erase(number);
     }
 
     static constexpr std::chrono::seconds kLongestWait{
@@ -134,7 +142,7 @@ Result<int> openDevice(const fs::path& path) {
         std::error_code ignored;
         if (const int code = errno; code != ENXIO || !fs::is_fifo(path, ignored)) return writeError(path, code);
         if (std::chrono::steady_clock::now() >= until)
-            return Error{"nobody reads from this pipe", path.string(), "start what reads from it first, or choose a file"};
+            return Error{"no program reads from this pipe", path.string(), "start what reads from it first, or choose a file"};
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
 }
@@ -216,6 +224,7 @@ Result<fs::path> finalTarget(const fs::path& path) {
 
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
     std::vector<fs::path> targets;
+    std::set<fs::path> taken;
     for (const FileContent& file : files) {
         if (isDevice(file.path)) {
             targets.emplace_back();
@@ -224,7 +233,8 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
         auto target = finalTarget(file.path);
         if (!target) return target.error();
         if (auto may = checkMayBeReplaced(file.path, *target); !may) return may;
-        if (std::ranges::find(targets, *target) != targets.end())
+        std::error_code ignored;
+        if (!taken.insert(fs::weakly_canonical(fs::absolute(*target, ignored), ignored)).second)
             return Error{"two results cannot have one file", file.path.string(), "give each a name of its own"};
         targets.push_back(std::move(*target));
     }

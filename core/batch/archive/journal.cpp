@@ -4,13 +4,13 @@
 #include "core/base/append_file.h"
 #include "core/base/bounded_json.h"
 #include "core/base/descriptor.h"
+#include "core/base/file_lock.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -59,10 +59,7 @@ std::vector<fs::path> journalsIn(const fs::path& results) {
     return found;
 }
 
-bool heldByAnother(const fs::path& path) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    return file.isOpen() && ::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-}
+bool heldByAnother(const fs::path& path) { return isLocked(path.c_str()); }
 
 // Removes a line that a crash tore, so that the next line does not continue it.
 Result<Done> cutTornLine(const fs::path& path, int file) {
@@ -127,22 +124,11 @@ Result<std::string> partsOfOtherSettings(const fs::path& results, const Shard& s
         const std::string words = part.of == 1 ? "the whole run" : "part " + std::to_string(part.number) + " of " + std::to_string(part.of);
         if (part.of != shard.of || heldByAnother(journal))
             return Error{"other settings were used in " + words + " of these results", results.string(),
-                         "give -o another folder, or the same settings"};
+                         "give -o another folder, or remove " + (results / kFolder).string() + " to do everything again"};
         parts += (parts.empty() ? "" : ", ") + words;
     }
     return parts;
 }
-
-/// Locks the folder while a journal is opened, so that of two that exclude each other one sees the other.
-class OpeningLock {
-public:
-    explicit OpeningLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        while (folder_.isOpen() && ::flock(folder_.number(), LOCK_EX) != 0 && errno == EINTR) continue;
-    }
-
-private:
-    Descriptor folder_;
-};
 
 } // namespace
 
@@ -198,9 +184,12 @@ Result<Journal> Journal::open(const fs::path& results, const Shard& shard, bool 
     if (fs::is_symlink(folder, problem)) return journalError(folder, ELOOP);
     fs::create_directories(folder, problem);
     if (problem) return journalError(folder, problem.value());
-    const OpeningLock opening(folder);
-    journal.path_ = folder / (kRowsBegin + tailOf(shard) + kRowsEnd);
+    // Of two that exclude each other and open their journals at the same time, one sees the other.
+    const Descriptor opening(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    constexpr std::chrono::seconds kOpenWithin{20}; // many parts begin at the same time
     const Error busy{"another run works on these results", results.string(), "wait for it, or give -o another folder"};
+    if (opening.isOpen() && lockFile(opening.number(), kOpenWithin) == Lock::Busy) return busy;
+    journal.path_ = folder / (kRowsBegin + tailOf(shard) + kRowsEnd);
     const auto others = journalsIn(results);
     const auto isInTheWay = [&](const fs::path& other) {
         const bool concerns = whole || other == journal.path_ || other == folder / (std::string(kRowsBegin) + kRowsEnd);
@@ -217,7 +206,7 @@ Result<Journal> Journal::open(const fs::path& results, const Shard& shard, bool 
     }
     journal.rows_ = ::open(journal.path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (journal.rows_ < 0) return journalError(journal.path_, errno);
-    if (::flock(journal.rows_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return busy;
+    if (lockFile(journal.rows_) == Lock::Busy) return busy;
     if (!settingsSha256.empty()) {
         for (const fs::path& other : others) {
             if (whole) fs::remove(settingsOf(other), problem);

@@ -422,6 +422,7 @@ TEST(Writers, TwoFilesOfOneCallAreTwoFilesWhateverTheirNames) {
     const std::string text = "x";
     fs::create_symlink("a", folder / "link");
     EXPECT_FALSE(writeWholeFiles({{folder / "a", std::as_bytes(std::span(text))}, {folder / "link", std::as_bytes(std::span(text))}}));
+    EXPECT_FALSE(writeWholeFiles({{folder / "a", std::as_bytes(std::span(text))}, {folder / "./a", std::as_bytes(std::span(text))}}));
     EXPECT_FALSE(fs::exists(folder / "a"));
 }
 

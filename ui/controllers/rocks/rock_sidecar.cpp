@@ -78,8 +78,8 @@ void RockSidecar::follow(std::shared_ptr<const Scan> scan) {
             const std::filesystem::path path = rocks::rockPresetPath(about->path);
             const bool isFile = std::filesystem::is_regular_file(about->path, none);
             const bool isThere = isFile && std::filesystem::exists(path, none);
+            if (isThere) disk->read(path.string()); // before: what is written meanwhile counts as another program's
             auto preset = isThere ? rocks::readRockPreset(path, *about) : Result<rocks::Preset>(rocks::Preset{});
-            if (isThere) disk->read(path.string());
             return [this, number, isFile, isThere, path = path.string(), preset = std::move(preset)] {
                 if (number != number_) return; // another scan is on the screen
                 reading_ = false;

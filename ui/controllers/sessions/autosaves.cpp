@@ -1,13 +1,15 @@
 // Session files that the viewer saves itself.
 #include "ui/controllers/sessions/autosaves.h"
 
-#include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+
+#include <filesystem>
+#include <system_error>
 
 namespace edgescan::ui {
 namespace {
@@ -72,7 +74,9 @@ void Autosaves::end() {
     if (own_.isEmpty() || !QFile::exists(own_)) return;
     const QString last = folder_ + "/last" + inspect::kSessionEnding;
     // Another window may end at the same time: the last one's session stays. Without a move, the next start offers this one.
-    if (!moveWholeFiles({{own_.toStdString(), last.toStdString()}})) return;
+    std::error_code failed;
+    std::filesystem::rename(own_.toStdString(), last.toStdString(), failed);
+    if (failed) return;
     for (const QString& path : takenUp_) QFile::remove(path);
 }
 
