@@ -6,6 +6,7 @@
 #include "app/viewer/when_shown.h"
 #include "core/base/version.h"
 #include "ui/base/language/languages.h"
+#include "ui/base/shown_text.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -38,9 +39,9 @@ void quitInTime(const std::string& screenshot) {
 // Opens the scans and files of the command line.
 void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const CommandLine& wanted, const ParsedCommandLine& understood) {
     QStringList files;
-    for (const std::string& file : wanted.files) files << QString::fromStdString(file);
+    for (const std::string& file : wanted.files) files << ui::exactText(file);
     if (!wanted.session.empty())
-        window.sessions().openSession(QString::fromStdString(wanted.session));
+        window.sessions().openSession(ui::exactText(wanted.session));
     else if (wanted.goOn)
         window.sessions().continueLast();
     else if (!files.isEmpty())
@@ -65,7 +66,7 @@ int runViewer(QApplication& application, const CommandLine& wanted, const Parsed
     if (wanted.cab) window.cab().set(true);
     window.show();
     if (!understood.pins.empty()) pinWhenShown(window, understood.pins);
-    if (!wanted.compare.empty()) compareWhenShown(window, QString::fromStdString(wanted.compare));
+    if (!wanted.compare.empty()) compareWhenShown(window, ui::exactText(wanted.compare));
     if (!wanted.screenshot.empty())
         screenshotWhenShown(window, {wanted.screenshot, wanted.screenshotLines, !wanted.live.empty(), wanted.compare});
     if (wanted.quitAfter > 0)

@@ -2,6 +2,7 @@
 #include "app/viewer/when_shown.h"
 
 #include "app/shared/exits.h"
+#include "ui/base/shown_text.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -40,7 +41,7 @@ void screenshotWhenShown(ui::MainWindow& window, const WantedPicture& wanted) {
     constexpr int kRestMs = 700;
     const auto write = [&window, wanted] {
         while (!window.viewer().comparing.settled()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const Result<Done> written = window.viewer().exports.saveScreenshot(window.screenshot(), QString::fromStdString(wanted.path));
+        const Result<Done> written = window.viewer().exports.saveScreenshot(window.screenshot(), ui::exactText(wanted.path));
         if (!written) cli::printError(written.error());
         const bool compared = wanted.before.empty() || window.viewer().comparing.pictureA();
         if (!compared) cli::printError(Error{"the earlier scan could not be opened", wanted.before, "the picture says why"});

@@ -5,6 +5,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/inspect/change_detection/change_report.h"
+#include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/cloud_geometry.h"
@@ -182,11 +183,11 @@ Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Sca
 
 Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const edges::Settings& settings) {
     try {
-        Result<Scan> scan = files::openAsAsked(path.toStdString(), reading);
+        Result<Scan> scan = files::openAsAsked(exactBytes(path), reading);
         if (!scan) return scan.error();
         return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
     } catch (const std::bad_alloc&) {
-        return Error{"there is not enough memory for a second scan", path.toStdString(), "close other programs or choose a smaller one"};
+        return Error{"there is not enough memory for a second scan", exactBytes(path), "close other programs or choose a smaller one"};
     }
 }
 
