@@ -58,7 +58,7 @@ def _number(name, value):
     try:
         return float(value)
     except OverflowError:
-        return _math.copysign(_math.inf, value)
+        return _math.inf if value > 0 else -_math.inf
 
 
 def _whole(name, value):
