@@ -4,6 +4,8 @@
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "core/base/bounded_json.h"
+#include "core/base/foreign_text.h"
+#include "core/base/inputs.h"
 #include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
@@ -95,6 +97,9 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     if (!listing->leftOut.empty())
         printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
                    " more files are no scans but records or exports, and are left out; name them singly to have them read.");
+    for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
+    for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
+    for (const std::string& asked : batch.asked) claimInput(asked);     // or a list
     work.results = batch.results;
     work.read = batch.read;
     work.method = batch.method;
@@ -270,8 +275,10 @@ int tell(const Batch& batch, const Running& running, const AllRows& all, double 
 Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
     const auto start = Clock::now();
     const batch::Shard shard = batch.shard.empty() ? batch::Shard{} : *batch::shardOf(batch.shard);
-    auto journal = batch::Journal::open(batch.results, shard, batch.shard.empty());
+    auto journal = batch::Journal::open(batch.results, shard, batch.shard.empty(), batch.merge ? "" : work.settingsSha256);
     if (!journal) return journal.error();
+    if (const std::string& parts = journal->otherSettings(); !parts.empty())
+        printError(printable(batch.results) + ": other settings were used in " + parts + "; run these again before the merge.");
     work.workFolder = journal->workFolder();
     auto before = batch::readJournals(batch.results);
     if (!before) return before.error();

@@ -199,7 +199,8 @@ void removeOld(const fs::path& folder, const Json& before, const std::vector<fs:
     for (const Json& old : before["outputs"]) {
         const fs::path name = fs::path(old.value("file", "")).filename();
         std::error_code ignored;
-        if (!name.empty() && std::ranges::find(made, name) == made.end()) fs::remove(folder / name, ignored);
+        if (!name.empty() && std::ranges::find(made, name) == made.end() && checkIsNoInput(folder / name))
+            fs::remove(folder / name, ignored);
     }
 }
 
@@ -212,16 +213,21 @@ Result<Done> moveIntoPlace(const fs::path& from, const fs::path& to, const Json&
     std::ranges::sort(made);
     if (!made.empty()) fs::create_directories(to, problem);
     if (problem) return Error{"the folder cannot be made (" + problem.message() + ")", to.string(), "check the disk and its rights"};
+    std::vector<FileMove> moves;
     for (const fs::path& name : made) {
         const auto hash = holdsTimes(name) ? Result<std::string>(std::string()) : sha256OfFile(from / name);
         if (!hash) return hash.error();
         Json output{{"file", name.string()}};
         if (!holdsTimes(name)) output.update(Json{{"bytes", fs::file_size(from / name, problem)}, {"sha256", *hash}});
-        fs::rename(from / name, to / name, problem);
-        if (problem)
-            return Error{"the result cannot be moved into place (" + problem.message() + ")", (to / name).string(),
-                         "check the disk and its rights"};
         row["outputs"].push_back(output);
+        moves.push_back({from / name, to / name});
+    }
+    if (auto moved = moveWholeFiles(moves); !moved) {
+        Json& outputs = row["outputs"]; // only those that moved
+        for (std::size_t n = moves.size(); n-- > 0;) {
+            if (fs::exists(moves[n].from, problem)) outputs.erase(n);
+        }
+        return moved;
     }
     removeOld(to, before, made);
     return Done{};
@@ -321,18 +327,19 @@ bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     if (!row.is_object() || row.value("settings_sha256", "") != work.settingsSha256) return false;
     if (row.value("results", "") != "scans/" + work.names[job] || !row.contains("files") || !row.contains("record_beside")) return false;
     const std::string outcome = row.value("outcome", "");
-    const bool triedAgain = work.retry || work.memoryBytes > row["times"].value("memory_bytes", std::uint64_t{0});
+    const Json& times = row["times"];
+    const bool triedAgain = work.retry || work.memoryBytes > times.value("memory_bytes", std::uint64_t{0});
     if (outcome != "done" && (outcome != "refused" || triedAgain)) return false;
     if (isThere(files::sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
-    const Json& modified = row["times"]["modified"];
+    const Json modified = times.value("modified", Json::array());
     for (std::size_t i = 0; i < row["files"].size(); ++i) {
         const Json& file = row["files"][i];
         const std::string path = file.value("file", "");
         const FileState state = stateOf(path);
-        if (state.bytes != file.value("bytes", std::int64_t{-2})) return false;
+        if (!file.contains("bytes") || file["bytes"] != state.bytes) return false;
         if (work.trustTimes && i < modified.size() && modified[i] == state.modified) continue;
         const auto hash = sha256OfFile(path);
-        if (!hash || *hash != file.value("sha256", "")) return false;
+        if (!hash || !file.contains("sha256") || file["sha256"] != Json(*hash)) return false;
     }
     if (!row.contains("outputs")) return true;
     return std::ranges::all_of(row["outputs"], [&](const Json& output) {

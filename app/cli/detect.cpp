@@ -20,7 +20,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 
 namespace edgescan::cli {
@@ -59,15 +58,16 @@ Outputs outputsOf(const Detect& detect, const Scan& scan) {
 
 Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const edges::Detection& detection, double loadMs) {
     const exports::ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
-    std::optional<Error> failure; // the other exports are still written
-    for (const auto& [kind, path] : out.exports) {
-        const auto written = exports::exportWithProvenance(kind->content, detection, path, options);
-        if (!written && !failure) failure = written.error();
+    WrittenOutputs outputs;
+    for (const auto& [kind, path] : out.exports) // after a failure too
+        outputs.add(path, exports::exportWithProvenance(kind->content, detection, path, options));
+    if (!out.json.empty() && outputs.allWritten()) {
+        const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
+        outputs.add(out.json, writeDocument(out.json, document("detect", exports::detectReport(detection, loadMs)), !lines));
+    } else if (!out.json.empty()) {
+        outputs.leftOut(out.json);
     }
-    if (failure) return *failure;
-    if (out.json.empty()) return Done{};
-    const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
-    return writeDocument(out.json, document("detect", exports::detectReport(detection, loadMs)), !lines);
+    return outputs.outcome();
 }
 
 std::string filledText(const edges::Detection& detection) {

@@ -15,12 +15,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
 namespace edgescan::cli {
 namespace {
+
+constexpr std::size_t kKeptBytes = std::size_t{8} << 20U;
 
 struct Record {
     std::string address, out;
@@ -88,6 +89,7 @@ nlohmann::ordered_json summary(const Record& record, const scanner::SweepSetting
     const scanner::TelegramAccount& account = status.sweep.account;
     return {{"output", record.out},
             {"lines", status.lines},
+            {"lines_after", status.linesAfter},
             {"sweep", status.sweep.text()},
             {"lost_lines", status.sweep.lost},
             {"duplicates", status.sweep.duplicates},
@@ -129,7 +131,8 @@ int run(const Record& record) {
         printError(sweep.error());
         return kRefused;
     }
-    files::LiveFeed feed(scanner, *sweep, [] {});
+    // The last lines are wanted only until the recording has begun.
+    files::LiveFeed feed(scanner, *sweep, [] {}, {.lines = record.lines, .keptBytes = kKeptBytes});
     if (const Result<Done> started = feed.startRecording(record.out); !started) {
         printError(started.error());
         return kRefused;
@@ -148,17 +151,14 @@ int run(const Record& record) {
     status.sweep = last.sweep;           // includes the end of its last sweep
     status.statistics = last.statistics; // includes the telegrams received meanwhile
     status.lines = last.lines;           // likewise: the recording has these lines too
+    status.linesAfter = last.linesAfter;
     if (const std::string lag = status.recording ? files::lagText(*status.recording) : std::string(); !lag.empty())
         printError(lag + "; waiting some seconds for it.");
+    if (status.lines == 0 && status.statistics.stream.bytes == 0) feed.discardRecording(); // it would only block the next try
     const Result<files::RecordingState> closed = feed.stopRecording();
     if (!closed) {
         printError(closed.error());
         return kRefused;
-    }
-    if (status.lines == 0 && status.statistics.stream.bytes == 0) {
-        // The file is empty; it would only block the next try.
-        std::error_code ignored;
-        std::filesystem::remove(record.out, ignored);
     }
     if (status.lines == 0) {
         Error none = scanner::noLinesError(status.session, record.address);
@@ -177,7 +177,7 @@ void addRecord(CLI::App& app, int& code) {
     CLI::App& command = *app.add_subcommand("record", "A live scanner to disk; nothing but reads and a subscription is sent to it");
     command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT")->required();
     command.add_option("-o,--output", record->out, "New recording (.mcap)")->required();
-    addNumber(command, "--lines", record->lines, {0, 1e9}, "End after so many lines; 0 = until Ctrl+C");
+    addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly so many lines; 0 = until Ctrl+C");
     addNumber(command, "--seconds", record->seconds, kSeconds, "End after so many seconds; 0 = run on");
     const char* group = "Mounting of the stepper (what is not said is assumed, told and marked in the recording)";
     Mounting& mounting = record->mounting;

@@ -21,7 +21,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 namespace edgescan::cli {
 namespace {
@@ -88,26 +87,24 @@ Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {
 Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
     exports::ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
     options.rocks = study;
-    std::optional<Error> failure; // the other exports are still written
     const std::vector<WantedExport> files = wantedExports(flags.out, kRocks, detection.scan->name, options.frame);
     std::vector<std::string> paths{flags.writeEdits};
     for (const WantedExport& file : files) paths.push_back(file.path);
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
+    WrittenOutputs outputs;
     for (const WantedExport& file : files) {
         if (file.kind->content == exports::ExportContent::RockReport && file.path == "-") {
             printResult(document("rocks", exports::rocksReport(*study, options.frame)), true);
             continue;
         }
-        const auto written = exports::exportWithProvenance(file.kind->content, detection, file.path, options);
-        if (!written && !failure) failure = written.error();
+        outputs.add(file.path, exports::exportWithProvenance(file.kind->content, detection, file.path, options)); // after a failure too
     }
     if (!flags.writeEdits.empty()) {
         const Scan& scan = *detection.scan;
         const rocks::Preset preset{study->settings, study->edits, scan.sha256};
-        const auto written = writeWholeFile(flags.writeEdits, rocks::rockPresetText(preset, scan.lines(), scan.beams()));
-        if (!written && !failure) failure = written.error();
+        outputs.add(flags.writeEdits, writeWholeFile(flags.writeEdits, rocks::rockPresetText(preset, scan.lines(), scan.beams())));
     }
-    if (failure) return *failure;
+    if (auto all = outputs.outcome(); !all) return all;
     if (!flags.why.empty()) return Done{};
     const bool inFolder = !flags.out.folder.empty();
     std::string places = inFolder ? printable(flags.out.folder) : placesText({paths.begin() + 1, paths.end()});

@@ -1,6 +1,7 @@
 // The module edgescan._edgescan: the classes and functions to which edgescan/__init__.py adds keywords.
 #include "app/python/module.h"
 
+#include "core/base/instruction_set.h"
 #include "core/base/version.h"
 #include "core/exports/report.h"
 
@@ -61,6 +62,7 @@ void bindError(py::module_& module) {
 
 PYBIND11_MODULE(_edgescan, module) {
     using namespace edgescan::python;
+    if (const auto set = edgescan::wantedInstructionSet(); !set) throw py::import_error(set.error().sentence());
     module.attr("__version__") = edgescan::version();
     bindError(module);
     bindTables(module);

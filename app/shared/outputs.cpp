@@ -12,11 +12,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same path for every spelling of a file, also before the file exists.
+/// The same path for every spelling of a file and every link to it, also before the file exists.
 fs::path whole(const fs::path& path) {
     std::error_code ignored;
     if (isStandardOutput(path)) return "-";
-    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+    const auto target = finalTarget(path); // a link may lead to a file that does not exist yet
+    return fs::weakly_canonical(fs::absolute(target ? *target : path, ignored), ignored);
+}
+
+std::string namesOf(const std::vector<std::string>& paths) {
+    std::string names;
+    for (const std::string& path : paths)
+        names += (names.empty() ? "" : ", ") + (path == "-" ? "standard output" : fs::path(path).filename().string());
+    return names;
 }
 
 } // namespace
@@ -32,6 +40,14 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
             return Error{"another result has the name of the record beside this file", path, "give it a name of its own"};
     }
     return Done{};
+}
+
+Result<Done> WrittenOutputs::outcome() const {
+    if (!first_) return Done{};
+    Error error = *first_;
+    if (!missing_.empty()) error.what += "; not written either: " + namesOf(missing_);
+    if (!written_.empty()) error.what += "; written: " + namesOf(written_);
+    return error;
 }
 
 } // namespace edgescan::cli

@@ -3,13 +3,38 @@
 
 #include "core/base/result.h"
 
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace edgescan::cli {
 
 /// Error if two of the paths are the same file, however they are spelled, or if one is the provenance record or sidecar of another
 /// (core/files/open_save/sidecar_grid.h). Empty paths and devices are ignored; standard output takes only one result.
 Result<Done> checkDistinct(std::span<const std::string> outputs);
+
+/// The results of one scan, written one after the other. If one cannot be written, the message names those that were.
+class WrittenOutputs {
+public:
+    template <class T>
+    void add(const std::string& path, const Result<T>& written) {
+        if (written)
+            written_.push_back(path);
+        else if (first_)
+            missing_.push_back(path);
+        else
+            first_ = written.error();
+    }
+    /// Was not tried because another one failed.
+    void leftOut(const std::string& path) { missing_.push_back(path); }
+    [[nodiscard]] bool allWritten() const { return !first_; }
+    /// Error: the first one, with the names of what was written and of what else was not.
+    [[nodiscard]] Result<Done> outcome() const;
+
+private:
+    std::optional<Error> first_;
+    std::vector<std::string> written_, missing_; ///< missing: besides the first
+};
 
 } // namespace edgescan::cli

@@ -123,7 +123,9 @@ std::string endOf(const PageText& page, const std::vector<std::string>& others) 
     if (!page.examples.empty()) text += ".fi\n";
     text +=
         ".SH EXIT STATUS\n0 when everything was done, 1 when an input was refused or an output could not be written, 2 when the command "
-        "line is wrong.\n";
+        "line is wrong.\n.SH ENVIRONMENT\n.TP\n\\fBEDGESCAN_LOOPS\\fR\nFor tests and benchmarks: the widest instruction set that loops "
+        "use, "
+        "plain, sse4.2, avx2 or avx512. Results do not depend on it. Without it, the widest that the processor has.\n";
     if (others.empty()) return text;
     std::vector<std::string> links;
     for (const std::string& other : others) links.push_back("\\fB" + roff(other) + "\\fR(1)");

@@ -2,6 +2,7 @@
 #include "app/shared/usage.h"
 
 #include "app/shared/exits.h"
+#include "core/base/instruction_set.h"
 
 #include <algorithm>
 #include <string_view>
@@ -33,6 +34,10 @@ void checkSwitches(CLI::App& app, const std::vector<std::string>& words) {
 } // namespace
 
 std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
+    if (const auto set = wantedInstructionSet(); !set) {
+        printError(set.error());
+        return kWrongUsage;
+    }
     try {
         checkSwitches(app, {argv, argv + argc});
         app.parse(argc, argv);
@@ -40,7 +45,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
         printError(std::string(error.what()) + " (--help tells more)");
-        return 2;
+        return kWrongUsage;
     }
 }
 

@@ -2,8 +2,8 @@
 #include "app/shared/exits.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/usage.h"
+#include "app/viewer/start.h"
 #include "app/viewer/wanted.h"
-#include "app/viewer/when_shown.h"
 #include "core/base/version.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/shown_text.h"
@@ -18,7 +18,6 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QTimer>
 
 #include <CLI/CLI.hpp>
 
@@ -28,13 +27,6 @@ namespace {
 
 using namespace edgescan;
 using namespace edgescan::viewer;
-
-// For --quit-after. If a screenshot was requested too and the window is still open, the screenshot was not written.
-void quitInTime(const std::string& screenshot) {
-    if (!screenshot.empty())
-        cli::printError(Error{"no picture was written: the scan was not on screen in time", screenshot, "give --quit-after more seconds"});
-    QApplication::exit(screenshot.empty() ? 0 : 1);
-}
 
 // Opens the scans and files of the command line.
 void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const CommandLine& wanted, const ParsedCommandLine& understood) {
@@ -56,7 +48,7 @@ void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const Comm
         window.viewer().live.connectTo(QString::fromStdString(scanner->host), scanner->port, understood.sweep);
 }
 
-int runViewer(QApplication& application, const CommandLine& wanted, const ParsedCommandLine& understood) {
+int runViewer(const CommandLine& wanted, const ParsedCommandLine& understood) {
     ui::Preferences preferences(wanted.noSettings ? QString() : ui::Preferences::usualPath());
     ui::useLanguage(wanted.language.empty() ? preferences.text("language") : QString::fromStdString(wanted.language));
     ui::MainWindow window(preferences);
@@ -65,12 +57,7 @@ int runViewer(QApplication& application, const CommandLine& wanted, const Parsed
     }
     if (wanted.cab) window.cab().set(true);
     window.show();
-    if (!understood.pins.empty()) pinWhenShown(window, understood.pins);
-    if (!wanted.compare.empty()) compareWhenShown(window, ui::exactText(wanted.compare));
-    if (!wanted.screenshot.empty())
-        screenshotWhenShown(window, {wanted.screenshot, wanted.screenshotLines, !wanted.live.empty(), wanted.compare});
-    if (wanted.quitAfter > 0)
-        QTimer::singleShot(static_cast<int>(wanted.quitAfter * 1000), &application, [&wanted] { quitInTime(wanted.screenshot); });
+    const Start start(window, wanted, understood);
     openWanted(window, preferences, wanted, understood);
     return QApplication::exec();
 }
@@ -114,5 +101,5 @@ int main(int argc, char** argv) {
         cli::printError(gl.reason.toStdString());
         return 1;
     }
-    return runViewer(application, wanted, understood);
+    return runViewer(wanted, understood);
 }

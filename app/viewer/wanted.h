@@ -4,7 +4,6 @@
 #include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
-#include "app/viewer/when_shown.h"
 
 #include <optional>
 #include <string>
@@ -33,6 +32,11 @@ struct CommandLine {
 };
 
 void addFlags(CLI::App& app, CommandLine& wanted);
+
+/// A cell of the first picture.
+struct PinnedPlace {
+    int line = 0, beam = 0;
+};
 
 /// The parsed and checked flags.
 struct ParsedCommandLine {

@@ -1,44 +1,71 @@
-// Loops that are compiled several times: for any x86-64, for AVX2, and for AVX-512 (x86-64-v4) if the compiler supports it. The processor
-// chooses at run time. All versions give the same bits: no operation is fused or reordered (-ffp-contract=off, no -ffast-math). On other
-// processors, and under sanitizers that do not support this choice, the loop is compiled once.
+// Loops that are compiled once for each instruction set, and called for the one that the process uses (core/base/instruction_set.h). All
+// versions give the same bits: no operation is fused or reordered (-ffp-contract=off, no -ffast-math).
 #pragma once
+
+#include "core/base/instruction_set.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 
-#if !defined(__x86_64__) || !defined(__GNUC__) || defined(__clang__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define EDGESCAN_SIMD
-#define EDGESCAN_SIMD_WIDE false
-#elif __GNUC__ >= 12
-#define EDGESCAN_SIMD __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#define EDGESCAN_SIMD_WIDE __builtin_cpu_supports("avx2")
+/// Before each function that is a part of a loop: the compiler compiles it inside every version of the loop.
+#define EDGESCAN_INLINE inline __attribute__((always_inline))
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define EDGESCAN_SSE42 __attribute__((target("sse4.2,popcnt")))
+#define EDGESCAN_AVX2 __attribute__((target("avx2,bmi")))
+#if defined(__clang__)
+#define EDGESCAN_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,bmi")))
 #else
-#define EDGESCAN_SIMD __attribute__((target_clones("avx2", "default")))
-#define EDGESCAN_SIMD_WIDE __builtin_cpu_supports("avx2")
+#define EDGESCAN_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,bmi,prefer-vector-width=512")))
+#endif
 #endif
 
 namespace edgescan {
 
-/// Cells of a line that are processed together, for loops over a line that the compiler alone cannot vectorise: sixteen if the processor
-/// has EDGESCAN_SIMD_WIDE, otherwise four, because a wider vector would be processed cell by cell.
+/// A loop, declared with EDGESCAN_INLINE, in one version for each instruction set.
+template <auto kLoop>
+class Vectorised;
+template <class R, class... A, R (*kLoop)(A...)>
+class Vectorised<kLoop> {
+public:
+    R operator()(A... a) const { return by(instructionSet(), a...); }
+    R by(InstructionSet set, A... a) const { return kVersions[static_cast<std::size_t>(set)](a...); }
+
+private:
+    static R plain(A... a) { return kLoop(a...); }
+#if defined(__x86_64__) && defined(__GNUC__)
+    EDGESCAN_SSE42 static R sse42(A... a) { return kLoop(a...); }
+    EDGESCAN_AVX2 static R avx2(A... a) { return kLoop(a...); }
+    EDGESCAN_AVX512 static R avx512(A... a) { return kLoop(a...); }
+    static constexpr std::array<R (*)(A...), kInstructionSets.size()> kVersions{plain, sse42, avx2, avx512};
+#else
+    static constexpr std::array<R (*)(A...), 1> kVersions{plain};
+#endif
+};
+/// Calls a loop: vectorised<loop>(arguments).
+template <auto kLoop>
+inline constexpr Vectorised<kLoop> vectorised;
+
+/// Cells of a line that are processed together, for loops over a line that the compiler alone cannot vectorise: sixteen with AVX2 and
+/// AVX-512, otherwise four, because a wider vector would be processed cell by cell.
 using FourLanes = float __attribute__((vector_size(16)));
 using SixteenLanes = float __attribute__((vector_size(64)));
-inline constexpr int kMostLanes = 16;
 template <class Lanes>
 inline constexpr int kLanes = sizeof(Lanes) / sizeof(float);
 
 template <class Lanes>
-inline __attribute__((always_inline)) void load(Lanes& lanes, const float* from) {
+EDGESCAN_INLINE void load(Lanes& lanes, const float* from) {
     std::memcpy(&lanes, from, sizeof lanes);
 }
 template <class Lanes>
-inline __attribute__((always_inline)) void store(float* to, const Lanes& lanes) {
+EDGESCAN_INLINE void store(float* to, const Lanes& lanes) {
     std::memcpy(to, &lanes, sizeof lanes);
 }
 /// The largest of `kCount` values (a power of two), found by halving.
 template <int kCount>
-inline __attribute__((always_inline)) float largest(const float* values) {
+EDGESCAN_INLINE float largest(const float* values) {
     if constexpr (kCount == 1) {
         return *values;
     } else {

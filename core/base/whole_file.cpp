@@ -3,9 +3,11 @@
 
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
+#include "core/base/temporary_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,6 +17,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <map>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <thread>
 
@@ -22,67 +27,6 @@ namespace edgescan {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A descriptor that closes itself.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    [[nodiscard]] int number() const { return number_; }
-    int release() { return std::exchange(number_, -1); }
-
-private:
-    int number_;
-};
-
-/// A temporary file, removed at the end unless it was renamed.
-struct Temporary {
-    fs::path path;
-    fs::path target;
-    bool renamed = false;
-
-    Temporary(fs::path temporaryPath, fs::path targetPath) : path(std::move(temporaryPath)), target(std::move(targetPath)) {}
-    Temporary(const Temporary&) = delete;
-    Temporary& operator=(const Temporary&) = delete;
-    Temporary(Temporary&& other) noexcept
-        : path(std::move(other.path)), target(std::move(other.target)), renamed(std::exchange(other.renamed, true)) {}
-    Temporary& operator=(Temporary&&) = delete;
-    ~Temporary() {
-        if (!renamed) ::unlink(path.c_str());
-    }
-};
-
-Error writeError(const fs::path& path, int code) {
-    const std::string reason = std::strerror(code);
-    switch (code) {
-    case ENOENT:
-        return {"the folder to write into does not exist", path.string(), "make the folder or choose another"};
-    case ENOTDIR:
-        return {"the folder to write into is not a folder", path.string(), "choose another folder"};
-    case EACCES:
-    case EPERM:
-        return {"writing here is not allowed", path.string(), "choose another folder or ask for the right to write"};
-    case EROFS:
-        return {"the disk can only be read", path.string(), "choose another folder"};
-    case ENOSPC:
-    case EDQUOT:
-        return {"the disk is full, nothing was written", path.string(), "free some space or choose another disk"};
-    case EFBIG:
-        return {"the file would be larger than the limit set for it", path.string(), "choose another disk or raise the limit"};
-    case EISDIR:
-        return {"this is a folder, not a file", path.string(), "give a file name"};
-    case ELOOP:
-        return {"this link leads in a circle", path.string(), "give the file itself"};
-    case ENAMETOOLONG:
-        return {"the file name is too long", path.string(), "choose a shorter name"};
-    default:
-        return {"the file cannot be written: " + reason, path.string(), "choose another folder or disk"};
-    }
-}
 
 Error readError(const fs::path& path, int code) {
     const std::string reason = std::strerror(code);
@@ -103,66 +47,82 @@ Error readError(const fs::path& path, int code) {
     }
 }
 
-/// Returns 0, or the errno of the failed write.
-int writeAll(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return 0;
-}
-
-/// The file that a path leads to through its links. Another user could place a link here so that EdgeScan overwrites one of our files.
-Result<fs::path> finalTarget(const fs::path& path) {
-    std::error_code problem;
-    if (fs::is_directory(path, problem)) return writeError(path, EISDIR);
-    if (!path.has_filename()) return Error{"there is no file name to write to", path.string(), "give a file name"};
-    constexpr int kMostLinks = 40; // the kernel's limit
-    fs::path target = path;
-    for (int links = 0; links <= kMostLinks; ++links) {
-        struct stat status {};
-        if (::lstat(target.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return target;
-        if (status.st_uid != ::geteuid() && status.st_uid != 0)
-            return Error{"this is a link that belongs to another user", target.string(), "give the file it leads to, or another name"};
-        const fs::path next = fs::read_symlink(target, problem);
-        if (problem) return writeError(path, problem.value());
-        target = next.is_absolute() ? next : target.parent_path() / next;
-    }
-    return writeError(path, ELOOP);
-}
-
-fs::path temporaryNameFor(const fs::path& target) {
-    static std::atomic<unsigned> serial{0};
-    // A short name that does not depend on the target's name, so that a target name of the greatest allowed length still works.
-    const std::string name = ".edgescan-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".part";
-    return target.parent_path() / name;
-}
-
-/// Writes all bytes to the disk under a temporary name in the folder of the target.
-Result<Temporary> writeTemporary(const fs::path& path, const fs::path& target, std::span<const std::byte> bytes) {
-    Temporary temporary(temporaryNameFor(target), target);
-    // The mode is that of a plain open(), or that of the file that is replaced.
+/// Error if writing `path`, which leads to `target`, would replace a folder, an input or a read-only file.
+Result<Done> checkMayBeReplaced(const fs::path& path, const fs::path& target) {
+    if (auto other = checkIsNoInput(path); !other) return other;
     struct stat old {};
-    const bool replaces = ::stat(target.c_str(), &old) == 0;
-    ::unlink(temporary.path.c_str()); // left by a killed program with the same process number
-    Descriptor file(::open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.number() < 0) {
-        temporary.renamed = true; // the temporary file is not ours: do not remove it
-        return writeError(path, errno);
-    }
-    if (replaces) static_cast<void>(::fchmod(file.number(), old.st_mode & 0777U)); // a wrong mode is not a reason to fail
-    if (const int code = writeAll(file.number(), bytes)) return writeError(path, code);
-    if (::fsync(file.number()) != 0 && errno != EINVAL) return writeError(path, errno);
-    if (::close(file.release()) != 0 && errno != EINTR) return writeError(path, errno);
-    return temporary;
+    if (::stat(target.c_str(), &old) != 0) return Done{};
+    if (S_ISDIR(old.st_mode)) return writeError(path, EISDIR);
+    constexpr mode_t kAnyWriter = 0222; // root may write everything
+    const bool allowed =
+        (old.st_mode & kAnyWriter) != 0 && (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) == 0 || errno != EACCES);
+    if (allowed) return Done{};
+    return Error{"this file is read-only, so it was not replaced", path.string(), "allow writing with chmod u+w, or choose another name"};
 }
 
-void syncFolder(const fs::path& file) {
+Descriptor openFolderOf(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (descriptor.number() >= 0) static_cast<void>(::fsync(descriptor.number()));
+    return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+}
+
+/// Locks the folders of several files during the lifetime of this object, so that files that belong together appear together although
+/// another program writes files of the same names. On a file system without locks, and where a program that is not a writer holds the lock
+/// (`flock FOLDER command`), the files are written without it: then the hashes in the record show what does not belong together.
+class FolderLocks {
+public:
+    explicit FolderLocks(const std::vector<FileMove>& moves) {
+        std::map<std::pair<dev_t, ino_t>, Descriptor> folders; // the same order in every program, so that two do not wait for each other
+        for (const FileMove& move : moves) {
+            Descriptor folder = openFolderOf(move.to);
+            struct stat status {};
+            if (folder.isOpen() && ::fstat(folder.number(), &status) == 0)
+                folders.try_emplace({status.st_dev, status.st_ino}, std::move(folder));
+        }
+        for (auto& [number, folder] : folders) {
+            lock(folder.number());
+            held_.push_back(std::move(folder));
+        }
+    }
+
+private:
+    static void lock(int folder) {
+        static std::atomic<bool> waitedInVain{false}; // this program does not wait again
+        const auto until = std::chrono::steady_clock::now() + (waitedInVain ? std::chrono::seconds(0) : kLongestWait);
+        while (::flock(folder, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR)) {
+            if (std::chrono::steady_clock::now() >= until) {
+                waitedInVain = true;
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+
+    static constexpr std::chrono::seconds kLongestWait{
+        20}; // many writers on a busy machine take seconds; each holds the lock for renames only
+    std::vector<Descriptor> held_;
+};
+
+/// Renames in the order of the list. On an error, the files that have moved before are named; they cannot be taken back.
+template <class Renamed>
+Result<Done> renameAll(const std::vector<FileMove>& moves, Renamed renamed) {
+    std::optional<FolderLocks> locks;
+    if (moves.size() > 1) locks.emplace(moves);
+    for (std::size_t n = 0; n < moves.size(); ++n) {
+        if (::rename(moves[n].from.c_str(), moves[n].to.c_str()) != 0) {
+            Error failed = writeError(moves[n].to, errno);
+            for (std::size_t before = 0; before < n; ++before)
+                failed.what += (before == 0 ? "; already in place: " : ", ") + moves[before].to.filename().string();
+            return failed;
+        }
+        renamed(n);
+    }
+    locks.reset();
+    std::set<fs::path> folders;
+    for (const FileMove& move : moves) {
+        if (!folders.insert(move.to.parent_path()).second) continue;
+        if (const Descriptor folder = openFolderOf(move.to); folder.isOpen()) static_cast<void>(::fsync(folder.number()));
+    }
+    return Done{};
 }
 
 constexpr std::chrono::seconds kReaderComesWithin{3};
@@ -238,28 +198,59 @@ bool isDevice(const fs::path& path) {
     return !problem && fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
-    for (const FileContent& file : files) {
-        if (auto other = checkIsNoInput(file.path); !other) return other;
+Result<fs::path> finalTarget(const fs::path& path) {
+    std::error_code problem;
+    if (fs::is_directory(path, problem)) return writeError(path, EISDIR);
+    if (!path.has_filename()) return Error{"there is no file name to write to", path.string(), "give a file name"};
+    constexpr int kMostLinks = 40; // the kernel's limit
+    fs::path target = path;
+    for (int links = 0; links <= kMostLinks; ++links) {
+        struct stat status {};
+        if (::lstat(target.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return target;
+        // Another user could place a link here so that EdgeScan overwrites one of our files.
+        if (status.st_uid != ::geteuid() && status.st_uid != 0)
+            return Error{"this is a link that belongs to another user", target.string(), "give the file it leads to, or another name"};
+        const fs::path next = fs::read_symlink(target, problem);
+        if (problem) return writeError(path, problem.value());
+        target = next.is_absolute() ? next : target.parent_path() / next;
     }
-    std::vector<Temporary> ready;
+    return writeError(path, ELOOP);
+}
+
+Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
+    std::vector<fs::path> targets;
     for (const FileContent& file : files) {
         if (isDevice(file.path)) {
-            if (auto written = writeDevice(file.path, file.bytes); !written) return written.error();
+            targets.emplace_back();
             continue;
         }
-        const auto target = finalTarget(file.path);
+        auto target = finalTarget(file.path);
         if (!target) return target.error();
-        auto temporary = writeTemporary(file.path, *target, file.bytes);
+        if (auto may = checkMayBeReplaced(file.path, *target); !may) return may;
+        if (std::ranges::find(targets, *target) != targets.end())
+            return Error{"two results cannot have one file", file.path.string(), "give each a name of its own"};
+        targets.push_back(std::move(*target));
+    }
+    std::vector<TemporaryFile> ready;
+    std::vector<FileMove> moves;
+    for (std::size_t n = 0; n < files.size(); ++n) {
+        if (targets[n].empty()) {
+            if (auto written = writeDevice(files[n].path, files[n].bytes); !written) return written.error();
+            continue;
+        }
+        auto temporary = TemporaryFile::write(files[n].path, targets[n], files[n].bytes);
         if (!temporary) return temporary.error();
+        moves.push_back({temporary->path(), temporary->target()});
         ready.push_back(std::move(*temporary));
     }
-    for (Temporary& temporary : ready) {
-        if (::rename(temporary.path.c_str(), temporary.target.c_str()) != 0) return writeError(temporary.target, errno);
-        temporary.renamed = true;
-        syncFolder(temporary.target);
+    return renameAll(moves, [&](std::size_t n) { ready[n].wasRenamed(); });
+}
+
+Result<Done> moveWholeFiles(const std::vector<FileMove>& moves) {
+    for (const FileMove& move : moves) {
+        if (auto may = checkMayBeReplaced(move.to, move.to); !may) return may;
     }
-    return Done{};
+    return renameAll(moves, [](std::size_t /*n*/) {});
 }
 
 Result<Done> writeWholeFile(const fs::path& path, std::span<const std::byte> bytes) { return writeWholeFiles({{path, bytes}}); }

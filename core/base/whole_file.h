@@ -19,12 +19,16 @@ struct FileContent {
     std::span<const std::byte> bytes;
 };
 
-/// Writes the file. On an Error (no such folder, not allowed, disk full ...) the old file is unchanged and no temporary file remains. A
-/// file that was read as an input is never replaced (core/base/inputs.h). A link is followed unless it belongs to a user other than this
-/// one and root. A device or pipe (/dev/stdout) is written to directly; a program must open the pipe for reading within seconds and read
-/// all of it within half a minute. New files get the mode of the umask.
+/// Writes the file: a temporary file is written, synced and read back before it takes the name. On an Error (no such folder, not allowed,
+/// disk full ...) the old file is unchanged and no temporary file remains. Several programs may write the same file: each content appears
+/// whole, and the last one stays. A file that was read as an input is never replaced (core/base/inputs.h), nor is a read-only file. A link
+/// is followed unless it belongs to a user other than this one and root. A device or pipe (/dev/stdout) is written to directly; a program
+/// must open the pipe for reading within seconds and read all of it within half a minute. New files get the mode of the umask.
 Result<Done> writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<Done> writeWholeFile(const std::filesystem::path& path, const std::string& text);
+
+/// The file that a path leads to through its links; it need not exist. Error: a folder, a circle, a link of another user.
+Result<std::filesystem::path> finalTarget(const std::filesystem::path& path);
 
 /// True for "-", and for "-.EXT" where the extension chooses a format: standard output. Valid for every file that EdgeScan writes.
 [[nodiscard]] bool isStandardOutput(const std::filesystem::path& path);
@@ -33,8 +37,17 @@ Result<Done> writeWholeFile(const std::filesystem::path& path, const std::string
 [[nodiscard]] bool isDevice(const std::filesystem::path& path);
 
 /// Writes files that belong together: all temporary files are complete on the disk before the first one is renamed. The order is that of
-/// the list.
+/// the list. A lock on the folder keeps together what several programs write at the same time. A kill between two renames leaves files that
+/// do not belong together: a record contains the SHA-256 of its file.
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files);
+
+/// A complete file and its place in the same file system.
+struct FileMove {
+    std::filesystem::path from, to;
+};
+
+/// Moves complete files to their places; inputs and read-only files are not replaced. A link in such a place is replaced, not followed.
+Result<Done> moveWholeFiles(const std::vector<FileMove>& moves);
 
 /// All bytes of a regular file. Error: missing, a folder, not allowed, more than `most` bytes or the memory available ...
 Result<std::vector<std::byte>> readWholeFile(const std::filesystem::path& path, std::uint64_t most = UINT64_MAX);

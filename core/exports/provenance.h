@@ -31,9 +31,9 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::D
 /// The record inside an export's bytes; empty if there is none.
 [[nodiscard]] std::string embeddedRecord(std::string_view bytes);
 
-/// Writes the export and, unless the options say otherwise, its sidecar: both completely, or neither. Then reads the export back and
-/// compares bytes, count and bounds. Returns the number of points or cells written. A device or pipe gets the export only. Error: the scan
-/// has no pose for the requested frame, the file cannot be written, or the bytes read back differ.
+/// Writes the export and, unless the options say otherwise, its sidecar: both completely, or neither (core/base/whole_file.h). Count and
+/// bounds of the bytes are compared with those of the scan before. Returns the number of points or cells written. A device or pipe gets the
+/// export only. Error: the scan has no pose for the requested frame, the format cannot hold its values, or the file cannot be written.
 Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const std::filesystem::path& path,
                                          const ExportOptions& options = {});
 

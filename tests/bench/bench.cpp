@@ -54,8 +54,8 @@ constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", 1.6, 1.9
 constexpr Goal kSlider{"slider that measures again / full EdgeScan+", 0.6, 0.3, 0.9, true};
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", 0.6, 0.3, 0.1, true};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", 60, 100, 24};
-constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, AVX2", 4, 6, 2.0}, kOpenCvAvx512{"plain OpenCV / edge map, AVX-512", 7, 9, 2.3};
-constexpr Goal kOpenCvSse{"plain OpenCV / edge map, SSE4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 1, 1, 1};
+constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, avx2", 4, 6, 2.0}, kOpenCvAvx512{"plain OpenCV / edge map, avx512", 7, 9, 2.3};
+constexpr Goal kOpenCvSse{"plain OpenCV / edge map, sse4.2", 1, 1, 1}, kOpenCvAny{"plain OpenCV / edge map, plain", 1, 1, 1};
 constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", 15, 25, 15};
 constexpr Goal kBoundary{"PCL BoundaryEstimation k=30 / EdgeScan+", 400, 700, 100};
 constexpr Goal kOrganized{"PCL OrganizedEdgeFromNormals / EdgeScan+", 3, 6, 3};
@@ -119,10 +119,10 @@ Grid<std::uint8_t> thesisMask(const Scan& scan, const edges::Settings& thesis) {
     return edges::canny(edges::smooth(edges::grayImage(scan, thesis).levels, thesis), thesis);
 }
 
-Grid<std::uint8_t> edgeMapBy(const edges::GrayLoops& loops, const Scan& scan, const edges::Settings& thesis) {
+Grid<std::uint8_t> edgeMapBy(InstructionSet set, const Scan& scan, const edges::Settings& thesis) {
     Grid<std::uint8_t> levels(scan.lines(), scan.beams());
-    loops.levels(scan.rangeMm, scan.state, edges::linearLevels(edges::grayScale(scan, thesis)), levels);
-    return edges::cannyBy(loops, edges::smoothBy(loops, levels, thesis), thesis);
+    edges::levelsBy(set, scan.rangeMm, scan.state, edges::linearLevels(edges::grayScale(scan, thesis)), levels);
+    return edges::cannyBy(set, edges::smoothBy(set, levels, thesis), thesis);
 }
 
 // The thesis's recipe in as few lines of OpenCV as possible.
@@ -231,9 +231,9 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
         {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
         {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }}};
     const std::size_t firstLoops = runs.size(); // by each instruction set; the limits of the ranges by the widest
-    for (const edges::GrayLoops& loops : edges::allGrayLoops()) {
-        if (!loops.isHere()) continue;
-        runs.push_back({std::string("edge map, ") + loops.instructions, [&] { (void)edgeMapBy(loops, scan, thesis); }});
+    for (const InstructionSet set : kInstructionSets) {
+        if (!isHere(set)) continue;
+        runs.push_back({std::string("edge map, ") + nameOf(set), [&, set] { (void)edgeMapBy(set, scan, thesis); }});
     }
     const std::size_t naive = runs.size();
     if (scan.cells() < 2000000) runs.push_back({"naive, to labelled points", [&] { (void)naiveThesis(scan, 10); }});
@@ -325,6 +325,10 @@ int main(int argc, char** argv) {
     const auto wanted = wantedOf(argc, argv);
     if (!wanted) {
         std::fprintf(stderr, "edgescan-bench [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]\n");
+        return 2;
+    }
+    if (const auto set = wantedInstructionSet(); !set) {
+        std::fprintf(stderr, "edgescan-bench: %s\n", set.error().sentence().c_str());
         return 2;
     }
     cv::setNumThreads(0);

@@ -1,11 +1,14 @@
 // Prints a hash of every mask, class, response and strength that the methods compute for simulated sweeps, for sweeps of noise, and for the
-// scans given as arguments. A faster program must print the same. build/release/bin/edgescan_edge_hashes [SCAN...] > new; the same with an
-// older build > old; diff old new
+// scans given as arguments; the same of the rocks, and of EdgeScan+ on one, two and four threads. A faster program must print the same, and
+// so must every instruction set (EDGESCAN_LOOPS). build/release/bin/edgescan_edge_hashes [--quick] [SCAN...] > new; the same with an older
+// build > old; diff old new. --quick: smaller sweeps.
+#include "core/base/instruction_set.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/rocks/attributes/study.h"
 #include "core/sim/simulate.h"
 
 #include <cstdint>
@@ -56,6 +59,38 @@ std::vector<std::pair<std::string, edges::Settings>> allSettings() {
     return all;
 }
 
+void printRocks(const std::string& name, const std::shared_ptr<const Scan>& scan) {
+    const auto found = edges::detectEdges(scan, edges::Settings{}, edges::KeepFor::Rocks);
+    const rocks::Study study = rocks::studyRocks(rocks::rockInputs(*found), {});
+    Hash labels, rest;
+    labels.add(rocks::rockLabels(*study.segmentation, study.map).cells);
+    rest.add(rocks::regionLabels(*study.segmentation, study.map).cells);
+    std::vector<double> numbers;
+    for (const rocks::Region& region : study.map.regions) {
+        for (const double number : {region.bulge, region.nearShare, region.edgeShare, region.depthRatio, region.boxShare, region.evidence,
+                                    region.longM, region.score, region.confidence})
+            numbers.push_back(number);
+    }
+    rest.add(numbers);
+    std::printf("%s, rocks: %u, labels %016llx, rest %016llx\n", name.c_str(), study.map.rocks,
+                static_cast<unsigned long long>(labels.value), static_cast<unsigned long long>(rest.value));
+}
+
+void printWithThreads(const std::string& name, const Scan& scan, int threads) {
+    const edges::Settings settings;
+    const edges::DepthResponses responses = edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads);
+    const edges::DepthEdges found = edges::decideDepthEdges(responses, settings, threads);
+    Hash mask, rest;
+    mask.add(found.mask.cells);
+    rest.add(found.kind.cells);
+    rest.add(responses.jump.cells);
+    rest.add(responses.crease.cells);
+    rest.add(responses.border);
+    rest.add(responses.silhouettes);
+    std::printf("%s, %d threads: mask %016llx, rest %016llx\n", name.c_str(), threads, static_cast<unsigned long long>(mask.value),
+                static_cast<unsigned long long>(rest.value));
+}
+
 void print(const std::string& name, const Scan& scan) {
     const auto shared = std::make_shared<const Scan>(scan);
     for (const auto& [title, settings] : allSettings()) {
@@ -79,13 +114,19 @@ void print(const std::string& name, const Scan& scan) {
         std::printf("%s, %s: %zu edges, mask %016llx, rest %016llx\n", name.c_str(), title.c_str(), found->edges->size(),
                     static_cast<unsigned long long>(mask.value), static_cast<unsigned long long>(rest.value));
     }
+    printRocks(name, shared);
+    for (const int threads : {1, 2, 4}) printWithThreads(name, scan, threads);
 }
 
-void printSimulated(const char* name, const std::function<void(sim::SimulationSettings&)>& set) {
+void printSimulated(const char* name, bool quick, const std::function<void(sim::SimulationSettings&)>& set) {
     sim::SimulationSettings settings;
     settings.lines = 300;
     settings.beams = 571;
     set(settings);
+    if (quick) {
+        settings.lines = 120 + static_cast<int>(settings.seed);
+        settings.beams = 160 + static_cast<int>(settings.seed);
+    }
     const auto simulated = sim::simulate(settings);
     if (simulated) print(name, simulated->scan);
 }
@@ -113,13 +154,18 @@ Scan noise(int lines, int beams) {
 } // namespace
 
 int main(int argc, char** argv) {
-    printSimulated("full", [](sim::SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
-    printSimulated("fine", [](sim::SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
-    printSimulated("noisy", [](sim::SimulationSettings& s) { s.seed = 3, s.noise = 4; });
-    printSimulated("interlaced", [](sim::SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
-    printSimulated("slipped", [](sim::SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
-    printSimulated("spin", [](sim::SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
-    printSimulated("holes", [](sim::SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
+    if (const auto set = wantedInstructionSet(); !set) {
+        std::fprintf(stderr, "edgescan_edge_hashes: %s\n", set.error().sentence().c_str());
+        return 2;
+    }
+    const bool quick = argc > 1 && std::string(argv[1]) == "--quick";
+    printSimulated("full", quick, [](sim::SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
+    printSimulated("fine", quick, [](sim::SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
+    printSimulated("noisy", quick, [](sim::SimulationSettings& s) { s.seed = 3, s.noise = 4; });
+    printSimulated("interlaced", quick, [](sim::SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
+    printSimulated("slipped", quick, [](sim::SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
+    printSimulated("spin", quick, [](sim::SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
+    printSimulated("holes", quick, [](sim::SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
     for (const auto& [lines, beams] : {std::pair{1, 1},
                                        {1, 2},
                                        {2, 1},
@@ -134,7 +180,7 @@ int main(int argc, char** argv) {
                                        {130, 255},
                                        {200, 40}})
         print("noise of " + std::to_string(lines) + " x " + std::to_string(beams), noise(lines, beams));
-    for (int n = 1; n < argc; ++n) {
+    for (int n = quick ? 2 : 1; n < argc; ++n) {
         const auto scan = files::openScan(argv[n]);
         if (scan)
             print(argv[n], *scan);

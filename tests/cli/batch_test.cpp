@@ -175,6 +175,46 @@ TEST(CliBatch, PartsAndTheirMergeAreTheWhole) {
     EXPECT_EQ(rowsOf(folder / "r"), rowsOf(folder / "whole"));
 }
 
+TEST(CliBatch, WhatIsNotAJournalOrOfOtherSettingsIsRefusedWithASentence) {
+    const TemporaryFolder folder;
+    makeArchive(folder / "archive", 6);
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 1/2")).code, 0);
+    const auto before = filesBelow(folder / "r/scans");
+    const auto other = runCli(inArchive(folder, "r", "--shard 1/3 --jump 200"));
+    EXPECT_EQ(other.code, 1);
+    EXPECT_NE(other.err.find("other settings were used in part 1 of 2"), std::string::npos) << other.err;
+    EXPECT_EQ(filesBelow(folder / "r/scans"), before);
+    const auto later = runCli(inArchive(folder, "r", "--shard 2/2 --jump 200"));
+    EXPECT_EQ(later.code, 0);
+    EXPECT_NE(later.err.find("part 1 of 2; run these again before the merge"), std::string::npos) << later.err;
+    ASSERT_EQ(runCli(inArchive(folder, "s")).code, 0);
+    std::ofstream(folder / "s/.batch/rows.ndjson", std::ios::app) << "[1, 2]\n";
+    const auto odd = runCli(inArchive(folder, "s"));
+    EXPECT_EQ(odd.code, 1);
+    EXPECT_NE(odd.err.find("this line is not a row of a run"), std::string::npos) << odd.err;
+}
+
+TEST(CliBatch, NoTableAndNoResultReplacesAScanOrAReadOnlyFile) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "r");
+    ASSERT_TRUE(files::saveScan(test::boxesScan(24, 30, 5), folder / "r/results.csv"));
+    const std::string scan = fileText(folder / "r/results.csv"), command = "batch " + (folder / "r/results.csv").string() + " -o ";
+    const auto input = runCli(command + (folder / "r").string());
+    EXPECT_EQ(input.code, 1);
+    EXPECT_NE(input.err.find("read as an input"), std::string::npos) << input.err;
+    EXPECT_EQ(fileText(folder / "r/results.csv"), scan);
+    ASSERT_EQ(runCli(command + (folder / "s").string()).code, 0);
+    const auto rows = rowsOf(folder / "s");
+    ASSERT_EQ(rows.size(), 1U);
+    const fs::path mask = folder / "s" / rows[0]["results"].get<std::string>() / "edges.png";
+    const std::string old = fileText(mask);
+    fs::permissions(mask, fs::perms(0444));
+    const auto again = runCli(command + (folder / "s").string() + " --jump 60");
+    EXPECT_NE(again.err.find("edges.png: this file is read-only"), std::string::npos) << again.err;
+    EXPECT_EQ(fileText(mask), old);
+    EXPECT_EQ(rowsOf(folder / "s")[0]["outcome"], "failed");
+}
+
 TEST(CliBatch, WrongUsageIsRefusedBeforeAnythingIsRead) {
     const TemporaryFolder folder;
     makeArchive(folder / "archive", 5);

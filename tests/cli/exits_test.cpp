@@ -215,7 +215,7 @@ std::vector<std::string> switchesIn(const std::string& help) {
 TEST(Exits, EverySwitchTakesTrueOrFalse) {
     std::set<std::string> switches;
     for (const std::string program : {"edgescan-cli", "edgescan-lab", "edgescan"}) {
-        if (!fs::exists(fs::path(EDGESCAN_BIN_DIR) / program)) continue;
+        if (!fs::exists(fs::path(edgescan::test::programFolder()) / program)) continue;
         const std::vector<std::string> commands = commandsOf(program);
         EXPECT_GE(commands.size(), program == "edgescan-cli" ? 16U : program == "edgescan-lab" ? 3U : 1U);
         for (const std::string& command : commands) {

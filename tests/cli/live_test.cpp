@@ -18,6 +18,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -186,6 +190,70 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     // Treated as growing until the end, with the gray window of the whole scan: the same result.
     EXPECT_EQ(exports::maskSha256(*edges::detectEdges(now.scan, edges::SteadyWindow().fix(*now.scan, canny))->mask),
               hashOf(bell + " --method canny"));
+}
+
+TEST_F(Live, ExactlyTheLinesThatWereAskedForAreRecorded) {
+    for (const int lines : {1, 20, 33}) {
+        SCOPED_TRACE(lines);
+        const Served served(scan + " --rate 400");
+        const std::string recording = (folder / ("exact" + std::to_string(lines) + ".mcap")).string();
+        const auto record = runCli("record " + served.address() + " -o " + recording + " --seconds 30 --lines " + std::to_string(lines));
+        ASSERT_EQ(record.code, 0) << record.err;
+        const json summary = json::parse(record.out);
+        EXPECT_EQ(summary["lines"], lines);
+        EXPECT_GE(summary["lines_after"].get<int>(), 0);
+        EXPECT_EQ(summary["telegrams"]["received"], lines) << summary;
+        EXPECT_EQ(json::parse(runCli("info " + recording).out)["lines"], lines);
+    }
+}
+
+/// Sends the same answer without an end to everyone who connects.
+class Flood {
+public:
+    explicit Flood(std::string answer) : listening_(::socket(AF_INET, SOCK_STREAM, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        const auto plain = reinterpret_cast<sockaddr*>(&address);
+        if (::bind(listening_, plain, size) != 0 || ::listen(listening_, 4) != 0 || ::getsockname(listening_, plain, &size) != 0) return;
+        address_ = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+        std::string many;
+        while (many.size() < (1U << 20U)) many += answer;
+        sending_ = std::thread([this, many = std::move(many)] {
+            for (int peer = 0; (peer = ::accept(listening_, nullptr, nullptr)) >= 0; ::close(peer)) {
+                while (::send(peer, many.data(), many.size(), MSG_NOSIGNAL) > 0) {
+                }
+            }
+        });
+    }
+    ~Flood() {
+        ::shutdown(listening_, SHUT_RDWR);
+        if (sending_.joinable()) sending_.join();
+        ::close(listening_);
+    }
+    Flood(const Flood&) = delete;
+    Flood& operator=(const Flood&) = delete;
+    [[nodiscard]] const std::string& address() const { return address_; }
+
+private:
+    int listening_;
+    std::string address_;
+    std::thread sending_;
+};
+
+// The promise of five seconds is that of the disk (RecordingWriter::Options::closeWithin).
+TEST_F(Live, ARecordingEndsInTimeWhateverThePeerSends) {
+    const std::vector<std::string> answers{"\x02sRA SCdevicestate 1\x03", "\x02s\x03", std::string("\x02\x02\x02\x02\0\0\1\0", 8)};
+    for (const std::string& answer : answers) {
+        const Flood flood(answer);
+        const std::string recording = (folder / ("flood" + std::to_string(answer.size()) + ".mcap")).string();
+        const auto start = std::chrono::steady_clock::now();
+        const auto record = runCli("record " + flood.address() + " -o " + recording + " --seconds 1");
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1 + 5)) << answer.size();
+        EXPECT_EQ(record.code, 1) << record.out;
+        EXPECT_NE(record.err.find(flood.address()), std::string::npos) << record.err;
+    }
 }
 
 TEST_F(Live, LostLinesAreTold) {

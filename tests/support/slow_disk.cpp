@@ -1,7 +1,9 @@
-// A library for LD_PRELOAD: simulates a disk whose syncs take EDGESCAN_SLOW_SYNC_MS, and which is full after EDGESCAN_FULL_AFTER bytes.
+// A library for LD_PRELOAD: simulates a disk whose syncs take EDGESCAN_SLOW_SYNC_MS, and which is full after EDGESCAN_FULL_AFTER bytes of a
+// file. With EDGESCAN_FALSE_DISK it stores another last byte than the one written.
 #include <cerrno>
 #include <cstdlib>
 #include <ctime>
+#include <vector>
 
 #include <dlfcn.h>
 #include <sys/stat.h>
@@ -40,6 +42,11 @@ ssize_t write(int file, const void* bytes, size_t size) {
         }
         const auto room = static_cast<size_t>(most - facts.st_size);
         if (size > room) size = room;
+    }
+    if (numberOf("EDGESCAN_FALSE_DISK") > 0 && file > STDERR_FILENO && size > 0 && ::fstat(file, &facts) == 0 && S_ISREG(facts.st_mode)) {
+        std::vector<char> changed(static_cast<const char*>(bytes), static_cast<const char*>(bytes) + size);
+        changed.back() = static_cast<char>(changed.back() ^ 1);
+        return real(file, changed.data(), size);
     }
     return real(file, bytes, size);
 }

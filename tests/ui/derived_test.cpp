@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace edgescan;
@@ -53,9 +54,9 @@ class DerivedTest : public QObject {
 private slots:
     void anAnswerComesWithItsQuestion() {
         Asked on;
-        QVERIFY(!on.derived.behind() && on.derived.asked() == nullptr);
+        QVERIFY(!on.derived.behind());
         on.derived.ask(12);
-        QVERIFY(on.derived.behind() && *on.derived.asked() == 12);
+        QVERIFY(on.derived.behind());
         QTRY_VERIFY(!on.derived.behind());
         QCOMPARE(on.questions, std::vector<int>{12});
         QCOMPARE(on.answers, std::vector<int>{120});
@@ -115,12 +116,30 @@ private slots:
             on.derived.ask(2);
             on.derived.giveUp();
             QVERIFY(!on.derived.behind());
-            QTRY_COMPARE(on.leftOff.load(), 1);
+            QTRY_VERIFY(on.leftOff > 0);
             on.derived.ask(12);
             QTRY_VERIFY(!on.derived.behind());
             QCOMPARE(on.answers, std::vector<int>{120});
-            QCOMPARE(on.begun.load(), 2);
+            QVERIFY(on.begun <= 3); // 2 may have begun before it was given up
         }
+    }
+
+    void aQuestionIsFreedWithItsAnswer() {
+        int delivered = 0;
+        Derived<std::shared_ptr<const int>, int> derived(
+            Urgency::Now, [](const auto& question) { return *question; }, [&](const auto&, const auto&) { ++delivered; },
+            [](const QString&) {});
+        auto large = std::make_shared<const int>(12);
+        const std::weak_ptr<const int> held = large;
+        derived.ask(std::exchange(large, nullptr), 1ms);
+        QVERIFY(!held.expired());
+        QTRY_COMPARE(delivered, 1);
+        QTRY_VERIFY(held.expired()); // the pool's thread may hold it a moment longer
+        large = std::make_shared<const int>(13);
+        const std::weak_ptr<const int> given = large;
+        derived.ask(std::exchange(large, nullptr), 1h);
+        derived.giveUp();
+        QVERIFY(given.expired());
     }
 
     void nothingStartsBeforeTheQuietTimeIsOver() {

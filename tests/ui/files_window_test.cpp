@@ -5,6 +5,12 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
+#include "ui/controllers/contact_sheets.h"
+#include "ui/controllers/files/calibrating.h"
+#include "ui/panels/dialogs/calibration_card.h"
+#include "ui/panels/dialogs/contact_card.h"
+#include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
@@ -14,6 +20,8 @@
 #include <QToolButton>
 
 #include <fstream>
+#include <functional>
+#include <memory>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -255,6 +263,56 @@ private slots:
         on.viewer.files.open({exactText(place + "/n\xef\xbf\xbd.json")});
         QVERIFY(eventually([&] { return failures.count() == 1; }));
         QVERIFY2(on.viewer.notice.text().contains("does not come through a file dialog"), qPrintable(on.viewer.notice.text()));
+    }
+
+    // Also after every kind of work on it: a large scan does not stay in memory while the next one is on the screen.
+    void aScanIsFreedWhenAnotherOneIsOpened() {
+        const std::string scans[]{(folder_ / "first.json").string(), (folder_ / "second.json").string()};
+        for (const std::string& path : scans) QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3), path)));
+        WindowFixture on;
+        QVERIFY(on.showWith(scans[0]));
+        Viewer& v = on.viewer;
+        auto* sheets = on.window.findChild<ContactSheets*>();
+        auto* calibrating = on.window.findChild<Calibrating*>();
+        const auto edge = [&] { return on.picture().detection->edges->front(); };
+        const struct {
+            const char* name;
+            std::function<void()> begin;
+            std::function<bool()> done;
+        } works[]{
+            {"nothing", [] {}, [] { return true; }},
+            {"colours", [&] { v.look.setColourBy(ColourBy::Range); }, [&] { return v.look.settled(); }},
+            {"edge counts", [] {}, [&] { return v.panel.curve("sensitivity")->curve().has_value(); }},
+            {"target", [&] { v.views.pin(edge()); }, [&] { return v.targets.settled(); }},
+            {"why", [&] { v.explanation.explain(edge()); },
+             [&] { return v.explanation.card() != nullptr && !v.explanation.card()->text().isEmpty(); }},
+            {"lasso", [&] { emit v.views.cloudOutlined(QRectF(v.cloud.rect()), Qt::NoModifier); },
+             [&] { return !v.selection.cells().empty(); }},
+            {"confidence", [&] { v.confidence.setOn(true); }, [&] { return v.confidence.made() != nullptr; }},
+            {"contact sheet", [&] { sheets->show(); }, [&] { return !sheets->card()->working(); }},
+            {"proposals",
+             [&] {
+                 v.markedEdges.mark(edge(), true);
+                 v.markedEdges.propose();
+             },
+             [&] { return v.markedEdges.settled(); }},
+            {"calibration",
+             [&] {
+                 calibrating->show();
+                 calibrating->start();
+             },
+             [&] { return !calibrating->card()->working(); }},
+            {"rocks", [&] { v.rocks.setShown(true); }, [&] { return !v.rocks.behind(); }},
+            {"rocks that are hidden again", [&] { v.rocks.setShown(false); }, [] { return true; }},
+        };
+        std::size_t number = 0;
+        for (const auto& work : works) {
+            work.begin();
+            QVERIFY2(eventually(work.done), work.name);
+            const std::weak_ptr<const Scan> scan = on.picture().detection->scan;
+            QVERIFY(on.open(scans[++number % 2]));
+            QVERIFY2(eventually([&] { return scan.expired(); }), work.name);
+        }
     }
 
     void openingCanBeCancelledAndTheNewestWins() {

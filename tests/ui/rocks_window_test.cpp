@@ -610,6 +610,29 @@ private slots:
         QVERIFY(on.viewer.rocks.edits().empty());
     }
 
+    // The rocks were hidden before the next scan was opened.
+    void theEditsOfAClosedScanStayInTheirFile() {
+        const std::filesystem::path sidecar = rocks::rockPresetPath(bell_);
+        std::string written;
+        {
+            WindowFixture on;
+            QVERIFY(showRocks(on));
+            click(on, 2);
+            QTest::keyClick(&on.window, Qt::Key_N);
+            QVERIFY(eventually([&] { return std::filesystem::exists(sidecar); }));
+            written = test::fileText(sidecar);
+            on.viewer.rocks.setShown(false);
+            const std::string other = (folder_ / "next.json").string();
+            QVERIFY(files::saveScan(scan_, other));
+            QVERIFY(on.open(other));
+            rocks::RockSettings others = on.viewer.rocks.settings();
+            others.minimumCells += 50;
+            on.viewer.rocks.change(others);
+        }
+        QVERIFY(std::filesystem::exists(sidecar));
+        QCOMPARE(test::fileText(sidecar), written);
+    }
+
     void rocksFollowASweepThatGrows() {
         WindowFixture on;
         on.window.resize(1600, 950);

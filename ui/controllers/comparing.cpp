@@ -1,7 +1,6 @@
 // Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
-#include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
@@ -51,18 +50,20 @@ bool isTyping(const QWidget* widget) {
 
 } // namespace
 
-Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& reading) {
+Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& reading, const Asker& asker) {
     const auto& [scan, settings] = reading.from;
     if (reading.scan) return ui::pictureOf(reading.scan, settings);
     if (!inspect::hasPath(scan.kind)) return earlierDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast, settings);
-    return earlierPicture(exactText(scan.path.string()), scan.reading, settings);
+    ReadingOptions options = scan.reading;
+    options.progress = [&asker](const char*, double) { return asker.waits(); }; // else a pipe without an end would be read for ever
+    return earlierPicture(exactText(scan.path.string()), options, settings);
 }
 
 Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice,
                      Preferences& preferences, QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       reader_(
-          Urgency::Soon, [](const Reading& reading) { return pictureOf(reading); },
+          Urgency::Soon, [](const Reading& reading, const Asker& asker) { return pictureOf(reading, asker); },
           [this](const Reading& asked, const std::shared_ptr<const Read>& read) { takeRead(asked, *read); },
           [this](const QString& what) {
               takeRead({}, Error{what.toStdString(), "", "choose another scan"});
@@ -74,7 +75,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
               comparison_ = nullptr;
               show();
               showLegend();
-              notice_.showNotice(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
+              refuse(NoticeBar::Kind::Error, tr("The two pictures could not be compared (%1); keep a smaller scan.").arg(what));
           }) {
     connect(&legend_, &ChangeLegend::rowsRequested, this, [this](const ChangeRows& rows) {
         rows_ = rows;
@@ -166,17 +167,21 @@ void Comparing::askScan() {
     if (!path.isEmpty()) compareWith(path);
 }
 
+void Comparing::refuse(NoticeBar::Kind kind, const QString& sentence) {
+    notice_.showNotice(kind, sentence);
+    emit refused(sentence);
+}
+
 void Comparing::takeRead(const Reading& asked, const Read& read) {
-    if (!read) return notice_.showError(read.error());
+    if (!read) return refuse(NoticeBar::Kind::Error, exactText(read.error().sentence()));
     const std::shared_ptr<const Picture>& picture = *read;
     inspect::EarlierScan from = asked.from;
     const Scan& scan = *picture->detection->scan;
     const std::string& sha256 = from.scan.identity.sha256;
     if (!sha256.empty() && sha256 != scan.sha256) {
-        notice_.showNotice(
+        return refuse(
             NoticeBar::Kind::Warning,
             tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(exactText(from.scan.path.string()))));
-        return;
     }
     from.scan.identity = inspect::notebookScan(scan);
     if (!asked.asStep) return use(picture, from);
@@ -216,7 +221,7 @@ std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAs
 
 void Comparing::take(const Compared& made) {
     if (!made) {
-        notice_.showError(made.error());
+        refuse(NoticeBar::Kind::Error, exactText(made.error().sentence()));
         comparison_ = nullptr; // A stays: the next scan may match it
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;

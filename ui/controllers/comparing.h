@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/inspect/session_file/viewer_state.h"
+#include "ui/base/notice_bar.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/panels/change/comparison.h"
 
@@ -18,7 +19,6 @@ class ChangeLegend;
 class Files;
 class LinkedViews;
 class Preferences;
-class NoticeBar;
 class Engine;
 
 /// GUI thread only. The objects passed to it must outlive it.
@@ -64,6 +64,8 @@ signals:
     void pictureAChanged(bool some);
     void rowsChanged();
     void flipped(bool on);
+    /// A could not be read, or the comparison could not be made.
+    void refused(const QString& sentence);
 
 private:
     struct Reading {
@@ -73,11 +75,12 @@ private:
     };
     using Read = Result<std::shared_ptr<const Picture>>;
     using Compared = Result<std::shared_ptr<const Comparison>>;
-    [[nodiscard]] static Read pictureOf(const Reading& reading); // pool's thread
+    [[nodiscard]] static Read pictureOf(const Reading& reading, const Asker& asker); // pool's thread
     void ask();
     [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
     void take(const Compared& made);
     void takeRead(const Reading& asked, const Read& read);
+    void refuse(NoticeBar::Kind kind, const QString& sentence);
     void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
     void read(const inspect::EarlierScan& from, bool asStep);
     void push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from);

@@ -39,9 +39,7 @@ ContactSheets::ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, 
     : QObject(parent), engine_(engine), tuning_(tuning), notice_(notice),
       sheet_(
           Urgency::Soon, [this](const Question& question, const Asker& asker) { return run(question, asker); },
-          [this](const Question& question, const std::shared_ptr<const std::vector<edges::SheetEntry>>& entries) {
-              take(question, *entries);
-          },
+          [this](const Question&, const std::shared_ptr<const std::vector<edges::SheetEntry>>& entries) { take(*entries); },
           [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, what); }) {}
 
 void ContactSheets::show() {
@@ -50,23 +48,22 @@ void ContactSheets::show() {
     if (card_ == nullptr) {
         card_ = new ContactCard(notice_.window());
         connect(card_, &ContactCard::givenUp, this, [this] { sheet_.giveUp(); });
-        connect(card_, &ContactCard::chosen, this, [this](int place) {
-            tuning_.setParameter(sheet_.asked()->parameter->key, sheet_.asked()->values[static_cast<std::size_t>(place)]);
-        });
+        connect(card_, &ContactCard::chosen, this,
+                [this](int place) { tuning_.setParameter(shown_.parameter->key, shown_.values[static_cast<std::size_t>(place)]); });
     }
     const edges::Parameter& parameter = tuning_.lastChanged();
     const edges::Settings& settings = engine_.settings();
     double now = parameter.get(settings);
     if (std::isnan(now) && parameter.automatic != nullptr)
         now = edges::snapped(parameter, parameter.automatic(settings, edges::measuredOf(*picture->detection)));
-    const std::vector<double> values = edges::sheetValues(parameter, now, kPictures);
+    shown_ = {settings, &parameter, edges::sheetValues(parameter, now, kPictures)};
     entries_.clear();
-    card_->begin(QObject::tr(parameter.label), static_cast<int>(values.size()));
-    sheet_.ask({picture->detection->scan, settings, &parameter, values});
+    card_->begin(QObject::tr(parameter.label), static_cast<int>(shown_.values.size()));
+    sheet_.ask({picture->detection->scan, shown_});
 }
 
 std::vector<edges::SheetEntry> ContactSheets::run(const Question& question, const Asker& asker) {
-    return edges::contactSheet(question.scan, question.settings, *question.parameter, question.values,
+    return edges::contactSheet(question.scan, question.sheet.settings, *question.sheet.parameter, question.sheet.values,
                                [&](const edges::SheetEntry& entry, const edges::Detection& detection) {
                                    return asker.waits() &&
                                           asker.show([this, entry, picture = smallMap(detection)] { add(entry, picture); });
@@ -75,8 +72,8 @@ std::vector<edges::SheetEntry> ContactSheets::run(const Question& question, cons
 
 void ContactSheets::add(const edges::SheetEntry& entry, const QImage& picture) {
     entries_.push_back(entry);
-    const edges::Parameter& p = *sheet_.asked()->parameter;
-    edges::Settings with = sheet_.asked()->settings;
+    const edges::Parameter& p = *shown_.parameter;
+    edges::Settings with = shown_.settings;
     p.set(with, entry.value);
     const QString value = p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit)
                                             : QObject::tr(edges::choiceLabel(p, with).c_str());
@@ -84,14 +81,14 @@ void ContactSheets::add(const edges::SheetEntry& entry, const QImage& picture) {
     card_->add(picture, tr("%1 edge cells · %2").arg(count, value.trimmed()));
 }
 
-void ContactSheets::take(const Question& question, const std::vector<edges::SheetEntry>& entries) {
-    if (entries.size() != question.values.size()) return;
+void ContactSheets::take(const std::vector<edges::SheetEntry>& entries) {
+    if (entries.size() != shown_.values.size()) return;
     entries_ = entries;
     std::vector<bool> steady;
     for (const edges::SheetEntry& entry : entries_) steady.push_back(entry.steady);
-    const double now = question.parameter->get(question.settings);
-    const auto inUse = std::ranges::find(question.values, now);
-    card_->end(steady, inUse == question.values.end() ? -1 : static_cast<int>(inUse - question.values.begin()));
+    const double now = shown_.parameter->get(shown_.settings);
+    const auto inUse = std::ranges::find(shown_.values, now);
+    card_->end(steady, inUse == shown_.values.end() ? -1 : static_cast<int>(inUse - shown_.values.begin()));
 }
 
 } // namespace edgescan::ui

@@ -30,21 +30,25 @@ public:
     [[nodiscard]] const std::vector<edges::SheetEntry>& entries() const { return entries_; }
 
 private:
-    struct Question {
-        std::shared_ptr<const Scan> scan;
+    struct Sheet {
         edges::Settings settings;
         const edges::Parameter* parameter = nullptr;
         std::vector<double> values;
     };
+    struct Question {
+        std::shared_ptr<const Scan> scan;
+        Sheet sheet;
+    };
     [[nodiscard]] std::vector<edges::SheetEntry> run(const Question& question, const Asker& asker); // pool's thread
     void add(const edges::SheetEntry& entry, const QImage& picture);
-    void take(const Question& question, const std::vector<edges::SheetEntry>& entries);
+    void take(const std::vector<edges::SheetEntry>& entries);
 
     Engine& engine_;
     Tuning& tuning_;
     NoticeBar& notice_;
     ContactCard* card_ = nullptr;
-    std::vector<edges::SheetEntry> entries_;
+    Sheet shown_;
+    std::vector<edges::SheetEntry> entries_;                  // of shown_
     Derived<Question, std::vector<edges::SheetEntry>> sheet_; // last
 };
 

@@ -57,6 +57,7 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
 void ScanLook::setColourBy(ColourBy by) {
     if (by == by_) return;
     by_ = by;
+    coloured_.reset();
     preferences_.keep(kColourBy, QString(colourKey(by)));
     followPicture();
     emit colourByChanged(by);
@@ -75,9 +76,9 @@ void ScanLook::followPicture() {
     showWindow();
     const auto& picture = engine_.picture();
     if (!picture) return;
-    const Asked* asked = colours_.asked();
-    if (asked != nullptr && asked->cloud == picture->cloud && asked->by == by_) return;
-    colours_.ask({picture->detection->scan, picture->cloud, by_, picture->cloud == counted_});
+    if (coloured_.lock() == picture->cloud) return;
+    coloured_ = picture->cloud;
+    colours_.ask({picture->detection->scan, picture->cloud, by_, picture->cloud == counted_.lock()});
 }
 
 void ScanLook::take(const Asked& asked, const Answer& answer) {

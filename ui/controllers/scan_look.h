@@ -61,8 +61,8 @@ private:
     RangeWindow& window_;
     Preferences& preferences_;
     ColourBy by_ = ColourBy::Nothing;
-    std::shared_ptr<const CloudGeometry> counted_; // of the histogram
-    Derived<Asked, Answer> colours_;               // last
+    std::weak_ptr<const CloudGeometry> counted_, coloured_; // of the histogram; of the colours that were asked for
+    Derived<Asked, Answer> colours_;                        // last
 };
 
 } // namespace edgescan::ui

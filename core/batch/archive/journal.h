@@ -26,9 +26,10 @@ Result<JournalRows> readJournals(const std::filesystem::path& results);
 /// A journal that only this process may write, from open() to its end.
 class Journal {
 public:
-    /// Creates the folder if it does not exist. `whole`: no other process may be running a part either. Error: another process works on the
-    /// same results, or they cannot be written.
-    static Result<Journal> open(const std::filesystem::path& results, const Shard& shard, bool whole);
+    /// Creates the folder if it does not exist. `whole`: no other process may be running a part either. `settingsSha256`: of the run;
+    /// empty: it only merges. Error: another process works on the same results, other settings were used in parts of another number or in a
+    /// part that is running, the folder or a file of the journal is a link, or they cannot be written.
+    static Result<Journal> open(const std::filesystem::path& results, const Shard& shard, bool whole, const std::string& settingsSha256);
     Journal(Journal&& other) noexcept;
     Journal& operator=(Journal&&) = delete;
     Journal(const Journal&) = delete;
@@ -43,12 +44,16 @@ public:
     /// was opened.
     [[nodiscard]] const std::filesystem::path& workFolder() const { return work_; }
 
+    /// The parts that other settings were used in, and which must run again before the merge: "part 2 of 4, part 3 of 4".
+    [[nodiscard]] const std::string& otherSettings() const { return otherSettings_; }
+
 private:
     Journal() = default;
     int rows_ = -1, pictures_ = -1; // descriptors
     long long pictureBytes_ = 0;
     std::string picturesName_;
     std::filesystem::path path_, work_;
+    std::string otherSettings_;
     double synced_ = 0;
 };
 

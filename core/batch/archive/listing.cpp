@@ -77,26 +77,84 @@ bool sameFolder(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, problem) && !problem;
 }
 
-Result<Done> addFolder(const std::string& folder, const fs::path& results, ArchiveListing& listing) {
-    std::vector<std::string> found;
-    std::error_code problem;
-    fs::recursive_directory_iterator entry(folder, problem);
-    for (const fs::recursive_directory_iterator end; !problem && entry != end; entry.increment(problem)) {
+/// Finds the files of a folder and of all folders in it. A folder is read once: by its own path first, then by links to it.
+class FolderWalk {
+public:
+    FolderWalk(const fs::path& results, ArchiveListing& listing) : results_(results), listing_(listing) {}
+
+    Result<Done> add(const fs::path& asked) {
+        std::error_code problem;
+        asked_ = fs::canonical(asked, problem);
+        if (!problem) visit(asked, problem);
+        if (problem)
+            return Error{"the folder cannot be read to its end (" + problem.message() + ")", asked.string(),
+                         "check its rights and the disk"};
+        for (std::size_t n = 0; n < links_.size(); ++n) { // those that are found on the way follow
+            std::ranges::sort(links_.begin() + static_cast<std::ptrdiff_t>(n), links_.end());
+            const fs::path link = links_[n];
+            follow(link);
+        }
+        std::ranges::sort(found_);
+        for (std::string& path : found_) {
+            const Kind kind = kindOf(path);
+            if (kind != Kind::Other) (kind == Kind::Scan ? listing_.inputs : listing_.leftOut).push_back(std::move(path));
+        }
+        return Done{};
+    }
+
+private:
+    void notRead(const fs::path& path, std::string why) { listing_.notRead.push_back({path.string(), std::move(why)}); }
+
+    /// A folder and those in it; links to other folders are collected.
+    void visit(const fs::path& folder, std::error_code& problem) {
+        const fs::path real = fs::canonical(folder, problem);
+        if (problem || !visited_.insert(real.string()).second) return;
+        std::vector<fs::path> inside;
+        fs::directory_iterator entry(folder, problem);
+        for (const fs::directory_iterator end; !problem && entry != end; entry.increment(problem)) inside.push_back(entry->path());
+        std::ranges::sort(inside);
+        for (const fs::path& path : inside) {
+            if (!path.filename().native().starts_with('.')) take(path);
+        }
+    }
+
+    void take(const fs::path& path) {
         std::error_code gone; // a file may disappear while the folder is read
-        const bool hidden = entry->path().filename().native().starts_with('.');
-        if (entry->is_directory(gone) && (hidden || sameFolder(entry->path(), results))) entry.disable_recursion_pending();
-        // counts as a scan that cannot be read, not as a missing file
-        const bool leadsNowhere = entry->is_symlink(gone) && !entry->exists(gone);
-        if (!hidden && (leadsNowhere || entry->is_regular_file(gone))) found.push_back(entry->path().string());
+        const fs::file_status status = fs::status(path, gone);
+        if (fs::is_regular_file(status)) {
+            found_.push_back(path.string());
+        } else if (fs::is_directory(status)) {
+            if (sameFolder(path, results_)) return;
+            if (fs::is_symlink(path, gone)) return links_.push_back(path);
+            std::error_code problem;
+            visit(path, problem);
+            if (problem) notRead(path, "this folder cannot be read to its end (" + problem.message() + ")");
+        } else if (fs::is_symlink(path, gone)) {
+            // With the name of a scan it counts as a scan that cannot be read.
+            if (kindOf(path) == Kind::Scan) return found_.push_back(path.string());
+            if (kindOf(path) == Kind::Other) notRead(path, "this link leads nowhere, or to a folder that cannot be reached");
+        } else if (kindOf(path) == Kind::Scan && fs::exists(fs::symlink_status(path, gone))) {
+            notRead(path, fs::status_known(status) ? "this has the name of a scan and is not a file" : "this cannot be reached");
+        }
     }
-    if (problem) return Error{"the folder cannot be read to its end (" + problem.message() + ")", folder, "check its rights and the disk"};
-    std::ranges::sort(found);
-    for (std::string& path : found) {
-        const Kind kind = kindOf(path);
-        if (kind != Kind::Other) (kind == Kind::Scan ? listing.inputs : listing.leftOut).push_back(std::move(path));
+
+    void follow(const fs::path& link) {
+        std::error_code problem;
+        const fs::path real = fs::canonical(link, problem);
+        const bool above = !problem && std::mismatch(real.begin(), real.end(), asked_.begin(), asked_.end()).first == real.end();
+        if (above) return notRead(link, "this link leads back to a folder above it, and is not followed");
+        if (!problem && visited_.contains(real.string())) return notRead(link, "this link leads to a folder that is read already");
+        if (!problem) visit(link, problem);
+        if (problem) notRead(link, "the folder that this link leads to cannot be read to its end (" + problem.message() + ")");
     }
-    return Done{};
-}
+
+    const fs::path& results_;
+    ArchiveListing& listing_;
+    fs::path asked_; // without links
+    std::set<std::string> visited_;
+    std::vector<fs::path> links_;
+    std::vector<std::string> found_;
+};
 
 std::vector<std::string> linesOf(std::string_view text) {
     std::vector<std::string> lines;
@@ -122,14 +180,22 @@ bool namesFiles(const fs::path& path) {
     return std::ranges::any_of(lines, [](const std::string& line) { return isThere(line); });
 }
 
-Result<Done> addPattern(const std::string& pattern, ArchiveListing& listing) {
+Result<Done> addPattern(const std::string& pattern, const fs::path& results, ArchiveListing& listing) {
     glob_t found{};
     const int code = ::glob(pattern.c_str(), 0, nullptr, &found);
-    for (std::size_t i = 0; code == 0 && i < found.gl_pathc; ++i) {
-        std::error_code ignored;
-        if (fs::is_regular_file(found.gl_pathv[i], ignored)) listing.inputs.emplace_back(found.gl_pathv[i]);
-    }
+    std::vector<std::string> paths;
+    if (code == 0) paths.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
     ::globfree(&found);
+    for (std::string& path : paths) {
+        std::error_code ignored;
+        if (fs::is_regular_file(path, ignored)) {
+            listing.inputs.push_back(std::move(path));
+        } else if (!fs::is_directory(path, ignored)) {
+            listing.notRead.push_back({std::move(path), "this is neither a file nor a folder"});
+        } else if (!sameFolder(path, results)) {
+            if (auto added = FolderWalk(results, listing).add(path); !added) return added.error();
+        }
+    }
     if (code == 0) return Done{};
     return Error{"there is no such folder, list or scan, and no file of this pattern", pattern, "check the spelling and the folder"};
 }
@@ -144,9 +210,9 @@ Result<Done> addAsked(const std::string& asked, const fs::path& results, Archive
     }
     if (fs::is_directory(asked, ignored)) {
         if (sameFolder(asked, results)) return Error{"the results cannot lie among the scans", asked, "give -o a folder of its own"};
-        return addFolder(asked, results, listing);
+        return FolderWalk(results, listing).add(asked);
     }
-    if (!fs::is_regular_file(asked, ignored)) return addPattern(asked, listing);
+    if (!fs::is_regular_file(asked, ignored)) return addPattern(asked, results, listing);
     if (!namesFiles(asked)) {
         listing.inputs.push_back(asked);
         return Done{};
@@ -164,7 +230,7 @@ Result<ArchiveListing> listArchive(const std::vector<std::string>& asked, const 
     for (const std::string& one : asked) {
         if (auto added = addAsked(one, results, all); !added) return added.error();
     }
-    ArchiveListing listing{{}, std::move(all.leftOut)};
+    ArchiveListing listing{{}, std::move(all.leftOut), std::move(all.notRead)};
     std::set<std::string> seen;
     for (const std::string& path : all.inputs) {
         std::string normal = fs::path(path).lexically_normal().string();

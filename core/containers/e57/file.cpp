@@ -215,7 +215,7 @@ std::optional<std::size_t> E57Scan::field(std::string_view wanted) const {
 Result<E57File> openE57(std::span<const std::byte> bytes, const std::string& where) {
     const auto header = readHeader(bytes, where);
     if (!header) return header.error();
-    E57File file{PagedBytes(bytes.first(header->fileBytes), header->pageBytes, where), {}, 0};
+    E57File file{PagedBytes(bytes.first(header->fileBytes), header->pageBytes, where), {}, 0, bytes.subspan(header->fileBytes)};
     const auto xmlAt = file.pages.logical(header->xmlAt);
     if (!xmlAt || header->xmlBytes > file.pages.size() - *xmlAt) {
         return Error{"the E57 header says that the XML part is at byte " + std::to_string(header->xmlAt) + " and has " +

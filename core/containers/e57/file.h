@@ -55,6 +55,7 @@ struct E57File {
     PagedBytes pages;
     std::vector<E57Scan> scans;
     std::size_t pictures = 0;
+    std::span<const std::byte> rest; ///< what follows the bytes that the header promises
 };
 
 inline constexpr std::string_view kE57Magic = "ASTM-E57";

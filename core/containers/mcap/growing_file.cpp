@@ -1,6 +1,8 @@
 // A recording's file: whole pieces.
 #include "core/containers/mcap/writer.h"
 
+#include "core/base/temporary_file.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -93,6 +95,10 @@ Result<Done> GrowingFile::sync() const {
                      "check the disk, and start a new recording on another one"};
     }
     return Done{};
+}
+
+void GrowingFile::removeName() const {
+    if (isOpenAt(descriptor_, path_)) ::unlink(path_.c_str());
 }
 
 void GrowingFile::syncFolder() const {

@@ -1,6 +1,7 @@
 // Reading MCAP record by record.
 #include "core/containers/mcap/reader.h"
 
+#include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/containers/mcap/chunk_compression.h"
@@ -65,8 +66,10 @@ public:
         while (at < bytes_.size()) {
             const auto record = recordAt(bytes_.subspan(at));
             if (record && record->opcode == static_cast<std::uint8_t>(McapOpcode::DataEnd) && record->content.size() <= kLongestDataEnd) {
-                if (damagedBetween_) mendFromSummary(at + record->length);
-                content_.clean = !damagedBetween_ && footerIsSound(at + record->length) && everythingWasRead(at + record->length);
+                const std::size_t summary = at + record->length;
+                if (damagedBetween_) mendFromSummary(summary);
+                leaveOutBehindFooter(summary);
+                content_.clean = !damagedBetween_ && footerIsSound(summary) && everythingWasRead(summary);
                 break;
             }
             const std::size_t behind = record ? behindRecord(*record, at) : at;
@@ -280,6 +283,22 @@ private:
         const bool zstd = chunk.compression == "zstd";
         if (!zstd && chunk.compression != "lz4") return false;
         return chunk.records.size() >= 4 && std::ranges::equal(chunk.records.first(4), zstd ? kZstd : kLz4) && recordCanBeAt(behind);
+    }
+
+    /// Bytes behind the footer and its magic are not of this recording.
+    void leaveOutBehindFooter(std::size_t at) {
+        while (const auto record = recordAt(bytes_.subspan(at))) {
+            at += record->length;
+            if (record->opcode != static_cast<std::uint8_t>(McapOpcode::Footer)) continue;
+            const std::size_t end = at + kMcapMagic.size();
+            if (end > bytes_.size() || !looksLikeMcap(bytes_.subspan(at))) return;
+            if (auto behind = bytesBehind(std::as_bytes(bytes_.subspan(end)), "the end of the recording")) {
+                behind->pop_back();
+                warn(*behind);
+            }
+            bytes_ = bytes_.first(end);
+            return;
+        }
     }
 
     /// Footer and magic are where they belong and the summary's checksum fits.

@@ -77,6 +77,8 @@ public:
     [[nodiscard]] Result<Done> sync() const;
     /// The same for the file's name.
     void syncFolder() const;
+    /// Removes the file's name, unless the name leads to another file by now.
+    void removeName() const;
     [[nodiscard]] std::uint64_t size() const { return size_; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#define FOLD_INLINE inline __attribute__((always_inline))
-
 namespace edgescan::edges {
 namespace {
 
@@ -51,7 +49,7 @@ struct Cells {
 // out unless it is the first: the spot of the beam may partly be on the surface behind.
 using Counts = std::array<std::uint8_t, kBlock>;
 template <class Count>
-FOLD_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts& after) {
+EDGESCAN_INLINE void countSides(const Cells& at, Count count, Counts& before, Counts& after) {
     constexpr auto kSteps = static_cast<int>(kMost);
     for (int j = 0; j < count; ++j) {
         const std::uint8_t* link = at.links + j;
@@ -85,13 +83,13 @@ struct LaneSums {
         load(here, u);
         load(cells, from);
     }
-    FOLD_INLINE void add(const float* u, const Lanes& distance) {
+    EDGESCAN_INLINE void add(const float* u, const Lanes& distance) {
         Lanes there;
         load(there, u);
         sum += distance <= cells ? there - here : Lanes{};
         weighted += sum;
     }
-    FOLD_INLINE void storeTo(SideSums& side, int j) const {
+    EDGESCAN_INLINE void storeTo(SideSums& side, int j) const {
         store(side.sum.data() + j, sum);
         store(side.weighted.data() + j, weighted);
     }
@@ -101,7 +99,7 @@ struct LaneSums {
 constexpr int kAlike = 64;
 
 template <class Lanes>
-FOLD_INLINE int farthestOf(const SideSums& left, const SideSums& right, int first) {
+EDGESCAN_INLINE int farthestOf(const SideSums& left, const SideSums& right, int first) {
     Lanes most{};
     for (int j = first; j < first + kAlike; j += kLanes<Lanes>) {
         Lanes before, after;
@@ -117,7 +115,7 @@ FOLD_INLINE int farthestOf(const SideSums& left, const SideSums& right, int firs
 
 // The sums of two vectors of cells, whose additions do not depend on each other.
 template <class Lanes>
-FOLD_INLINE void addUpLanes(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
+EDGESCAN_INLINE void addUpLanes(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
     const int k = j + kLanes<Lanes>;
     LaneSums<Lanes> before(at.u + j, left.cells.data() + j), after(at.u + j, right.cells.data() + j);
     LaneSums<Lanes> before2(at.u + k, left.cells.data() + k), after2(at.u + k, right.cells.data() + k);
@@ -137,7 +135,7 @@ FOLD_INLINE void addUpLanes(const Cells& at, int j, int farthest, SideSums& left
 }
 
 template <class Lanes>
-FOLD_INLINE void addUp(const Cells& at, int count, SideSums& left, SideSums& right) {
+EDGESCAN_INLINE void addUp(const Cells& at, int count, SideSums& left, SideSums& right) {
     for (int j = 0; j < count; j += kAlike) {
         const int farthest = farthestOf<Lanes>(left, right, j);
         for (int k = j; k < std::min(j + kAlike, count); k += 2 * kLanes<Lanes>) addUpLanes<Lanes>(at, k, farthest, left, right);
@@ -146,7 +144,7 @@ FOLD_INLINE void addUp(const Cells& at, int count, SideSums& left, SideSums& rig
 
 // The angle whose tangent is y / x, y >= 0, in degrees. A polynomial (Abramowitz and Stegun 4.4.49), exact to 0.01 degrees and the same on
 // every machine.
-FOLD_INLINE float angleDeg(float y, float x) {
+EDGESCAN_INLINE float angleDeg(float y, float x) {
     const float size = std::abs(x);
     const float t = std::min(y, size) / std::max(std::max(y, size), 1e-30F);
     const float t2 = t * t;
@@ -158,7 +156,7 @@ FOLD_INLINE float angleDeg(float y, float x) {
 
 // The lines through both sides of each cell in one direction. Divisions take the most time: two are left, each used for several values.
 template <class Lanes, class Count>
-FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limits, LineFits& fits) {
+EDGESCAN_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limits, LineFits& fits) {
     Values scales;
     SideSums left, right;
     Counts before, after;
@@ -208,7 +206,7 @@ FOLD_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& limit
 
 // S_C of the cells in one direction; the slope across it tilts both planes.
 template <class Count>
-FOLD_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Count count, float least, float* __restrict out) {
+EDGESCAN_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Count count, float least, float* __restrict out) {
     for (int j = 0; j < count; ++j) {
         const float a = along.before[j];
         const float b = along.after[j];
@@ -228,8 +226,8 @@ FOLD_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Coun
 }
 
 template <class Lanes, class Count>
-FOLD_INLINE void foldBlock(const Cells& beamwise, const Cells& linewise, Count count, const DepthLimits& limits, float* alongBeams,
-                           float* alongLines) {
+EDGESCAN_INLINE void foldBlock(const Cells& beamwise, const Cells& linewise, Count count, const DepthLimits& limits, float* alongBeams,
+                               float* alongLines) {
     LineFits beams, lines;
     fitBlock<Lanes>(beamwise, count, limits, beams);
     fitBlock<Lanes>(linewise, count, limits, lines);
@@ -239,8 +237,8 @@ FOLD_INLINE void foldBlock(const Cells& beamwise, const Cells& linewise, Count c
 
 // Processes a line in blocks. The last block overlaps the one before, so that loops never end with single cells.
 template <class Lanes>
-FOLD_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
-                          float* alongLines) {
+EDGESCAN_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
+                              float* alongLines) {
     const auto from = [](const Cells& at, int first) { return Cells{at.u + first, at.links + first, at.angle + first, at.step}; };
     if (beams < kBlock) return foldBlock<Lanes>(beamwise, linewise, beams, limits, alongBeams, alongLines);
     for (int next = 0; next < beams; next += kBlock) {
@@ -250,8 +248,8 @@ FOLD_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int beam
     }
 }
 
-EDGESCAN_SIMD void foldLineBySixteen(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
-                                     float* alongLines) {
+EDGESCAN_INLINE void foldLineBySixteen(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits,
+                                       float* alongBeams, float* alongLines) {
     foldLine<SixteenLanes>(beamwise, linewise, beams, limits, alongBeams, alongLines);
 }
 
@@ -265,8 +263,8 @@ void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& li
                          stepOf(u, Along::Lines)};
     float* alongBeams = strengths.alongBeams.next();
     float* alongLines = strengths.alongLines.next();
-    if (EDGESCAN_SIMD_WIDE)
-        foldLineBySixteen(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
+    if (instructionSet() >= InstructionSet::Avx2)
+        vectorised<foldLineBySixteen>(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
     else
         foldLine<FourLanes>(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
 }

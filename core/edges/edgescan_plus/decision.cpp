@@ -31,19 +31,19 @@ struct Wanted {
     }
 };
 
-EDGESCAN_SIMD void strengthsOfCells(const float* jump, const float* crease, std::size_t cells, const Wanted& wanted,
-                                    float* __restrict strength) {
+EDGESCAN_INLINE void strengthsOfCells(const float* jump, const float* crease, std::size_t cells, const Wanted& wanted,
+                                      float* __restrict strength) {
     for (std::size_t k = 0; k < cells; ++k) strength[k] = wanted.strengthOf(jump[k], crease[k]);
 }
 
-EDGESCAN_SIMD void markAbove(const float* strength, std::size_t cells, float high, float low, std::uint8_t* __restrict state) {
+EDGESCAN_INLINE void markAbove(const float* strength, std::size_t cells, float high, float low, std::uint8_t* __restrict state) {
     for (std::size_t k = 0; k < cells; ++k)
         state[k] = static_cast<std::uint8_t>((strength[k] > low ? kWaits : 0) | (strength[k] > high ? kStrong : 0));
 }
 
 // The same from the responses, and the class.
-EDGESCAN_SIMD void markClasses(const float* jump, const float* crease, std::size_t cells, const Wanted& wanted, float high, float low,
-                               std::uint8_t* __restrict state) {
+EDGESCAN_INLINE void markClasses(const float* jump, const float* crease, std::size_t cells, const Wanted& wanted, float high, float low,
+                                 std::uint8_t* __restrict state) {
     for (std::size_t k = 0; k < cells; ++k) {
         const float strength = wanted.strengthOf(jump[k], crease[k]);
         const int strong = (strength > low ? kWaits : 0) | (strength > high ? kStrong : 0);
@@ -144,7 +144,7 @@ void linkChains(Grid<std::uint8_t>& state, int minimum, Keep keep) {
 
 Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum) {
     Grid<std::uint8_t> state(strength.lines, strength.beams);
-    markAbove(strength.cells.data(), strength.size(), high, low, state.cells.data());
+    vectorised<markAbove>(strength.cells.data(), strength.size(), high, low, state.cells.data());
     std::vector<std::uint32_t> kept;
     linkChains(state, minimum, [&](const Chain& chain) { kept.insert(kept.end(), chain.cells().begin(), chain.cells().end()); });
     for (const std::uint32_t k : kept) state[k] = 255;
@@ -181,7 +181,8 @@ std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int 
 
 Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings) {
     Grid<float> strength(responses.jump.lines, responses.jump.beams);
-    strengthsOfCells(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings), strength.cells.data());
+    vectorised<strengthsOfCells>(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings),
+                                 strength.cells.data());
     return strength;
 }
 
@@ -195,8 +196,8 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& set
     const float low = high * static_cast<float>(settings.hysteresisPercent / 100.0);
     runInBands(lines, bands, [&](int first, int last) {
         const std::size_t from = result.mask.index(first, 0);
-        markClasses(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from, wanted,
-                    high, low, result.mask.cells.data() + from);
+        vectorised<markClasses>(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from,
+                                wanted, high, low, result.mask.cells.data() + from);
     });
     std::vector<std::uint32_t> kept, outlines;
     const auto link = [&] {

@@ -58,7 +58,7 @@ struct BothWays {
 };
 
 // The response of the stronger direction.
-EDGESCAN_SIMD void suppressJumps(const BothWays& jumps, const Support* support, int beams, float* __restrict out) {
+EDGESCAN_INLINE void suppressJumps(const BothWays& jumps, const Support* support, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float value = jumps.isBeamwise(j) ? jumps.beamwise[j] : jumps.linewise[j];
         out[j] = (jumps.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
@@ -67,7 +67,7 @@ EDGESCAN_SIMD void suppressJumps(const BothWays& jumps, const Support* support, 
 
 // The root of the sum of squares where both directions have the same sign: a diagonal fold shows only a part of its angle in each
 // direction.
-EDGESCAN_SIMD void suppressFolds(const BothWays& folds, const Support* support, int beams, float* __restrict out) {
+EDGESCAN_INLINE void suppressFolds(const BothWays& folds, const Support* support, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float stronger = folds.isBeamwise(j) ? folds.beamwise[j] : folds.linewise[j];
         const float weaker = folds.isBeamwise(j) ? folds.linewise[j] : folds.beamwise[j];
@@ -107,18 +107,18 @@ void respond(const DepthSurface& surface, const DepthLimits& limits, const Band&
         if (cracks != nullptr) copyCracks(lines, band, *cracks);
         // One line behind the newest: suppression reads the lines on both sides.
         if (const int line = lines.jumpLine() - 1; band.contains(line))
-            suppressJumps(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line), support.beams,
-                          result.jump.line(line));
+            vectorised<suppressJumps>(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line),
+                                      support.beams, result.jump.line(line));
         if (const int line = lines.foldLine() - 1; band.contains(line))
-            suppressFolds(bothWays(lines.folds(Along::Beams), lines.folds(Along::Lines), line), support.line(line), support.beams,
-                          result.crease.line(line));
+            vectorised<suppressFolds>(bothWays(lines.folds(Along::Beams), lines.folds(Along::Lines), line), support.line(line),
+                                      support.beams, result.crease.line(line));
     }
 }
 
 // 1 at measured cells with a void next to them. For the first and the last line, the missing neighbour line is the line itself: this adds
 // no void.
-EDGESCAN_SIMD void markBorder(const Support* before, const Support* line, const Support* after, int beams,
-                              std::uint8_t* __restrict marked) {
+EDGESCAN_INLINE void markBorder(const Support* before, const Support* line, const Support* after, int beams,
+                                std::uint8_t* __restrict marked) {
     const auto mark = [&](int j, int left, int right) {
         const bool empty =
             (before[j] == Support::Void) | (after[j] == Support::Void) | (line[left] == Support::Void) | (line[right] == Support::Void);
@@ -134,8 +134,8 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
     std::vector<std::uint32_t> cells;
     std::vector<std::uint8_t> marked(static_cast<std::size_t>(support.beams));
     for (int i = 0; i < support.lines; ++i) {
-        markBorder(support.line(std::max(0, i - 1)), support.line(i), support.line(std::min(support.lines - 1, i + 1)), support.beams,
-                   marked.data());
+        vectorised<markBorder>(support.line(std::max(0, i - 1)), support.line(i), support.line(std::min(support.lines - 1, i + 1)),
+                               support.beams, marked.data());
         forEachMarked(marked,
                       [&](std::size_t beam) { cells.push_back(static_cast<std::uint32_t>(support.index(i, static_cast<int>(beam)))); });
     }

@@ -28,14 +28,14 @@ float extraAt(const SweepSlips& slips, Along along, int line, std::size_t parity
 }
 
 // As integers, non-negative floats have the same order, compared in one instruction; negative ones are less than all others.
-inline __attribute__((always_inline)) float atLeast(float value) {
+EDGESCAN_INLINE float atLeast(float value) {
     constexpr float kLeast = 1e-6F;
     return std::bit_cast<float>(std::max(std::bit_cast<std::int32_t>(value), std::bit_cast<std::int32_t>(kLeast)));
 }
-inline __attribute__((always_inline)) float lesser(float a, float b) {
+EDGESCAN_INLINE float lesser(float a, float b) {
     return std::bit_cast<float>(std::min(std::bit_cast<std::int32_t>(a), std::bit_cast<std::int32_t>(b)));
 }
-inline __attribute__((always_inline)) float greater(float a, float b) {
+EDGESCAN_INLINE float greater(float a, float b) {
     return std::bit_cast<float>(std::max(std::bit_cast<std::int32_t>(a), std::bit_cast<std::int32_t>(b)));
 }
 
@@ -56,8 +56,8 @@ struct CrackCells {
 // Cracks of some cells. kWhole: all cells around are solid and the stepper did not slip; the same arithmetic without the factors that are
 // then 1 or 0.
 template <bool kWhole, class Count>
-inline __attribute__((always_inline)) void jumpsOfCells(const CrackCells& at, Count count, Extra extra, const DepthLimits& limits,
-                                                        const LineWeights& w, float* __restrict out) {
+EDGESCAN_INLINE void jumpsOfCells(const CrackCells& at, Count count, Extra extra, const DepthLimits& limits, const LineWeights& w,
+                                  float* __restrict out) {
     const float* u = at.u;
     const float* solid = at.solid;
     const float* angle = at.angle;
@@ -109,7 +109,7 @@ inline __attribute__((always_inline)) void jumpsOfCells(const CrackCells& at, Co
 constexpr int kCrackBlock = 64;
 
 // Whether all cells that the cracks of a block read are solid.
-inline __attribute__((always_inline)) bool isWhole(const CrackCells& at) {
+EDGESCAN_INLINE bool isWhole(const CrackCells& at) {
     std::int32_t all = -1;
     for (int n = -2; n <= 3; ++n) {
         const float* solid = at.solid + n * at.step;
@@ -119,7 +119,7 @@ inline __attribute__((always_inline)) bool isWhole(const CrackCells& at) {
 }
 
 // `out` covers beams -1 to `beams`; at these two there is never a jump. Works in blocks; the last block overlaps the one before.
-EDGESCAN_SIMD void jumpsOfLine(const CrackCells& at, int beams, Extra extra, const DepthLimits& limits, float* out) {
+EDGESCAN_INLINE void jumpsOfLine(const CrackCells& at, int beams, Extra extra, const DepthLimits& limits, float* out) {
     const LineWeights w = limits.noisy ? kThreeCells : kTwoCells;
     out[-1] = out[beams] = 0;
     if (beams < kCrackBlock) return jumpsOfCells<false>(at, beams, extra, limits, w, out);
@@ -139,7 +139,7 @@ EDGESCAN_SIMD void jumpsOfLine(const CrackCells& at, int beams, Extra extra, con
     if (beams % 2 != 0) jumpsOfCells<false>({at.u + last, at.solid + last, at.angle + last, at.step}, 1, extra, limits, w, out + last);
 }
 
-EDGESCAN_SIMD void linksOfLine(const float* jump, const float* solid, std::ptrdiff_t s, int beams, std::uint8_t* __restrict out) {
+EDGESCAN_INLINE void linksOfLine(const float* jump, const float* solid, std::ptrdiff_t s, int beams, std::uint8_t* __restrict out) {
     for (int j = -1; j <= beams; ++j) out[j] = (jump[j] <= 1.0F) & (solid[j] * solid[j + s] > 0) ? 1 : 0;
 }
 
@@ -148,7 +148,7 @@ void unlink(Extra extra, int beams, std::uint8_t* links) {
     for (int j = -1; j <= beams; ++j) links[j] = extra.of(j) == 0.0F ? links[j] : 0;
 }
 
-EDGESCAN_SIMD void nearerOfLine(const float* u, const float* jump, std::ptrdiff_t s, int beams, float* __restrict out) {
+EDGESCAN_INLINE void nearerOfLine(const float* u, const float* jump, std::ptrdiff_t s, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float behind = u[j] >= u[j + s] ? jump[j] : 0.0F;
         const float before = u[j] > u[j - s] ? jump[j - s] : 0.0F;
@@ -156,7 +156,7 @@ EDGESCAN_SIMD void nearerOfLine(const float* u, const float* jump, std::ptrdiff_
     }
 }
 
-EDGESCAN_SIMD void smoothLine(const float* u, const std::uint8_t* link, std::ptrdiff_t s, int beams, float* __restrict out) {
+EDGESCAN_INLINE void smoothLine(const float* u, const std::uint8_t* link, std::ptrdiff_t s, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float linked = (link[j] & link[j - s]) != 0 ? 0.25F : 0.0F;
         out[j] = u[j] + linked * (u[j - s] + u[j + s] - 2 * u[j]);
@@ -168,22 +168,23 @@ EDGESCAN_SIMD void smoothLine(const float* u, const std::uint8_t* link, std::ptr
 void crackJumps(const DepthField& field, Along along, int line, const float* angle, const SweepSlips& slips, const DepthLimits& limits,
                 Lines& jumps) {
     const Extra extra{extraAt(slips, along, line, 0), extraAt(slips, along, line, 1)};
-    jumpsOfLine({field.u.line(line), field.solid.line(line), angle, field.step(along)}, field.u.beams, extra, limits, jumps.next());
+    vectorised<jumpsOfLine>({field.u.line(line), field.solid.line(line), angle, field.step(along)}, field.u.beams, extra, limits,
+                            jumps.next());
 }
 
 void surfaceLinks(const DepthField& field, const Lines& jumps, Along along, int line, const SweepSlips& slips, Links& links) {
     const Extra extra{extraAt(slips, along, line, 0), extraAt(slips, along, line, 1)};
     std::uint8_t* out = links.next();
-    linksOfLine(jumps.line(line), field.solid.line(line), field.step(along), field.u.beams, out);
+    vectorised<linksOfLine>(jumps.line(line), field.solid.line(line), field.step(along), field.u.beams, out);
     if (extra.even != 0 || extra.odd != 0) unlink(extra, field.u.beams, out);
 }
 
 void jumpsOnNearerCells(const DepthField& field, const Lines& jumps, Along along, int line, Lines& cells) {
-    nearerOfLine(field.u.line(line), jumps.line(line), field.step(along), field.u.beams, cells.next());
+    vectorised<nearerOfLine>(field.u.line(line), jumps.line(line), field.step(along), field.u.beams, cells.next());
 }
 
 void smoothSurfaces(const Lines& u, const Links& links, Along along, int line, Lines& smooth) {
-    smoothLine(u.line(line), links.line(line), stepOf(u, along), u.beams, smooth.next());
+    vectorised<smoothLine>(u.line(line), links.line(line), stepOf(u, along), u.beams, smooth.next());
 }
 
 } // namespace edgescan::edges

@@ -77,17 +77,17 @@ struct TwoSurfaces {
     float allowed;         // jump threshold, as a difference of u divided by the u of the farther surface
     float rounding;
 };
-inline __attribute__((always_inline)) TwoSurfaces surfacesAt(float before, float after, const DepthLimits& limits) {
+EDGESCAN_INLINE TwoSurfaces surfacesAt(float before, float after, const DepthLimits& limits) {
     const float nearer = std::max(before, after);
     return {std::min(before, after), nearer, kLenient * (0.001F * limits.jumpMm * nearer + limits.growth), kRounding * nearer};
 }
-inline __attribute__((always_inline)) bool areApart(const TwoSurfaces& at) {
+EDGESCAN_INLINE bool areApart(const TwoSurfaces& at) {
     return at.nearer - at.farther + at.rounding >= kSurfacesApart * at.farther * at.allowed;
 }
-inline __attribute__((always_inline)) bool canBeBetween(float u, const TwoSurfaces& at) {
+EDGESCAN_INLINE bool canBeBetween(float u, const TwoSurfaces& at) {
     return (at.farther > 0) & (u > at.farther) & (u < at.nearer) & areApart(at);
 }
-inline __attribute__((always_inline)) bool canBeOff(float u, const TwoSurfaces& at, float thresholds) {
+EDGESCAN_INLINE bool canBeOff(float u, const TwoSurfaces& at, float thresholds) {
     const float least = thresholds * u * at.allowed;
     return (at.nearer - u + at.rounding >= least) & ((u - at.farther + at.rounding) * at.nearer >= least * at.farther);
 }
@@ -151,7 +151,7 @@ struct FirstLook {
     float spot; // spot of the beam, as a share of the range
     TwoSurfaces alone, first, second;
 };
-inline __attribute__((always_inline)) FirstLook lookAt(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
+EDGESCAN_INLINE FirstLook lookAt(const float* u, const float* solid, std::ptrdiff_t s, const DepthLimits& limits) {
     const float b3 = u[-3 * s], b2 = u[-2 * s], b1 = u[-s], here = u[0];
     const float a1 = u[s], a2 = u[2 * s], a3 = u[3 * s], a4 = u[4 * s];
     const float slopeBefore = solid[-3 * s] != 0 ? 0.5F * (b3 - b1) : b2 - b1;
@@ -169,8 +169,7 @@ constexpr int kLookBlock = 32;
 // Whether the surfaces next to any cell are far enough apart. In most blocks this is false for all cells, and the rest of the check is
 // skipped.
 template <class Count>
-inline __attribute__((always_inline)) bool anyApart(const float* u, const float* solid, std::ptrdiff_t s, Count cells,
-                                                    const DepthLimits& limits) {
+EDGESCAN_INLINE bool anyApart(const float* u, const float* solid, std::ptrdiff_t s, Count cells, const DepthLimits& limits) {
     std::int32_t any = 0;
     for (int j = 0; j < cells; ++j) {
         const FirstLook look = lookAt(u + j, solid + j, s, limits);
@@ -180,8 +179,8 @@ inline __attribute__((always_inline)) bool anyApart(const float* u, const float*
 }
 
 template <class Count>
-inline __attribute__((always_inline)) void lookAtBlock(const float* u, const float* solid, const float* angle, std::ptrdiff_t s,
-                                                       Count cells, const DepthLimits& limits, std::uint8_t* __restrict marked) {
+EDGESCAN_INLINE void lookAtBlock(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, Count cells,
+                                 const DepthLimits& limits, std::uint8_t* __restrict marked) {
     std::array<float, kLookBlock> worth;
     for (int j = 0; j < cells; ++j) {
         const FirstLook at = lookAt(u + j, solid + j, s, limits);
@@ -194,8 +193,8 @@ inline __attribute__((always_inline)) void lookAtBlock(const float* u, const flo
 }
 
 // First pass over some cells: 1 at every cell that the full check could move, and at a few more.
-EDGESCAN_SIMD void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
-                                 const DepthLimits& limits, std::uint8_t* __restrict marked) {
+EDGESCAN_INLINE void takeFirstLook(const float* u, const float* solid, const float* angle, std::ptrdiff_t s, int cells,
+                                   const DepthLimits& limits, std::uint8_t* __restrict marked) {
     constexpr auto kCount = std::integral_constant<int, kLookBlock>();
     std::memset(marked, 0, static_cast<std::size_t>(cells));
     int j = 0;
@@ -228,7 +227,7 @@ void snapMixedPixels(const DepthField& field, Along along, int line, const float
     std::array<std::uint8_t, kTogether> marked;
     for (int from = 0; from < field.u.beams; from += kTogether) {
         const int cells = std::min(kTogether, field.u.beams - from);
-        takeFirstLook(u + from, solid + from, angle + from, step, cells, limits, marked.data());
+        vectorised<takeFirstLook>(u + from, solid + from, angle + from, step, cells, limits, marked.data());
         forEachMarked(std::span(marked.data(), static_cast<std::size_t>(cells)), [&](std::size_t place) {
             const std::size_t j = static_cast<std::size_t>(from) + place;
             snapAt({u + j, solid + j, step}, angle[j], limits, out + j);

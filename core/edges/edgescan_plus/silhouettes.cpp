@@ -93,16 +93,16 @@ void lookAtBridge(const Way& way, int after, const DepthLimits& limits, Grid<std
 }
 
 // 1 where a void ends.
-EDGESCAN_SIMD void markVoidEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
+EDGESCAN_INLINE void markVoidEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
     for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Void) & (here[n] != Support::Void));
 }
 
 // 1 where a filled gap ends.
-EDGESCAN_SIMD void markBridgeEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
+EDGESCAN_INLINE void markBridgeEnds(const Support* before, const Support* here, int cells, std::uint8_t* __restrict ends) {
     for (int n = 0; n < cells; ++n) ends[n] = static_cast<std::uint8_t>((before[n] == Support::Filled) & (here[n] == Support::Measured));
 }
 
-EDGESCAN_SIMD void takeLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
+EDGESCAN_INLINE void takeLastSolid(const Support* support, int line, int beams, std::int32_t* __restrict last) {
     for (int j = 0; j < beams; ++j) last[j] = support[j] != Support::Void ? line : last[j];
 }
 
@@ -111,14 +111,14 @@ void markAlongBeams(const InverseRange& inverse, const AngularSteps& steps, cons
     std::vector<std::uint8_t> ends(static_cast<std::size_t>(std::max(0, beams - 1)));
     for (int i = 0; i < inverse.u.lines; ++i) {
         const Support* support = inverse.support.line(i);
-        markVoidEnds(support, support + 1, beams - 1, ends.data());
+        vectorised<markVoidEnds>(support, support + 1, beams - 1, ends.data());
         forEachMarked(ends, [&](std::size_t n) {
             int before = static_cast<int>(n);
             while (before >= 0 && support[before] == Support::Void) --before;
             // The surface beyond the border of the grid is unknown.
             if (before >= 0) lookAtVoid({inverse, steps, Along::Beams, i, beams}, before, static_cast<int>(n) + 1, limits, marked);
         });
-        markBridgeEnds(support, support + 1, beams - 1, ends.data());
+        vectorised<markBridgeEnds>(support, support + 1, beams - 1, ends.data());
         forEachMarked(ends, [&](std::size_t n) {
             lookAtBridge({inverse, steps, Along::Beams, i, beams, true}, static_cast<int>(n) + 1, limits, marked);
         });
@@ -132,17 +132,17 @@ void markAlongLines(const InverseRange& inverse, const AngularSteps& steps, cons
     for (int i = 0; i < inverse.u.lines; ++i) {
         const Support* support = inverse.support.line(i);
         if (i > 0) {
-            markVoidEnds(inverse.support.line(i - 1), support, beams, ends.data());
+            vectorised<markVoidEnds>(inverse.support.line(i - 1), support, beams, ends.data());
             forEachMarked(ends, [&](std::size_t n) {
                 if (last[n] >= 0)
                     lookAtVoid({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines}, last[n], i, limits, marked);
             });
-            markBridgeEnds(inverse.support.line(i - 1), support, beams, ends.data());
+            vectorised<markBridgeEnds>(inverse.support.line(i - 1), support, beams, ends.data());
             forEachMarked(ends, [&](std::size_t n) {
                 lookAtBridge({inverse, steps, Along::Lines, static_cast<int>(n), inverse.u.lines, true}, i, limits, marked);
             });
         }
-        takeLastSolid(support, i, beams, last.data());
+        vectorised<takeLastSolid>(support, i, beams, last.data());
     }
 }
 

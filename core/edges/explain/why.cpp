@@ -91,7 +91,7 @@ Why whyCell(const Detection& detection, std::size_t k) {
     why.level = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
     if (linked) followChain(why);
     if (why.shown != nullptr) convertToShownUnits(why, settings);
-    const double highest = decision.thresholds(detection).highest[k];
+    const double highest = decision.threshold(detection, k);
     if (highest >= 0) {
         const double limited = std::min(roundedDown(highest, parameter), parameter.maximum);
         if (limited >= parameter.minimum) why.appearsAt = limited;

@@ -94,17 +94,19 @@ std::int32_t wholeLimit(double threshold, int aperture, Norm norm) {
 
 } // namespace
 
-Grid<std::uint8_t> cannyBy(const GrayLoops& loops, const Grid<std::uint8_t>& smoothed, const Settings& settings) {
+Grid<std::uint8_t> cannyBy(InstructionSet set, const Grid<std::uint8_t>& smoothed, const Settings& settings) {
     if (smoothed.size() == 0) return Grid<std::uint8_t>(smoothed.lines, smoothed.beams);
     const CannyLimits limits{wholeLimit(settings.lower, settings.aperture, settings.norm),
                              wholeLimit(settings.upper(), settings.aperture, settings.norm)};
     CannyMarks marks(smoothed.lines, smoothed.beams);
-    loops.suppress(smoothed, settings.aperture, settings.norm == Norm::L2, limits, marks);
+    suppressBy(set, smoothed, settings.aperture, settings.norm == Norm::L2, limits, marks);
     followFromStrongCells(marks);
     return edgesOf(marks);
 }
 
-Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings) { return cannyBy(grayLoops(), smoothed, settings); }
+Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings) {
+    return cannyBy(instructionSet(), smoothed, settings);
+}
 
 Grid<std::uint8_t> cannyAroundHoles(const Grid<std::uint8_t>& smoothed, const Grid<std::uint8_t>& missing, const Settings& settings) {
     return cannyOfGradient(sobelGradient(smoothed, &missing, settings.aperture), settings.lower, settings.upper(), settings.norm);

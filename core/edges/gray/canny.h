@@ -15,7 +15,7 @@ namespace edgescan::edges {
 [[nodiscard]] Grid<std::uint8_t> canny(const Grid<std::uint8_t>& smoothed, const Settings& settings);
 
 /// The same, by the loops of one instruction set.
-[[nodiscard]] Grid<std::uint8_t> cannyBy(const GrayLoops& loops, const Grid<std::uint8_t>& smoothed, const Settings& settings);
+[[nodiscard]] Grid<std::uint8_t> cannyBy(InstructionSet set, const Grid<std::uint8_t>& smoothed, const Settings& settings);
 
 /// As canny(), but a missing cell in the gradient window counts as the window's centre and has no gradient itself, so that the border of a
 /// hole does not become an edge. Bit-identical to canny() if no cell is missing. `missing`: 255 = no valid range.

@@ -52,8 +52,8 @@ std::array<double, 255> logLimits(const GrayScale& scale) {
 
 // Converts a line of ranges to levels by plain arithmetic; returns how many are outside near..far.
 template <class LevelOf>
-inline __attribute__((always_inline)) int takeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
-                                                     LevelOf levelOf, std::uint8_t* __restrict levels) {
+EDGESCAN_INLINE int takeLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale, LevelOf levelOf,
+                               std::uint8_t* __restrict levels) {
     int outside = 0;
     for (int j = 0; j < beams; ++j) {
         const double range = rangeMm[j];
@@ -65,8 +65,8 @@ inline __attribute__((always_inline)) int takeLevels(const float* rangeMm, const
     return outside;
 }
 
-EDGESCAN_SIMD int takeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
-                                   std::uint8_t* __restrict levels) {
+EDGESCAN_INLINE int takeWindowLevels(const float* rangeMm, const CellState* states, int beams, const GrayScale& scale,
+                                     std::uint8_t* __restrict levels) {
     const double nearMm = scale.nearMm;
     const double span = scale.farMm - scale.nearMm;
     return takeLevels(
@@ -131,12 +131,12 @@ GrayImage grayImage(const Scan& scan, const Settings& settings) {
         return gray;
     }
     if (settings.scaling == Scaling::Thesis) {
-        gray.saturated = grayLoops().levels(scan.rangeMm, scan.state, linearLevels(gray.scale), gray.levels);
+        gray.saturated = levelsBy(instructionSet(), scan.rangeMm, scan.state, linearLevels(gray.scale), gray.levels);
         return gray;
     }
     for (int i = 0; i < scan.lines(); ++i)
         gray.saturated += static_cast<std::size_t>(
-            takeWindowLevels(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
+            vectorised<takeWindowLevels>(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), gray.scale, gray.levels.line(i)));
     return gray;
 }
 

@@ -1,6 +1,8 @@
 // Gaussian, Sobel and suppression line by line, with rows that stay in the cache.
 #include "core/edges/gray/gray_loops.h"
 
+#include "core/base/simd.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include <numeric>
 #include <type_traits>
 
-#define EDGESCAN_INLINE inline __attribute__((always_inline))
 // Says that the rows of a loop do not overlap: the compiler would not check so many rows at run time.
 #if defined(__clang__)
 #define EDGESCAN_APART // for fuzzing only
@@ -347,57 +348,19 @@ EDGESCAN_INLINE void suppressAll(const Grid<std::uint8_t>& levels, int aperture,
         run.template operator()<7>();
 }
 
-// ---- The same loops for each instruction set.
-#define EDGESCAN_GRAY_LOOPS(Name, ...)                                                                                                     \
-    struct Name {                                                                                                                          \
-        __VA_ARGS__ static std::size_t levels(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to,                  \
-                                              Grid<std::uint8_t>& made) {                                                                  \
-            return levelsAll(rangeMm, states, to, made);                                                                                   \
-        }                                                                                                                                  \
-        __VA_ARGS__ static void blur(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred) {     \
-            blurAll(levels, weights, blurred);                                                                                             \
-        }                                                                                                                                  \
-        __VA_ARGS__ static void suppress(const Grid<std::uint8_t>& smoothed, int aperture, bool squared, CannyLimits limits,               \
-                                         CannyMarks& marks) {                                                                              \
-            suppressAll(smoothed, aperture, squared, limits, marks);                                                                       \
-        }                                                                                                                                  \
-    };
-
-EDGESCAN_GRAY_LOOPS(Plain)
-#if defined(__x86_64__) && defined(__GNUC__)
-EDGESCAN_GRAY_LOOPS(Sse42, __attribute__((target("sse4.2"))))
-EDGESCAN_GRAY_LOOPS(Avx2, __attribute__((target("avx2"))))
-#if defined(__clang__)
-EDGESCAN_GRAY_LOOPS(Avx512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))))
-#else
-EDGESCAN_GRAY_LOOPS(Avx512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512"))))
-#endif
-#endif
-
-constexpr std::array kLoops {
-    GrayLoops{"plain", false, [] { return true; }, Plain::levels, Plain::blur, Plain::suppress},
-#if defined(__x86_64__) && defined(__GNUC__)
-        GrayLoops{"SSE4.2", false, [] { return __builtin_cpu_supports("sse4.2") != 0; }, Sse42::levels, Sse42::blur, Sse42::suppress},
-        GrayLoops{"AVX2", true, [] { return __builtin_cpu_supports("avx2") != 0; }, Avx2::levels, Avx2::blur, Avx2::suppress},
-        GrayLoops{"AVX-512",
-                  true,
-                  [] {
-                      return __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-                             __builtin_cpu_supports("avx512vl") != 0;
-                  },
-                  Avx512::levels,
-                  Avx512::blur,
-                  Avx512::suppress},
-#endif
-};
-
 } // namespace
 
-std::span<const GrayLoops> allGrayLoops() { return kLoops; }
+std::size_t levelsBy(InstructionSet set, const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to,
+                     Grid<std::uint8_t>& levels) {
+    return vectorised<levelsAll>.by(set, rangeMm, states, to, levels);
+}
 
-const GrayLoops& grayLoops() {
-    static const GrayLoops& widest = *std::find_if(kLoops.rbegin(), kLoops.rend(), [](const GrayLoops& loops) { return loops.isHere(); });
-    return widest;
+void blurBy(InstructionSet set, const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred) {
+    vectorised<blurAll>.by(set, levels, weights, blurred);
+}
+
+void suppressBy(InstructionSet set, const Grid<std::uint8_t>& smoothed, int aperture, bool squared, CannyLimits limits, CannyMarks& marks) {
+    vectorised<suppressAll>.by(set, smoothed, aperture, squared, limits, marks);
 }
 
 } // namespace edgescan::edges

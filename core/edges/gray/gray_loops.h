@@ -1,12 +1,12 @@
-// The loops of the gray path over a whole image, compiled for each instruction set. All give the same bits as OpenCV.
+// The loops of the gray path over a whole image, by each instruction set. All give the same bits as OpenCV.
 #pragma once
 
 #include "core/base/grid.h"
+#include "core/base/instruction_set.h"
 #include "core/scan/grid/scan.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace edgescan::edges {
@@ -40,27 +40,16 @@ struct CannyMarks {
     }
 };
 
-struct GrayLoops {
-    const char* instructions; ///< "plain", "SSE4.2", "AVX2", "AVX-512"
-    bool isWide;              ///< processes 32 bytes or more at once
-    bool (*isHere)();         ///< whether this processor supports them
+/// rint(range x factor) within 0..255, the product as double; 0 where the cell is not valid. Returns how many valid ranges are outside
+/// near..far.
+std::size_t levelsBy(InstructionSet set, const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to,
+                     Grid<std::uint8_t>& levels);
 
-    /// rint(range x factor) within 0..255, the product as double; 0 where the cell is not valid. Returns how many valid ranges are outside
-    /// near..far.
-    std::size_t (*levels)(const Grid<float>& rangeMm, const Grid<CellState>& states, LinearLevels to, Grid<std::uint8_t>& levels);
+/// cv::GaussianBlur of 8-bit levels with gaussianWeights() of 3 to 11 cells; `blurred` has the size of `levels`, at least 1 x 1.
+void blurBy(InstructionSet set, const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred);
 
-    /// cv::GaussianBlur of 8-bit levels with gaussianWeights() of 3 to 11 cells; `blurred` has the size of `levels`, at least 1 x 1.
-    void (*blur)(const Grid<std::uint8_t>& levels, const std::vector<int>& weights, Grid<std::uint8_t>& blurred);
-
-    /// Sobel gradient of aperture 3, 5 or 7 and non-maximum suppression, as cv::Canny does them: marks the cells that exceed their
-    /// neighbours and the limits. `squared`: magnitudes are gx^2 + gy^2 (norm L2), otherwise |gx| + |gy|.
-    void (*suppress)(const Grid<std::uint8_t>& smoothed, int aperture, bool squared, CannyLimits limits, CannyMarks& marks);
-};
-
-/// One for every instruction set that the compiler knows, the widest last.
-[[nodiscard]] std::span<const GrayLoops> allGrayLoops();
-
-/// The widest that this processor supports.
-[[nodiscard]] const GrayLoops& grayLoops();
+/// Sobel gradient of aperture 3, 5 or 7 and non-maximum suppression, as cv::Canny does them: marks the cells that exceed their neighbours
+/// and the limits. `squared`: magnitudes are gx^2 + gy^2 (norm L2), otherwise |gx| + |gy|.
+void suppressBy(InstructionSet set, const Grid<std::uint8_t>& smoothed, int aperture, bool squared, CannyLimits limits, CannyMarks& marks);
 
 } // namespace edgescan::edges

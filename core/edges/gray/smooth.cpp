@@ -55,18 +55,18 @@ std::vector<int> gaussianWeights(int size, double sigma) {
     return weights;
 }
 
-Grid<std::uint8_t> smoothBy(const GrayLoops& loops, const Grid<std::uint8_t>& gray, const Settings& settings) {
+Grid<std::uint8_t> smoothBy(InstructionSet set, const Grid<std::uint8_t>& gray, const Settings& settings) {
     if (settings.kernel <= 1 || gray.size() == 0) return gray;
     Grid<std::uint8_t> result(gray.lines, gray.beams);
-    loops.blur(gray, gaussianWeights(settings.kernel, settings.sigma), result);
+    blurBy(set, gray, gaussianWeights(settings.kernel, settings.sigma), result);
     return result;
 }
 
 Grid<std::uint8_t> smooth(const Grid<std::uint8_t>& gray, const Settings& settings) {
     if (settings.kernel <= 1 || gray.size() == 0) return gray;
-    const GrayLoops& loops = grayLoops();
+    const InstructionSet set = instructionSet();
     // From 7 cells on the sums need 32 bits; then OpenCV's own loops are faster on processors without AVX2.
-    if (settings.kernel < 7 || loops.isWide) return smoothBy(loops, gray, settings);
+    if (settings.kernel < 7 || set >= InstructionSet::Avx2) return smoothBy(set, gray, settings);
     Grid<std::uint8_t> result(gray.lines, gray.beams);
     cv::Mat output = asMat(result);
     cv::GaussianBlur(asMat(gray), output, {settings.kernel, settings.kernel}, openCvSigma(settings.sigma));

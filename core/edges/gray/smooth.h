@@ -18,7 +18,7 @@ namespace edgescan::edges {
 [[nodiscard]] Grid<std::uint8_t> smooth(const Grid<std::uint8_t>& gray, const Settings& settings);
 
 /// The same, by the loops of one instruction set.
-[[nodiscard]] Grid<std::uint8_t> smoothBy(const GrayLoops& loops, const Grid<std::uint8_t>& gray, const Settings& settings);
+[[nodiscard]] Grid<std::uint8_t> smoothBy(InstructionSet set, const Grid<std::uint8_t>& gray, const Settings& settings);
 
 /// As smooth(), but a missing cell in the window counts as the window's centre, and missing cells stay 0: values are not smoothed across
 /// the border of a hole. Bit-identical to smooth() if no cell is missing. `missing`: 255 = no valid range.

@@ -116,15 +116,18 @@ Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint
     return response;
 }
 
-const Decision kCannyDecision{"canny", cannyEdges,
-                              [](const Detection& detection) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
-                              judgeCanny};
+const Decision kCannyDecision{
+    "canny", cannyEdges, [](const Detection& detection) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
+    [](const Detection& detection, std::size_t k) { return cannyThresholdAt(cannyGradient(detection), detection.settings, k); },
+    judgeCanny};
 
 const Decision kLogRangeDecision{
     "log range", [](const Detection& detection) { return FoundEdges{logRangeEdges(*detection.scan, detection.settings)}; },
-    [](const Detection& detection) { return logRangeThresholdMap(*detection.scan, detection.settings); }, judgeLogRange};
+    [](const Detection& detection) { return logRangeThresholdMap(*detection.scan, detection.settings); },
+    [](const Detection& detection, std::size_t k) { return logRangeThresholdAt(*detection.scan, detection.settings, k); }, judgeLogRange};
 
-const Decision kDetectorDecision{"detector", detectorEdges,
-                                 [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); }, judgeDetector};
+const Decision kDetectorDecision{
+    "detector", detectorEdges, [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); },
+    [](const Detection& detection, std::size_t k) { return responseThresholdAt(responseOf(detection), k); }, judgeDetector};
 
 } // namespace edgescan::edges

@@ -19,6 +19,8 @@ struct Decision {
     FoundEdges (*edges)(const Detection& detection);
     /// The map for all values of sweptParameter(), with all other settings unchanged. Costs as much as the edges.
     ThresholdMap (*thresholds)(const Detection& detection);
+    /// The value of the map at one cell, without the memory for the map.
+    double (*threshold)(const Detection& detection, std::size_t k);
     Judgement (*judge)(const Detection& detection, std::size_t k);
 };
 

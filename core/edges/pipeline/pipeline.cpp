@@ -1,6 +1,7 @@
 // Runs the method stage by stage.
 #include "core/edges/pipeline/pipeline.h"
 
+#include "core/base/instruction_set.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/masked_cells.h"
@@ -39,7 +40,10 @@ double threadCpuMilliseconds() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-Pipeline::Pipeline(KeepFor keep) : keep_(keep) { cv::setNumThreads(0); }
+Pipeline::Pipeline(KeepFor keep) : keep_(keep) {
+    cv::setNumThreads(0);
+    if (instructionSet() < InstructionSet::Avx2) cv::setUseOptimized(false); // OpenCV has SSE3, and all that the processor has
+}
 
 // Runs the stage again only if a setting changed that affects this stage or one before it.
 template <class T, class Make>

@@ -29,6 +29,16 @@ ThresholdMap surfaceThresholds(const Detection& detection) {
     return map;
 }
 
+double surfaceThreshold(const Detection& detection, std::size_t k) {
+    const Settings& settings = detection.settings;
+    const DepthResponses& responses = *detection.responses;
+    const auto has = [k](const std::vector<std::uint32_t>& cells) { return std::ranges::find(cells, k) != cells.end(); };
+    if ((wants(settings, kClassBorder) && has(responses.border)) ||
+        (wants(settings, kClassSilhouette) && has(longSilhouettes(responses, settings.minimumLength))))
+        return std::numeric_limits<double>::infinity();
+    return linkedThresholdAt(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength, k);
+}
+
 Judgement judgeSurface(const Detection& detection, std::size_t k) {
     const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
@@ -67,6 +77,6 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
 
 } // namespace
 
-const Decision kSurfaceDecision{"decision", surfaceEdges, surfaceThresholds, judgeSurface};
+const Decision kSurfaceDecision{"decision", surfaceEdges, surfaceThresholds, surfaceThreshold, judgeSurface};
 
 } // namespace edgescan::edges

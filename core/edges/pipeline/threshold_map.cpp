@@ -23,7 +23,7 @@ constexpr double kStableShare = 0.8;    // share of the edges that must remain a
 constexpr double kSmallestShare = 0.05; // share of the edges at the first threshold
 constexpr double kLargestShare = 0.15;  // share of all cells: with more edges the image is full, not stable
 
-EDGESCAN_SIMD void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
+EDGESCAN_INLINE void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
 }
 
@@ -36,8 +36,8 @@ struct Sweep {
 // Both conditions of cv::Canny, as the highest swept threshold at which a suppressed magnitude meets them.
 class Limits {
 public:
-    Limits(const Gradient& gradient, const Settings& settings, Sweep sweep)
-        : scale_(gradient.scale), ratio_(settings.ratio), norm_(settings.norm), sweep_(std::move(sweep)) {}
+    Limits(double scale, const Settings& settings, Sweep sweep)
+        : scale_(scale), ratio_(settings.ratio), norm_(settings.norm), sweep_(std::move(sweep)) {}
 
     struct Pair {
         double weak = kNever;
@@ -64,11 +64,10 @@ private:
     std::unordered_map<std::int32_t, Pair> known_;
 };
 
-ThresholdMap mapOf(const Gradient& gradient, const Settings& settings, Sweep sweep) {
-    const Grid<std::int32_t> suppressed = suppressedMagnitude(gradient, settings.norm);
+ThresholdMap mapOf(const Grid<std::int32_t>& suppressed, double scale, const Settings& settings, Sweep sweep) {
     Grid<double> weak(suppressed.lines, suppressed.beams, kNever);
     Grid<double> strong = weak;
-    Limits limits(gradient, settings, std::move(sweep));
+    Limits limits(scale, settings, std::move(sweep));
     for (std::size_t k = 0; k < suppressed.size(); ++k) {
         if (suppressed[k] == 0) continue;
         const Limits::Pair pair = limits.of(suppressed[k]);
@@ -90,6 +89,55 @@ void forNeighbours(const Grid<double>& grid, int line, int beam, Visit visit) {
             if (i != line || j != beam) visit(grid.index(i, j));
         }
     }
+}
+
+Sweep cannySweep() {
+    const auto same = [](double threshold) { return threshold; };
+    return {same, same};
+}
+
+Sweep logRangeSweep(const Settings& settings) {
+    return {[&](double percent) { return logRangeGradientOfStep(percent, settings); },
+            [&](double gradient) { return logRangeStepOfGradient(gradient, settings); }};
+}
+
+/// The smallest box around the cells above 0 that are connected with a cell (8 neighbours); 0 in all others.
+template <class T>
+struct Connected {
+    Grid<T> values;
+    std::size_t cell = 0; ///< index of the cell in the box
+};
+
+template <class T>
+Connected<T> connectedWith(const Grid<T>& values, std::size_t k) {
+    std::vector<std::size_t> cells{k};
+    std::vector<bool> seen(values.size(), false);
+    seen[k] = true;
+    const auto beams = static_cast<std::size_t>(values.beams);
+    int firstLine = values.lines, lastLine = -1, firstBeam = values.beams, lastBeam = -1;
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+        const int line = static_cast<int>(cells[at] / beams), beam = static_cast<int>(cells[at] % beams);
+        firstLine = std::min(firstLine, line);
+        lastLine = std::max(lastLine, line);
+        firstBeam = std::min(firstBeam, beam);
+        lastBeam = std::max(lastBeam, beam);
+        if (!(values[k] > 0)) break;
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, values.lines - 1); ++i) {
+            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, values.beams - 1); ++j) {
+                const std::size_t n = values.index(i, j);
+                if (seen[n] || !(values[n] > 0)) continue;
+                seen[n] = true;
+                cells.push_back(n);
+            }
+        }
+    }
+    Connected<T> found{Grid<T>(lastLine - firstLine + 1, lastBeam - firstBeam + 1)};
+    const auto place = [&](std::size_t n) {
+        return found.values.index(static_cast<int>(n / beams) - firstLine, static_cast<int>(n % beams) - firstBeam);
+    };
+    for (const std::size_t n : cells) found.values[place(n)] = values[n];
+    found.cell = place(k);
+    return found;
 }
 
 } // namespace
@@ -153,14 +201,24 @@ Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask) {
 }
 
 ThresholdMap cannyThresholdMap(const Gradient& gradient, const Settings& settings) {
-    const auto same = [](double threshold) { return threshold; };
-    return mapOf(gradient, settings, {same, same});
+    return mapOf(suppressedMagnitude(gradient, settings.norm), gradient.scale, settings, cannySweep());
+}
+
+double cannyThresholdAt(const Gradient& gradient, const Settings& settings, std::size_t k) {
+    const Connected<std::int32_t> part = connectedWith(suppressedMagnitude(gradient, settings.norm), k);
+    return mapOf(part.values, gradient.scale, settings, cannySweep()).highest[part.cell];
+}
+
+double logRangeThresholdAt(const Scan& scan, const Settings& settings, std::size_t k) {
+    if (withoutOwnRange(scan)[k] != 0) return kNever;
+    const Gradient gradient = logRangeGradient(scan, settings);
+    const Connected<std::int32_t> part = connectedWith(suppressedMagnitude(gradient, settings.norm), k);
+    return mapOf(part.values, gradient.scale, settings, logRangeSweep(settings)).highest[part.cell];
 }
 
 ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
-    ThresholdMap map = mapOf(logRangeGradient(scan, settings), settings,
-                             {[&](double percent) { return logRangeGradientOfStep(percent, settings); },
-                              [&](double gradient) { return logRangeStepOfGradient(gradient, settings); }});
+    const Gradient gradient = logRangeGradient(scan, settings);
+    ThresholdMap map = mapOf(suppressedMagnitude(gradient, settings.norm), gradient.scale, settings, logRangeSweep(settings));
     const Grid<std::uint8_t> without = withoutOwnRange(scan);
     for (std::size_t k = 0; k < without.size(); ++k) {
         if (without[k] != 0) map.highest[k] = kNever;
@@ -280,17 +338,24 @@ ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, in
     return map;
 }
 
+double linkedThresholdAt(const Grid<float>& strength, double lowShare, int minimumLength, std::size_t k) {
+    const Connected<float> part = connectedWith(strength, k);
+    return linkedThresholdMap(part.values, lowShare, minimumLength).highest[part.cell];
+}
+
 ThresholdMap responseThresholdMap(const Grid<float>& response) {
-    ThresholdMap map{Grid<double>(response.lines, response.beams, kNever)};
-    for (std::size_t k = 0; k < response.size(); ++k) {
-        if (response[k] > 0) map.highest[k] = std::nextafter(static_cast<double>(response[k]), 0.0);
-    }
+    ThresholdMap map{Grid<double>(response.lines, response.beams)};
+    for (std::size_t k = 0; k < response.size(); ++k) map.highest[k] = responseThresholdAt(response, k);
     return map;
+}
+
+double responseThresholdAt(const Grid<float>& response, std::size_t k) {
+    return response[k] > 0 ? std::nextafter(static_cast<double>(response[k]), 0.0) : kNever;
 }
 
 Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
-    takeEdgesAt(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
+    vectorised<takeEdgesAt>(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
     return mask;
 }
 

@@ -33,6 +33,12 @@ struct ThresholdMap {
 /// high somewhere, and at least `minimumLength` cells long (8 neighbours). Strengths and thresholds are compared as float.
 [[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength);
 
+/// The value of one cell in these maps. It depends only on the cells that are connected with it, so no map of the scan is made.
+[[nodiscard]] double cannyThresholdAt(const Gradient& gradient, const Settings& settings, std::size_t k);
+[[nodiscard]] double logRangeThresholdAt(const Scan& scan, const Settings& settings, std::size_t k);
+[[nodiscard]] double responseThresholdAt(const Grid<float>& response, std::size_t k);
+[[nodiscard]] double linkedThresholdAt(const Grid<float>& strength, double lowShare, int minimumLength, std::size_t k);
+
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
 

@@ -1,4 +1,5 @@
 // E57: scans as lists of points or as grids by row and column, with the pose of each.
+#include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
 #include "core/containers/e57/columns.h"
 #include "core/files/formats/format.h"
@@ -267,6 +268,8 @@ Result<E57Choice> readChoice(const Source& source) {
     if (invalid > 0) table.remarks.push_back(std::to_string(invalid) + " points are marked as invalid in the file and count as no return.");
     if (const std::string unread = fieldNames(scan, &*columns); !unread.empty())
         table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
+    if (file->pictures > 0) table.remarks.push_back("The pictures of this file (" + std::to_string(file->pictures) + ") are not read.");
+    if (auto behind = bytesBehind(file->rest, "the end that the header gives")) table.remarks.push_back(std::move(*behind));
     if (scan.poseIsNone) table.remarks.emplace_back("The pose in the file is no turn and shift, so the scan stays in the scanner's frame.");
     return choice;
 }

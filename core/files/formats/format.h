@@ -32,6 +32,7 @@ struct Format {
     Result<std::vector<FileBytes>> (*writeScan)(const Scan&, const std::filesystem::path&){};
     std::string (*record)(std::string_view bytes) = recordInComments; ///< the record of an export that is inside; empty = none
     Keeps keeps = Keeps::States;
+    double stepM = 0;            ///< coordinates are rounded to whole steps of it; 0: by a micrometre at most, where the numbers are small
     bool keepsIntensity = false; ///< writes the column of that name
     bool keepsPlace = false;     ///< a whole scan in the scanner's frame opens again with its place in the mine
     bool writesByLines = false;  ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes

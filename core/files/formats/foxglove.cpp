@@ -119,6 +119,7 @@ Result<PointTable> readFoxglovePoints(const Source& source) {
         for (Eigen::Vector3d& p : table.points) p += *origin;
     }
     table.remarks = content->warnings;
+    if (!content->clean && table.remarks.empty()) table.remarks.emplace_back("The file was cut off behind its points.");
     return table;
 }
 

@@ -1,6 +1,7 @@
 // From a picture's numbers to a scan; PNG of 16 bits through libpng. Its errors leave by longjmp: see png.cpp.
 #include "core/files/formats/gray_pictures.h"
 
+#include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/base/physical_limits.h"
@@ -84,6 +85,47 @@ Result<Done> checkHeader(const Header& header, const Source& source) {
     return checkMemory(productOf({pixels, kBytesPerPixel}), source.path.string());
 }
 
+std::uint64_t numberAt(std::string_view bytes, std::size_t at, std::size_t count, bool bigEndian) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count && at + i < bytes.size(); ++i)
+        value |= std::uint64_t{static_cast<std::uint8_t>(bytes[at + i])} << 8U * (bigEndian ? count - 1 - i : i);
+    return value;
+}
+
+/// Of a chunk eXIf, which begins like a TIFF file; 1 where it does not say.
+std::uint64_t orientationIn(std::string_view exif) {
+    constexpr std::uint64_t kOrientation = 274;
+    const bool bigEndian = exif.starts_with("MM");
+    const std::uint64_t directory = numberAt(exif, 4, 4, bigEndian), entries = numberAt(exif, directory, 2, bigEndian);
+    for (std::uint64_t n = 0; n < entries && directory + 14 + 12 * n <= exif.size(); ++n) {
+        const std::uint64_t entry = directory + 2 + 12 * n;
+        if (numberAt(exif, entry, 2, bigEndian) == kOrientation) return numberAt(exif, entry + 8, 2, bigEndian);
+    }
+    return 1;
+}
+
+/// What the chunks around the pixels ask for and what follows them.
+void remarkOnChunks(Scan& scan, const Source& source) {
+    const std::string_view text = source.text();
+    std::size_t at = 8;
+    bool ended = false, frames = false;
+    while (!ended && at + 12 <= text.size()) {
+        const std::uint64_t length = numberAt(text, at, 4, true);
+        if (length > text.size() - at - 12) break;
+        const std::string_view kind = text.substr(at + 4, 4);
+        if (kind == "eXIf") {
+            if (auto turned = orientationNotApplied(orientationIn(text.substr(at + 8, length))))
+                scan.warnings.push_back(std::move(*turned));
+        }
+        frames = frames || kind == "fdAT";
+        ended = kind == "IEND";
+        at += 12 + length;
+    }
+    if (frames) scan.warnings.emplace_back("The picture is animated; the first frame was read.");
+    if (!ended) return scan.warnings.emplace_back("The picture does not end with IEND: the file was cut off behind its pixels."), void();
+    if (auto behind = bytesBehind(source.bytes.subspan(at), "the picture")) scan.warnings.push_back(std::move(*behind));
+}
+
 bool isPng(const Source& source) { return source.text().starts_with("\x89PNG\r\n\x1a\n"); }
 
 Result<Scan> readRangePng(const Source& source) {
@@ -102,7 +144,9 @@ Result<Scan> readRangePng(const Source& source) {
     if (!readRows(reader.png, rows.data())) return damaged();
     Grid<float> values(static_cast<int>(header.height), static_cast<int>(header.width));
     for (std::size_t k = 0; k < samples.size(); ++k) values[k] = static_cast<float>(samples[k]);
-    return scanFromPicture(std::move(values), "range PNG", source);
+    auto scan = scanFromPicture(std::move(values), "range PNG", source);
+    if (scan) remarkOnChunks(*scan, source);
+    return scan;
 }
 
 bool looksLikePicture(const Source& source) {
@@ -117,6 +161,12 @@ Result<Scan> readPicture(const Source& source) { return isPng(source) ? readRang
 
 Format rangePictureFormat() {
     return {.title = "Range picture", .reads = {".png", ".tif", ".tiff"}, .recognises = looksLikePicture, .read = readingOf<readPicture>};
+}
+
+std::optional<std::string> orientationNotApplied(std::uint64_t orientation) {
+    if (orientation < 2 || orientation > 8) return std::nullopt;
+    return "The picture asks to be turned or mirrored when it is shown (orientation " + std::to_string(orientation) +
+           "): its rows were taken as scan lines as they are stored.";
 }
 
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source) {

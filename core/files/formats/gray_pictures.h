@@ -4,6 +4,8 @@
 #include "core/files/point_tables/source.h"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace edgescan::files {
 
@@ -11,6 +13,9 @@ inline constexpr std::uint64_t kBytesPerPixel = 16; ///< while a picture becomes
 
 /// Error when the file is far too small for so many bytes of pixels: a bomb, or a false header.
 Result<Done> checkUnpacked(std::uint64_t bytes, const Source& source);
+
+/// A sentence where a picture asks to be turned or mirrored when it is shown (tag 274 of TIFF and EXIF): its rows are taken as they are.
+[[nodiscard]] std::optional<std::string> orientationNotApplied(std::uint64_t orientation);
 
 /// lines x beams in millimetres (or unitMm of the options). Error: no gray picture of 16 bits or 4-byte floats, damaged, no angles; or when
 /// the program was built without libtiff.

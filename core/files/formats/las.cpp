@@ -3,6 +3,7 @@
 
 #include "core/files/formats/format.h"
 
+#include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/base/physical_limits.h"
@@ -102,6 +103,7 @@ struct OwnRecords {
     std::string provenance;
     std::span<const std::byte> cells;
     std::uint64_t missing = 0; ///< records that the header promises and the file does not hold
+    std::uint64_t end = 0;     ///< byte behind the last one that is there
 };
 
 void keepRecord(OwnRecords& own, const Source& source, std::uint64_t at, std::span<const std::byte> content) {
@@ -126,7 +128,7 @@ OwnRecords ownRecords(const LasHeader& header, const Source& source) {
         if (length > source.bytes.size() - from) break;
         keepRecord(own, source, at, source.bytes.subspan(from, length));
         --own.missing;
-        at = from + length;
+        at = own.end = from + length;
     }
     return own;
 }
@@ -162,12 +164,17 @@ void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own,
     }
     if (table.format == "LAZ") return;
     const std::uint64_t end = header.pointsAt + header.points * header.pointBytes; // checkPoints: the file holds as much
-    std::uint64_t next = source.bytes.size();
+    const std::uint64_t size = source.bytes.size();
+    std::uint64_t next = size;
     if (header.extended > 0) next = std::min(next, header.extendedAt);
     if (header.waveformAt > 0) next = std::min(next, header.waveformAt);
-    if (next < end || next - end < header.pointBytes) return;
-    table.remarks.push_back("Behind the " + std::to_string(header.points) + " points that the header promises lie " +
-                            std::to_string(next - end) + " bytes, which may be more points; they were left out.");
+    const auto say = [&](std::uint64_t from, std::uint64_t to, const std::string& what) {
+        if (auto behind = from < to ? bytesBehind(source.bytes.subspan(from, to - from), what) : std::nullopt)
+            table.remarks.push_back(std::move(*behind));
+    };
+    say(end, next, "the " + std::to_string(header.points) + " points that the header promises");
+    if (header.extended > 0 && own.missing == 0 && header.waveformAt == 0) say(std::max(own.end, end), size, "the last record");
+    if (header.waveformAt > 0) table.remarks.emplace_back("The waveforms of this file were not read.");
 }
 
 /// Lines, beams and ranges of the points, where extra bytes hold them. Each record is `stride` bytes long and begins `from` bytes into its
@@ -278,6 +285,7 @@ Format lasFormat() {
             .read = readingOf<readLasPoints>,
             .write = lasBytes,
             .record = lasRecord,
+            .stepM = 0.001,
             .keepsIntensity = true,
             .keepsPlace = true};
 }

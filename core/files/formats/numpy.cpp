@@ -1,4 +1,5 @@
 // Arrays of numpy: ranges as lines x beams, points as records or with three numbers each; .npy, and .npz archives of them.
+#include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
 #include "core/base/physical_limits.h"
 #include "core/containers/compression/zip_archive.h"
@@ -146,30 +147,40 @@ Result<Done> checkSides(const NumpyArray& array, const Source& source) {
     return Done{};
 }
 
-Result<Reading> readArray(const Source& source) {
-    const auto array = readNumpy(source);
-    if (!array) return array.error();
-    if (auto fits = checkSides(*array, source); !fits) return fits.error();
-    if (mayBePointsAcross(*array, *source.options)) {
-        return source.refused("a numpy array of shape " + array->shapeText() +
+Result<Reading> readingOfArray(const NumpyArray& array, const Source& source) {
+    if (auto fits = checkSides(array, source); !fits) return fits.error();
+    if (mayBePointsAcross(array, *source.options)) {
+        return source.refused("a numpy array of shape " + array.shapeText() +
                                   " may be points the wrong way round, or three lines of ranges",
                               "save points as (n, 3), which is points.T, or give the angles: --beam-start --beam-step --line-start "
                               "--line-step --axis");
     }
-    const Holds what = whatIsIn(*array, *source.options);
+    const Holds what = whatIsIn(array, *source.options);
     if (what == Holds::Ranges) {
-        auto scan = rangeScan(*array, source);
+        auto scan = rangeScan(array, source);
         if (!scan) return scan.error();
         return Reading(std::move(*scan));
     }
     if (what == Holds::Neither) {
-        return source.refused("a numpy array of shape " + array->shapeText() +
+        return source.refused("a numpy array of shape " + array.shapeText() +
                                   " is neither ranges (lines, beams) nor points (n, 3) or (lines, beams, 3)",
                               "save it in one of these shapes");
     }
-    auto table = what == Holds::Records ? recordPoints(*array, source) : plainPoints(*array, source);
+    auto table = what == Holds::Records ? recordPoints(array, source) : plainPoints(array, source);
     if (!table) return table.error();
     return Reading(std::move(*table));
+}
+
+Result<Reading> readArray(const Source& source) {
+    const auto array = readNumpy(source);
+    if (!array) return array.error();
+    auto reading = readingOfArray(*array, source);
+    if (!reading) return reading;
+    if (isNumpy(array->rest))
+        reading->warnings.emplace_back("The file holds more than one array (numpy.save more than once); the first was read.");
+    else if (auto behind = bytesBehind(array->rest, "the array"))
+        reading->warnings.push_back(std::move(*behind));
+    return reading;
 }
 
 bool looksLikeNumpy(const Source& source) { return isNumpy(source.bytes); }
@@ -219,7 +230,9 @@ Result<Reading> readNpz(const Source& source) {
     inside.bytes = *bytes;
     if (!isNumpy(inside.bytes)) return source.refused("the part " + chosen->name + " of this archive is no numpy array", "save it again");
     auto reading = readArray(inside);
-    if (reading && arrays.size() > 1)
+    if (!reading) return reading;
+    if (auto behind = bytesBehind(containers::behindZip(source.bytes), "the archive")) reading->warnings.push_back(std::move(*behind));
+    if (arrays.size() > 1)
         reading->warnings.push_back("The archive holds the arrays " + names + "; " + chosen->name.substr(0, chosen->name.size() - 4) +
                                     " was read.");
     return reading;

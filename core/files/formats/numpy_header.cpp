@@ -261,6 +261,7 @@ Result<NumpyArray> readNumpy(const Source& source) {
                               kCopyAgain);
     }
     array.data = source.bytes.subspan(from + length, array.items() * array.itemBytes);
+    array.rest = source.bytes.subspan(from + length + array.data.size());
     return array;
 }
 

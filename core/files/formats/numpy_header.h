@@ -37,6 +37,7 @@ struct NumpyArray {
     bool fortranOrder = false; ///< the first index runs fastest
     std::vector<std::uint64_t> shape;
     std::span<const std::byte> data; ///< exactly the items that the shape promises
+    std::span<const std::byte> rest; ///< what follows them
 
     [[nodiscard]] std::uint64_t items() const;
     /// "(1000, 1141)"

@@ -13,6 +13,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::files {
 namespace {
@@ -22,6 +23,20 @@ constexpr std::size_t kLinesLookedAt = 200;
 bool isObjWord(std::string_view word) {
     static constexpr std::array<std::string_view, 12> kWords{"v", "vn", "vt", "vp", "f", "l", "o", "g", "s", "mtllib", "usemtl", "p"};
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+/// Curves, surfaces and display attributes, which few files have.
+bool isRareObjWord(std::string_view word) {
+    static constexpr std::array<std::string_view, 30> kWords{
+        "cstype", "deg",      "bmat",     "step",  "curv",       "curv2",     "surf",  "parm",  "trim",   "hole",
+        "scrv",   "sp",       "end",      "con",   "mg",         "bevel",     "bzp",   "bsp",   "lod",    "maplib",
+        "usemap", "c_interp", "d_interp", "ctech", "shadow_obj", "trace_obj", "stech", "group", "object", "call"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+std::string_view firstWord(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    return line.substr(0, line.find_first_of(" \t"));
 }
 
 std::optional<double> numberIn(std::string_view word) {
@@ -53,9 +68,17 @@ Result<PointTable> readObjPoints(const Source& source) {
     table.format = "OBJ";
     PrintedDigits digits;
     HeaderLines lines(source.text());
+    std::size_t unknown = 0, firstUnknown = 0;
+    bool continued = false; // by a \ at the end of the line before
     while (lines.next()) {
         const std::string_view line = lines.line();
-        if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
+        const std::string_view word = firstWord(line);
+        const bool goesOn = std::exchange(continued, line.ends_with('\\'));
+        if (word != "v") {
+            const bool known = goesOn || word.empty() || word.starts_with('#') || isObjWord(word) || isRareObjWord(word);
+            if (!known && unknown++ == 0) firstUnknown = lines.number();
+            continue;
+        }
         const auto words = wordsOf(line);
         Eigen::Vector3d point;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -73,6 +96,9 @@ Result<PointTable> readObjPoints(const Source& source) {
             return source.cancelled();
     }
     if (table.points.empty()) return source.refused("this OBJ file has no vertices", "choose another file");
+    if (unknown > 0)
+        table.remarks.push_back(std::to_string(unknown) + " lines hold no words of OBJ and were not read, the first is line " +
+                                std::to_string(firstUnknown) + ".");
     if (endsWithoutLineEnd(source.text())) table.remarks.emplace_back(kMayBeCutOff);
     table.width = table.points.size();
     table.precision = precisionOf(digits);

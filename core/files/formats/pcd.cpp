@@ -4,6 +4,7 @@
 #include "core/files/formats/pcd.h"
 #include "core/files/formats/format.h"
 
+#include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/base/physical_limits.h"
@@ -191,7 +192,7 @@ Error tooShort(const Source& source, const PcdLayout& layout, std::uint64_t held
 Result<Done> readBinary(PointTable& table, const PcdHeader& header, const PcdLayout& layout, const Source& source) {
     const auto held = source.bytes.subspan(header.firstByte);
     if (held.size() / layout.recordBytes < layout.points) return tooShort(source, layout, held.size());
-    if (auto whole = checkRest(table, layout.points, layout.recordBytes, held.size(), source); !whole) return whole;
+    if (auto whole = checkRest(table, layout.points, layout.recordBytes, held, source); !whole) return whole;
     const bool givenAway = source.placesOnly && source.takePlaces && !header.originM;
     const auto read = givenAway ? givePlaces : readRecords;
     if (!read(table, layout.fields, layout.points, held, false, source)) return source.cancelled();
@@ -217,8 +218,7 @@ Result<Done> readCompressed(PointTable& table, const PcdHeader& header, const Pc
     const bool sound = packedSize > 0 && lzf_decompress(held.data() + 8, static_cast<unsigned>(packedSize), unpacked.data(),
                                                         static_cast<unsigned>(size)) == size;
     if (!sound) return source.refused("the compressed points are damaged", "copy the file again");
-    if (const std::uint64_t rest = held.size() - 8 - packedSize; rest > 0)
-        table.remarks.push_back(std::to_string(rest) + " bytes behind the points are none of them and were left out.");
+    if (auto behind = bytesBehind(held.subspan(8 + packedSize), "the points")) table.remarks.push_back(std::move(*behind));
     if (!readRecords(table, layout.fields, layout.points, unpacked, false, source)) return source.cancelled();
     return Done{};
 }

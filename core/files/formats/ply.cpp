@@ -3,6 +3,7 @@
 #include "core/files/formats/format.h"
 
 #include "core/base/checked_size.h"
+#include "core/base/foreign_text.h"
 #include "core/base/memory.h"
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/point_columns.h"
@@ -135,10 +136,11 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
     if (!bigEndian && header.encoding != "binary_little_endian") {
         return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
     }
+    const auto bytes = source.bytes.subspan(header.firstByte);
     if (last) {
-        if (auto whole = checkRest(table, vertex.count, vertex.recordBytes, held, source); !whole) return whole;
+        if (auto whole = checkRest(table, vertex.count, vertex.recordBytes, bytes, source); !whole) return whole;
     }
-    if (!readRecords(table, fields, vertex.count, source.bytes.subspan(header.firstByte), bigEndian, source)) return source.cancelled();
+    if (!readRecords(table, fields, vertex.count, bytes, bigEndian, source)) return source.cancelled();
     return Done{};
 }
 
@@ -155,6 +157,10 @@ Result<PointTable> readPlyPoints(const Source& source) {
     table.format = "PLY";
     table.description = header->description;
     if (auto read = readVertices(table, *header, **vertex, *fields, source); !read) return read.error();
+    std::string others;
+    for (const Element* other = *vertex + 1; other <= &header->elements.back(); ++other)
+        others += (others.empty() ? "" : ", ") + std::to_string(other->count) + " " + printable(other->name.substr(0, 40));
+    if (!others.empty()) table.remarks.push_back("Only the vertices were read, not what follows them: " + others + ".");
     table.width = table.points.size();
     return table;
 }

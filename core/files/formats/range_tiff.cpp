@@ -1,4 +1,5 @@
 // Range pictures as TIFF, through libtiff where the program was built with it.
+#include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
 #include "core/files/formats/gray_pictures.h"
@@ -8,6 +9,7 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 #endif
@@ -58,6 +60,30 @@ TiffShape shapeOf(TIFF* tiff) {
     return shape;
 }
 
+/// The byte behind everything that the directory of a picture names: its strips, its own entries, and the values of these.
+std::uint64_t endOfPicture(TIFF* tiff, std::span<const std::byte> file) {
+    std::uint64_t end = 0;
+    for (std::uint32_t strip = 0; strip < TIFFNumberOfStrips(tiff); ++strip)
+        end = std::max(end, sumOf({TIFFGetStrileOffset(tiff, strip), TIFFGetStrileByteCount(tiff, strip)}));
+    const bool bigEndian = TIFFIsBigEndian(tiff) != 0, wide = file.size() > 2 && file[bigEndian ? 3 : 2] == std::byte{43}; // BigTIFF
+    const auto number = [&](std::uint64_t at, std::size_t bytes) {
+        std::uint64_t value = 0;
+        for (std::size_t i = 0; i < bytes && at + i < file.size(); ++i)
+            value |= std::to_integer<std::uint64_t>(file[at + i]) << 8U * (bigEndian ? bytes - 1 - i : i);
+        return value;
+    };
+    const std::size_t count = wide ? 8 : 2, entry = wide ? 20 : 12, offset = wide ? 8 : 4;
+    const std::uint64_t directory = std::min<std::uint64_t>(TIFFCurrentDirOffset(tiff), file.size());
+    const std::uint64_t entries = std::min<std::uint64_t>(number(directory, count), (file.size() - directory) / entry);
+    for (std::uint64_t n = 0; n < entries; ++n) {
+        static constexpr std::array<std::uint8_t, 19> kBytes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
+        const std::uint64_t at = directory + count + n * entry, type = number(at + 2, 2);
+        const std::uint64_t bytes = productOf({type < kBytes.size() ? kBytes[type] : 0U, number(at + 4, offset)});
+        if (bytes > offset) end = std::max(end, sumOf({number(at + 4 + offset, offset), bytes}));
+    }
+    return std::max(end, directory + count + entries * entry + offset);
+}
+
 Result<Done> checkShape(const TiffShape& shape, TIFF* tiff, const Source& source) {
     if (shape.samples != 1 || !(shape.floats() || (shape.bits == 16 && shape.format != SAMPLEFORMAT_IEEEFP))) {
         return source.refused("this TIFF picture has " + std::to_string(shape.samples) + " channels of " + std::to_string(shape.bits) +
@@ -103,9 +129,18 @@ Result<Scan> readRangeTiff(const Source& source) {
         }
         if (i % 256 == 0 && !source.goOn("reading the picture", static_cast<double>(i) / shape.height)) return source.cancelled();
     }
-    const bool more = TIFFReadDirectory(tiff.get()) != 0;
     auto scan = scanFromPicture(std::move(values), "range TIFF", source);
-    if (scan && more) scan->warnings.emplace_back("The file holds more pictures than the one that was read, the first.");
+    if (!scan) return scan;
+    std::uint64_t end = endOfPicture(tiff.get(), source.bytes);
+    std::uint16_t orientation = ORIENTATION_TOPLEFT;
+    TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_ORIENTATION, &orientation);
+    if (auto turned = orientationNotApplied(orientation)) scan->warnings.push_back(std::move(*turned));
+    std::size_t more = 0;
+    constexpr std::size_t kMostPictures = 1000;
+    for (; more < kMostPictures && TIFFReadDirectory(tiff.get()) != 0; ++more) end = std::max(end, endOfPicture(tiff.get(), source.bytes));
+    if (more > 0) scan->warnings.push_back("The file holds " + std::to_string(more + 1) + " pictures (pages); the first was read.");
+    if (auto behind = bytesBehind(source.bytes.subspan(std::min<std::uint64_t>(end, source.bytes.size())), "the picture"))
+        scan->warnings.push_back(std::move(*behind));
     return scan;
 }
 

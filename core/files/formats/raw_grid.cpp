@@ -59,7 +59,7 @@ Result<Done> readGeometry(const GridDescription& grid, const Source& source, Sca
 
 static_assert(std::endian::native == std::endian::little, "counts lie in the file as the machine stores them");
 
-EDGESCAN_SIMD void rangesOfCounts(const std::uint16_t* counts, int beams, double unitMm, float* __restrict rangeMm) {
+EDGESCAN_INLINE void rangesOfCounts(const std::uint16_t* counts, int beams, double unitMm, float* __restrict rangeMm) {
     for (int j = 0; j < beams; ++j) rangeMm[j] = static_cast<float>(counts[j] * unitMm);
 }
 
@@ -76,7 +76,7 @@ Result<Scan> readPair(const GridDescription& grid, const Source& source, const f
     std::vector<std::uint16_t> line(static_cast<std::size_t>(scan.beams()));
     for (int i = 0; i < scan.lines(); ++i) {
         std::memcpy(line.data(), counts.data() + 2 * scan.rangeMm.index(i, 0), 2 * line.size());
-        rangesOfCounts(line.data(), scan.beams(), scan.unitMm, scan.rangeMm.line(i));
+        vectorised<rangesOfCounts>(line.data(), scan.beams(), scan.unitMm, scan.rangeMm.line(i));
         CellState* state = scan.state.line(i);
         for (std::size_t j = 0; j < line.size(); ++j) state[j] = states[line[j]];
     }

@@ -109,9 +109,9 @@ Result<PointTable> readSurpacPoints(const Source& source) {
     if (table.points.empty()) return source.refused("this Surpac file has no points", "choose another file");
     if (!ended) table.remarks.emplace_back("The file does not end with END: it may have been cut off; compare it with the original.");
     if (described) table.remarks.emplace_back("Descriptions of points (D1 and further) are not read.");
-    if (ended && !trimmed(source.text().substr(std::min(lines.nextByte(), source.text().size()))).empty() && lines.next() &&
-        !trimmed(lines.line()).empty())
-        table.remarks.emplace_back("What stands behind END is not read.");
+    std::size_t behind = 0;
+    while (lines.next()) behind += trimmed(lines.line()).empty() ? 0 : 1;
+    if (behind > 0) table.remarks.push_back(std::to_string(behind) + " lines behind END were not read.");
     table.width = table.points.size();
     table.precision = precisionOf(digits);
     return table;

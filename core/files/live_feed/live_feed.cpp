@@ -13,8 +13,8 @@ constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
 } // namespace
 
 LiveFeed::LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
-                   std::size_t keptBytes)
-    : changed_(std::move(changed)), sweepSettings_(sweep), recent_(kKeptNs, keptBytes), feed_(sweep) {
+                   const LiveLimits& limits)
+    : changed_(std::move(changed)), mostLines_(limits.lines), sweepSettings_(sweep), recent_(kKeptNs, limits.keptBytes), feed_(sweep) {
     scanner::SessionEvents events;
     events.stateChanged = [this](const scanner::ConnectionState& state) {
         {
@@ -44,7 +44,15 @@ void LiveFeed::record(RecordingMessagePtr message) {
     if (recorder_) recorder_->post(std::move(message));
 }
 
+bool LiveFeed::comesAfterTheLast(const scanner::ColaFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (mostLines_ == 0 || lines_ < mostLines_) return false;
+    if (scanner::isScanTelegram(frame.payload())) ++linesAfter_;
+    return true;
+}
+
 void LiveFeed::received(const scanner::ColaFrame& frame) {
+    if (comesAfterTheLast(frame)) return;
     const RecordingMessagePtr message = receivedMessage(frame, clock_);
     record(message); // before anything looks into it
     bool line = false;
@@ -81,6 +89,7 @@ LiveStatus LiveFeed::status() const {
     status.scanner = identity_;
     status.sweep = feed_.assembler().progress();
     status.lines = lines_;
+    status.linesAfter = linesAfter_;
     status.undecodable = feed_.undecodable();
     if (!lineNs_.empty()) {
         status.secondsSinceLine = static_cast<double>(scanner::hostNow().monotonicNs - lineNs_.back()) * 1e-9;
@@ -151,6 +160,12 @@ Result<RecordingState> LiveFeed::stopRecording() {
     if (!recorder) return RecordingState{};
     if (const Result<Done> closed = recorder->close(); !closed) return closed.error();
     return recorder->state();
+}
+
+void LiveFeed::discardRecording() {
+    const std::lock_guard lock(mutex_);
+    if (recorder_) recorder_->closeAndRemove();
+    recorder_.reset();
 }
 
 Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {

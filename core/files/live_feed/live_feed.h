@@ -21,19 +21,25 @@ struct LiveStatus {
     scanner::SessionStatistics statistics;
     scanner::SweepProgress sweep;
     std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
+    std::int64_t linesAfter = 0;             ///< scan telegrams that came after the last line that is taken
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
     std::optional<double> secondsSinceLine;  ///< empty before the first
     double linesPerSecond = 0.0;             ///< over the last lines; 0: not known
     std::optional<RecordingState> recording; ///< while one is written
 };
 
+struct LiveLimits {
+    std::int64_t lines = 0;              ///< are taken; what the scanner sends afterwards is neither recorded nor shown; 0: all
+    std::size_t keptBytes = 128U << 20U; ///< of the last minute
+};
+
 /// From any thread. Destroying it stops scanner and recording.
 class LiveFeed {
 public:
     /// `changed` is called on the scanner's thread after every line and change of state; it must return at once and must not call back
-    /// into the feed. `keptBytes`: of the last minute at most.
+    /// into the feed.
     LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
-             std::size_t keptBytes = 128U << 20U);
+             const LiveLimits& limits = {});
     ~LiveFeed();
     LiveFeed(const LiveFeed&) = delete;
     LiveFeed& operator=(const LiveFeed&) = delete;
@@ -56,6 +62,8 @@ public:
     Result<Done> startRecording(const std::filesystem::path& path);
     /// Closes the recording, within seconds whatever the disk does; what was written. Error: what could not be since its start.
     Result<RecordingState> stopRecording();
+    /// For a recording of nothing: closes and removes it.
+    void discardRecording();
     /// Writes the last minute as a recording of its own.
     [[nodiscard]] Result<Done> keepRecent(const std::filesystem::path& path) const;
 
@@ -64,11 +72,13 @@ public:
 
 private:
     void received(const scanner::ColaFrame& frame);
+    [[nodiscard]] bool comesAfterTheLast(const scanner::ColaFrame& frame);
     void record(RecordingMessagePtr message);
     [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock
     [[nodiscard]] scanner::SweepSettings sweepSettings() const;
 
     const std::function<void()> changed_;
+    const std::int64_t mostLines_;         // 0: all
     scanner::SweepSettings sweepSettings_; // with the lock below, after the constructor
     RecordingClock clock_;
     RecentMessages recent_;
@@ -79,7 +89,7 @@ private:
     std::unique_ptr<RecordingWriter> recorder_;
     bool starting_ = false;          // a recorder is being made
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
-    std::int64_t lines_ = 0;
+    std::int64_t lines_ = 0, linesAfter_ = 0;
     std::deque<std::int64_t> lineNs_;                     // of the last lines, monotonic
     std::unique_ptr<scanner::ScannerConnection> session_; // last: its thread uses all of the above
 };

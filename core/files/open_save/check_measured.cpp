@@ -20,7 +20,7 @@ bool isOutside(float rangeMm, CellState state) {
     return (state == CellState::Valid) & !((rangeMm >= kLeast) & (rangeMm <= kMost));
 }
 
-EDGESCAN_SIMD bool isAnyOutside(const float* rangeMm, const CellState* states, int beams) {
+EDGESCAN_INLINE bool isAnyOutside(const float* rangeMm, const CellState* states, int beams) {
     int any = 0;
     for (int j = 0; j < beams; ++j) any |= isOutside(rangeMm[j], states[j]) ? 1 : 0;
     return any != 0;
@@ -66,7 +66,7 @@ Result<Done> checkPlace(const Placement& placement, const std::string& where) {
 Result<Done> checkMeasured(const Scan& scan, const std::string& where) {
     if (!physical::kUnitMm.hold(scan.unitMm)) return outside(physical::kUnitMm, scan.unitMm, "", where);
     for (int i = 0; i < scan.lines(); ++i) {
-        if (!isAnyOutside(scan.rangeMm.line(i), scan.state.line(i), scan.beams())) continue;
+        if (!vectorised<isAnyOutside>(scan.rangeMm.line(i), scan.state.line(i), scan.beams())) continue;
         for (int j = 0; j < scan.beams(); ++j) {
             if (isOutside(scan.rangeMm.at(i, j), scan.state.at(i, j)))
                 return outside(physical::kRangeMm, scan.rangeMm.at(i, j), "line " + std::to_string(i) + ", beam " + std::to_string(j),

@@ -207,8 +207,14 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     }
     if (found.cancelled()) return source.cancelled();
     if (grid || organised) {
+        const bool returnsOnly = !organised && std::ranges::all_of(table.points, isReturn);
         Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile) : organisedScan(table, source);
         attach(scan, behind, table, source);
+        if (laidOut)
+            scan.warnings.push_back("The grid has as many lines and beams as the points name, " + std::to_string(scan.lines()) + " x " +
+                                    std::to_string(scan.beams()) + ": a line or beam behind the last point is not in the file.");
+        if (returnsOnly)
+            scan.warnings.emplace_back("The list holds returns only: a line or beam at the border without any return is not in it.");
         return scan;
     }
     // An operator who names the axis expects a grid; to project the points then would hide that it was not found.

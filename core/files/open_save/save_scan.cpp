@@ -1,6 +1,7 @@
 // Chooses the writer by extension.
 #include "core/files/open_save/save_scan.h"
 
+#include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/files/formats/formats.h"
 
@@ -92,6 +93,8 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
                        ".provenance.json beside it, which holds the grid, or write it with --comments.");
     if (scan.intensity.size() > 0 && !format->keepsIntensity && !(bySidecar && options.choices.comments))
         lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
+    if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry))
+        lost.push_back("The file rounds the points to whole steps of " + significantText(format->stepM * 1000, 3) + " mm.");
     if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(bySidecar && options.choices.comments))
         lost.emplace_back(
             "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");

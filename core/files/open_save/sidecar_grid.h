@@ -13,9 +13,9 @@ inline constexpr const char* kSidecarFormat = "edgescan-provenance/1";
 /// NAME.EXT.provenance.json in the folder of the export.
 [[nodiscard]] std::filesystem::path sidecarPath(const std::filesystem::path& exported);
 
-/// The scan as it was exported: each point in the cell that its direction names, in the order of the cells, and each range a whole number
-/// of counts again where the printed digits allow only that one. Empty when the file has no sidecar, when the sidecar was written for
-/// another file, or when its grid has no angles or does not fit the points; a remark says why. `place`: as in Reading.
+/// The scan as it was exported: each point in the cell that the sidecar lists for it, and each range a whole number of counts again where
+/// the numbers of the file do not distinguish it from one. Empty when the file has no sidecar with a grid; also when the sidecar was
+/// written for another file or does not fit the points, and a remark says why. `place`: as in Reading.
 [[nodiscard]] std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<WrittenPlace>& place, const Source& source);
 
 } // namespace edgescan::files

@@ -3,6 +3,8 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
+#include "core/base/simd.h"
+
 #include <immintrin.h>
 
 #include <array>
@@ -10,8 +12,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-
-#define EDGESCAN_AVX2 __attribute__((target("avx2,bmi")))
 
 namespace edgescan::files {
 namespace {
@@ -122,10 +122,7 @@ EDGESCAN_AVX2 PlainRow readPlainRow(const char* from, const char* end, char sepa
 
 } // namespace
 
-PlainRowReader plainRowReader() {
-    static const PlainRowReader reader = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") ? readPlainRow : nullptr;
-    return reader;
-}
+PlainRowReader plainRowReader() { return instructionSet() >= InstructionSet::Avx2 ? readPlainRow : nullptr; }
 
 } // namespace edgescan::files
 

@@ -1,6 +1,7 @@
 // Records to points.
 #include "core/files/point_tables/point_columns.h"
 
+#include "core/base/bytes_behind.h"
 #include "core/files/point_tables/column_names.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/text_layout.h"
@@ -110,15 +111,15 @@ bool readRecords(PointTable& table, const PointFields& all, std::size_t points, 
     return true;
 }
 
-Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::uint64_t held, const Source& source) {
-    const std::uint64_t rest = held - promised * recordBytes; // the caller has checked that so many are there
-    if (rest == 0) return Done{};
-    if (rest >= recordBytes) {
+Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::span<const std::byte> held,
+                       const Source& source) {
+    const auto rest = held.subspan(promised * recordBytes); // the caller has checked that so many are there
+    if (rest.size() >= recordBytes && !isPadding(rest)) {
         return source.refused("the header promises " + std::to_string(promised) + " points of " + std::to_string(recordBytes) +
-                                  " bytes and the file holds " + std::to_string(held) + " bytes of them, which is more",
+                                  " bytes and the file holds " + std::to_string(held.size()) + " bytes of them, which is more",
                               "export the file again");
     }
-    table.remarks.push_back(std::to_string(rest) + " bytes behind the points are none of them and were left out.");
+    if (auto behind = bytesBehind(rest, "the points")) table.remarks.push_back(std::move(*behind));
     return Done{};
 }
 

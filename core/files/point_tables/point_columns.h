@@ -54,8 +54,10 @@ struct PromisedRows {
 /// Reads exactly these rows. Error: fewer, more, or other columns.
 Result<Done> readRows(PointTable& table, const PointFields& fields, const PromisedRows& promised, const Source& source);
 
-/// What follows the records that a header promises. Error: as much as a further record, so that the header is wrong; less is a remark.
-Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::uint64_t held, const Source& source);
+/// What follows the records that a header promises, in the bytes `held` from the first record on. Error: as much as a further record, so
+/// that the header is wrong; less is a remark, and padding with zeros is neither.
+Result<Done> checkRest(PointTable& table, std::uint64_t promised, std::uint64_t recordBytes, std::span<const std::byte> held,
+                       const Source& source);
 
 /// Rounding errors of numbers printed like that.
 [[nodiscard]] Precision precisionOf(const PrintedDigits& digits);

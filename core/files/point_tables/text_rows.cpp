@@ -26,8 +26,8 @@ bool isOldNan(const char* from, const char* to) {
 // std::from_chars, and faster where there are a few digits and a point: both whole numbers, up to 10^15, are exact as double, so their
 // quotient is the nearest one there is (IEEE 754), which is what from_chars gives.
 std::from_chars_result numberFrom(const char* from, const char* to, double& value) {
-    static constexpr std::array<double, 16> kPowers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    constexpr std::ptrdiff_t kMostDigits = 15;
+    static constexpr std::array<double, 16> kTenTo{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    constexpr std::ptrdiff_t kMostExact = 15;
     const bool negative = from < to && *from == '-';
     const char* const first = from + (negative ? 1 : 0);
     const char* point = nullptr;
@@ -42,9 +42,9 @@ std::from_chars_result numberFrom(const char* from, const char* to, double& valu
             break;
     }
     const std::ptrdiff_t count = at - first - (point == nullptr ? 0 : 1);
-    if (count < 1 || count > kMostDigits || (at < to && (*at == 'e' || *at == 'E'))) return std::from_chars(from, to, value);
+    if (count < 1 || count > kMostExact || (at < to && (*at == 'e' || *at == 'E'))) return std::from_chars(from, to, value);
     const std::ptrdiff_t decimals = point == nullptr ? 0 : at - point - 1;
-    const double size = static_cast<double>(digits) / kPowers[static_cast<std::size_t>(decimals)];
+    const double size = static_cast<double>(digits) / kTenTo[static_cast<std::size_t>(decimals)];
     value = negative ? -size : size;
     return {at, std::errc{}};
 }
@@ -72,7 +72,7 @@ inline EightBytes digitsAt(const char* from) {
 
 // "-12.345678": at most seven digits on each side of the point. Null for all else. As in numberFrom(), value is what from_chars gives.
 inline const char* usualNumber(const char* from, const char* end, double& value) {
-    static constexpr std::array<double, 8> kPowers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+    static constexpr std::array<double, 8> kTenTo{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
     if (end - from < 24) return nullptr; // a sign, eight, a point, eight
     const bool negative = *from == '-';
     from += negative ? 1 : 0;
@@ -85,7 +85,7 @@ inline const char* usualNumber(const char* from, const char* end, double& value)
         if (part.count == 8) return nullptr;
         from += 1 + part.count;
         if (whole.count + part.count == 0) return nullptr;
-        size = (size * kPowers[part.count] + static_cast<double>(part.value)) / kPowers[part.count]; // whole and below 10^15
+        size = (size * kTenTo[part.count] + static_cast<double>(part.value)) / kTenTo[part.count]; // whole and below 10^15
     } else if (whole.count == 0) {
         return nullptr;
     }

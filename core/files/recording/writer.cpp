@@ -13,7 +13,7 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 constexpr auto kWakesEvery = std::chrono::milliseconds(50); // while a chunk is open
-constexpr std::size_t kMessageOverhead = 64;
+constexpr std::size_t kMessageOverhead = 112;               // of a message in memory, besides its payload
 
 std::size_t sizeOf(const RecordingMessage& message) { return message.payload.size() + kMessageOverhead; }
 
@@ -81,10 +81,8 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::start(const std::files
     const auto work = std::make_shared<Work>(std::move(*file), metadata, std::move(options));
     // The head is there before anybody relies on it.
     if (!work->write()) {
-        Error problem = *work->state.problem;
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
-        return problem;
+        work->file.removeName();
+        return *work->state.problem;
     }
     std::unique_ptr<RecordingWriter> writer(new RecordingWriter(work));
     writer->writing_ = std::thread([work] { work->writeLoop(); });
@@ -261,6 +259,11 @@ Result<Done> RecordingWriter::close() {
     lock.lock();
     if (work.state.problem) return *work.state.problem;
     return Done{};
+}
+
+void RecordingWriter::closeAndRemove() {
+    static_cast<void>(close());
+    work_->file.removeName();
 }
 
 void RecentMessages::push(RecordingMessagePtr message) {

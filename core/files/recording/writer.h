@@ -72,6 +72,8 @@ public:
     /// Everything posted so far is written, with the index at the end, unless the disk takes longer than Options::closeWithin. What the
     /// disk has not synced by then stays unsynced (state()). Error: what went wrong since the start.
     Result<Done> close();
+    /// For a recording of nothing: its name is free again.
+    void closeAndRemove();
     [[nodiscard]] RecordingState state() const;
 
 private:

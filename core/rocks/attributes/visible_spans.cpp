@@ -24,8 +24,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
 }
 
 // 1 where a point is inside the polygon of eight corners.
-EDGESCAN_SIMD void markInside(const double* x, const double* y, std::size_t count, const std::array<Eigen::Vector2d, 8>& corners,
-                              std::uint8_t* __restrict inside) {
+EDGESCAN_INLINE void markInside(const double* x, const double* y, std::size_t count, const std::array<Eigen::Vector2d, 8>& corners,
+                                std::uint8_t* __restrict inside) {
     for (std::size_t n = 0; n < count; ++n) inside[n] = 1;
     for (std::size_t c = 0; c < corners.size(); ++c) {
         const double fromX = corners[c].x();
@@ -58,7 +58,7 @@ Points outermost(const PlanePoints& points) {
     for (std::size_t way = 0; way < corners.size(); ++way) corners[way] = {x[at[way]], y[at[way]]};
     if (corners[0] == corners[4] && corners[2] == corners[6]) return {corners[0]}; // all points coincide
     std::vector<std::uint8_t> inside(x.size());
-    markInside(x.data(), y.data(), x.size(), corners, inside.data());
+    vectorised<markInside>(x.data(), y.data(), x.size(), corners, inside.data());
     Points left;
     for (std::size_t n = 0; n < x.size(); ++n) {
         if (inside[n] == 0) left.emplace_back(x[n], y[n]);

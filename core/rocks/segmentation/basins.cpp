@@ -11,8 +11,8 @@ namespace edgescan::rocks {
 namespace {
 
 // 1 where a cell and the one `step` cells further are on one surface (CellLinks).
-EDGESCAN_SIMD void markLinks(const Support* support, const float* jump, std::size_t step, std::size_t cells,
-                             std::uint8_t* __restrict linked) {
+EDGESCAN_INLINE void markLinks(const Support* support, const float* jump, std::size_t step, std::size_t cells,
+                               std::uint8_t* __restrict linked) {
     for (std::size_t k = 0; k < cells; ++k)
         linked[k] = static_cast<std::uint8_t>((support[k] != Support::Void) & (support[k + step] != Support::Void) & (jump[k] <= 1.0F));
 }
@@ -25,16 +25,15 @@ struct LinkMarks {
         const auto beams = static_cast<std::size_t>(toNextBeam.beams);
         for (int i = 0; i < toNextBeam.lines; ++i) {
             const std::size_t first = toNextBeam.index(i, 0);
-            markLinks(&links.support[first], &links.cracks.jumpBeams[first], 1, beams - 1, &toNextBeam[first]);
+            vectorised<markLinks>(&links.support[first], &links.cracks.jumpBeams[first], 1, beams - 1, &toNextBeam[first]);
             if (i + 1 < toNextBeam.lines)
-                markLinks(&links.support[first], &links.cracks.jumpLines[first], beams, beams, &toNextLine[first]);
+                vectorised<markLinks>(&links.support[first], &links.cracks.jumpLines[first], beams, beams, &toNextLine[first]);
         }
     }
 };
 
 // The neighbour to which cell k moves, from the distances of the cell and its neighbours; -1 for those that are not linked.
-inline __attribute__((always_inline)) std::uint32_t ascent(std::uint32_t k, std::uint32_t beams, float here, float above, float left,
-                                                           float right, float below) {
+EDGESCAN_INLINE std::uint32_t ascent(std::uint32_t k, std::uint32_t beams, float here, float above, float left, float right, float below) {
     float highest = here;
     std::uint32_t to = k;
     to = above > highest ? k - beams : to;
@@ -55,7 +54,7 @@ struct AscentLine {
 };
 
 // The moves of the cells between the ends of a line; `first`: its first cell.
-EDGESCAN_SIMD void ascentsInside(const AscentLine& at, std::uint32_t first, std::uint32_t beams, std::uint32_t* __restrict to) {
+EDGESCAN_INLINE void ascentsInside(const AscentLine& at, std::uint32_t first, std::uint32_t beams, std::uint32_t* __restrict to) {
     const auto [above, here, below, toAbove, toNext, toBelow] = at;
     for (std::uint32_t j = 1; j + 1 < beams; ++j) {
         to[j] = ascent(first + j, beams, here[j], toAbove[j] != 0 ? above[j] : -1.0F, toNext[j - 1] != 0 ? here[j - 1] : -1.0F,
@@ -75,7 +74,7 @@ std::vector<std::uint32_t> ascents(const Grid<float>& distance, const LinkMarks&
                             distance.line(isLast ? i : i + 1),  isFirst ? none.data() : links.toNextLine.line(i - 1),
                             links.toNextBeam.line(i),           links.toNextLine.line(i)};
         const auto first = static_cast<std::uint32_t>(distance.index(i, 0));
-        ascentsInside(at, first, beams, &to[first]);
+        vectorised<ascentsInside>(at, first, beams, &to[first]);
         for (const std::uint32_t j : {0U, beams - 1}) {
             to[first + j] = ascent(first + j, beams, at.here[j], at.toAbove[j] != 0 ? at.above[j] : -1.0F,
                                    j > 0 && at.toNext[j - 1] != 0 ? at.here[j - 1] : -1.0F, at.toNext[j] != 0 ? at.here[j + 1] : -1.0F,
@@ -128,8 +127,8 @@ struct Saddle {
 };
 
 // 1 where the link to the next beam leads to another basin, 2 where that to the next line does.
-EDGESCAN_SIMD void markSaddles(const std::uint32_t* basin, const std::uint8_t* toNextBeam, const std::uint8_t* toNextLine,
-                               std::size_t beams, std::size_t below, std::uint8_t* __restrict mark) {
+EDGESCAN_INLINE void markSaddles(const std::uint32_t* basin, const std::uint8_t* toNextBeam, const std::uint8_t* toNextLine,
+                                 std::size_t beams, std::size_t below, std::uint8_t* __restrict mark) {
     mark[beams - 1] = 0;
     for (std::size_t j = 0; j + 1 < beams; ++j) mark[j] = static_cast<std::uint8_t>((basin[j] != basin[j + 1] ? 1 : 0) & toNextBeam[j]);
     for (std::size_t j = 0; j < beams; ++j)
@@ -146,7 +145,7 @@ std::vector<Saddle> saddles(const Grid<float>& distance, const LinkMarks& links,
     std::vector<std::uint8_t> marks(beams);
     for (int i = 0; i < distance.lines; ++i) {
         const std::size_t below = i + 1 < distance.lines ? beams : 0;
-        markSaddles(basins.of.line(i), links.toNextBeam.line(i), links.toNextLine.line(i), beams, below, marks.data());
+        vectorised<markSaddles>(basins.of.line(i), links.toNextBeam.line(i), links.toNextLine.line(i), beams, below, marks.data());
         for (std::size_t j = 0; j < beams; ++j) {
             if (marks[j] == 0) continue;
             const std::size_t k = distance.index(i, static_cast<int>(j));
@@ -169,7 +168,7 @@ std::vector<Saddle> highestFirst(const std::vector<Saddle>& saddles) {
     return sorted;
 }
 
-EDGESCAN_SIMD std::uint32_t largestOf(const std::uint32_t* numbers, std::size_t count) {
+EDGESCAN_INLINE std::uint32_t largestOf(const std::uint32_t* numbers, std::size_t count) {
     std::uint32_t largest = 0;
     for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, numbers[k]);
     return largest;
@@ -177,7 +176,7 @@ EDGESCAN_SIMD std::uint32_t largestOf(const std::uint32_t* numbers, std::size_t 
 
 } // namespace
 
-std::uint32_t lastSegment(const Grid<std::uint32_t>& segment) { return largestOf(segment.cells.data(), segment.size()); }
+std::uint32_t lastSegment(const Grid<std::uint32_t>& segment) { return vectorised<largestOf>(segment.cells.data(), segment.size()); }
 
 JoinedGroups::JoinedGroups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
 

@@ -26,7 +26,7 @@ struct ColumnSums {
     std::array<double, kPlaneColumns> upward; // sum of u x (kWide - row)
 };
 
-EDGESCAN_SIMD void addColumns(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, ColumnSums& sums) {
+EDGESCAN_INLINE void addColumns(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, ColumnSums& sums) {
     for (std::size_t group = 0; group < kGroups; ++group) {
         FourNumbers counts{};
         FourWide total{}, upward{};
@@ -62,7 +62,7 @@ double PlaneSums::height() const {
 
 PlaneSums planeSums(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own) {
     ColumnSums columns;
-    addColumns(segment, u, beams, own, columns);
+    vectorised<addColumns>(segment, u, beams, own, columns);
     PlaneSums plane;
     double upward = 0;
     for (int column = 0; column < kWide; ++column) {

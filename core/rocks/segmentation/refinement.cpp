@@ -33,7 +33,7 @@ constexpr std::size_t kMostChoices = 9;
 constexpr double kLeastU = 1e-4; // 1/m
 
 // 0..1 on the crack between each cell and the next one in the direction: strength of the jump or valley there.
-EDGESCAN_SIMD void edgesOf(const float* jump, const float* fold, std::size_t step, std::size_t cells, float* __restrict edge) {
+EDGESCAN_INLINE void edgesOf(const float* jump, const float* fold, std::size_t step, std::size_t cells, float* __restrict edge) {
     for (std::size_t k = 0; k < cells; ++k) {
         const float valley = std::max(-fold[k], -fold[k + step]);
         edge[k] = std::min(std::max(std::max(jump[k], valley), 0.0F), 1.0F);
@@ -42,7 +42,7 @@ EDGESCAN_SIMD void edgesOf(const float* jump, const float* fold, std::size_t ste
 
 // The segment of each cell of a line. kOpen where there is no range, or where one of the 8 neighbours has a range and belongs to another
 // segment or to no segment. `solid`: segments, kVoid without a range, `step` cells per line.
-EDGESCAN_SIMD void innerOfLine(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
+EDGESCAN_INLINE void innerOfLine(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
     const std::uint32_t* const above = solid - step;
     const std::uint32_t* const below = solid + step;
     for (std::size_t j = 0; j < beams; ++j) {
@@ -80,14 +80,15 @@ public:
             const std::size_t first = segment.index(i, 0);
             const std::size_t at = marginIndex(i, 0);
             std::copy_n(&inverse.u[first], beams, &u_[at]);
-            edgesOf(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
-            if (i + 1 < segment.lines) edgesOf(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
+            vectorised<edgesOf>(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
+            if (i + 1 < segment.lines)
+                vectorised<edgesOf>(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
             for (std::size_t j = 0; j < beams; ++j)
                 solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoid;
         }
         for (int i = 0; i < segment.lines; ++i) {
             const std::size_t at = marginIndex(i, 0);
-            innerOfLine(&solid_[at], marginBeams_, beams, &inner_[at]);
+            vectorised<innerOfLine>(&solid_[at], marginBeams_, beams, &inner_[at]);
             for (std::size_t j = 0; j < beams; ++j)
                 looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
         }
@@ -143,7 +144,7 @@ private:
         for (int i = std::max(line - 1, 0); i <= std::min(line + 1, segment_.lines - 1); ++i) {
             const std::size_t first = marginIndex(i, beam - 1);
             std::array<std::uint32_t, 3> renewed;
-            innerOfLine(&solid_[first], marginBeams_, renewed.size(), renewed.data());
+            vectorised<innerOfLine>(&solid_[first], marginBeams_, renewed.size(), renewed.data());
             for (std::size_t n = 0; n < renewed.size(); ++n) {
                 const int j = beam - 1 + static_cast<int>(n);
                 if (j < 0 || j >= segment_.beams || inner_[first + n] == renewed[n]) continue;

@@ -17,8 +17,8 @@ constexpr int kFewestLines = 10;
 constexpr int kSampledLines = 64;
 
 // Slants at each beam, from the lines before and after.
-EDGESCAN_SIMD void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
-                                std::uint8_t* __restrict slanted) {
+EDGESCAN_INLINE void slantsAround(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
+                                  std::uint8_t* __restrict slanted) {
     for (int j = 1; j < beams - 1; ++j) {
         const auto change = [&](int n) { return (u[n + stride] - u[n - stride]) / 6.0F; };
         const float slant = change(j - 1) + change(j) + change(j + 1);
@@ -31,7 +31,7 @@ EDGESCAN_SIMD void slantsAround(const float* u, std::ptrdiff_t stride, int beams
 // Compares odd beams with even beams on one line.
 void addParity(const InverseRange& inverse, int line, LineSlants& slants, std::vector<SlipVote>& slips) {
     const float* u = inverse.u.line(line);
-    slantsAround(u, inverse.u.beams, inverse.u.beams, slants.slant.data(), slants.slanted.data());
+    vectorised<slantsAround>(u, inverse.u.beams, inverse.u.beams, slants.slant.data(), slants.slanted.data());
     slants.forEach([&](int j, float slant) {
         if (!measuredAround(inverse, line, j)) return;
         const float off = (u[j] - 0.5F * (u[j - 1] + u[j + 1])) / slant;

@@ -31,8 +31,8 @@ struct LineOff {
 };
 
 /// Slants along the beams, of a line and its two neighbouring lines.
-EDGESCAN_SIMD void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
-                                    std::uint8_t* __restrict slanted) {
+EDGESCAN_INLINE void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int beams, float* __restrict slants,
+                                      std::uint8_t* __restrict slanted) {
     for (int j = 1; j < beams - 1; ++j) {
         const auto change = [&](std::ptrdiff_t n) { return (u[n + 1] - u[n - 1]) / 6.0F; };
         const float slant = change(j - stride) + change(j) + change(j + stride);
@@ -46,7 +46,7 @@ EDGESCAN_SIMD void slantsAlongBeams(const float* u, std::ptrdiff_t stride, int b
 void voteOnNeighbours(const InverseRange& inverse, int line, LineSlants& slants, std::vector<SlipVote>& votes) {
     const Grid<float>& u = inverse.u;
     votes.clear();
-    slantsAlongBeams(u.line(line), u.beams, u.beams, slants.slant.data(), slants.slanted.data());
+    vectorised<slantsAlongBeams>(u.line(line), u.beams, u.beams, slants.slant.data(), slants.slanted.data());
     slants.forEach([&](int j, float slant) {
         if (!measuredAround(inverse, line, j)) return;
         const float off = u.at(line, j) - 0.5F * (u.at(line - 1, j) + u.at(line + 1, j));

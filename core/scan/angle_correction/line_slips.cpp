@@ -31,8 +31,8 @@ int reachAt(int line, int lines) { return std::min({kFarthest, line, lines - 2 -
 
 // The slant at the step to the next line, from the lines before and after it. The steeper of the two slopes counts, because the stepper may
 // have stalled on one side.
-EDGESCAN_SIMD void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
-                                   std::uint8_t* __restrict slanted) {
+EDGESCAN_INLINE void slantsRoundStep(const float* u, std::ptrdiff_t stride, int reach, int beams, float* __restrict slants,
+                                     std::uint8_t* __restrict slanted) {
     const std::ptrdiff_t far = reach * stride;
     const auto steps = static_cast<float>(reach);
     for (int j = 0; j < beams; ++j) {
@@ -56,9 +56,8 @@ struct QuickVotes {
 
 // For kFarthest lines the division becomes a multiplication, with the same bits.
 template <bool kFar, class Count>
-inline __attribute__((always_inline)) void addQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, Count cells,
-                                                      float limit, float* __restrict weights, float* __restrict below,
-                                                      float* __restrict upTo) {
+EDGESCAN_INLINE void addQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, Count cells, float limit,
+                                float* __restrict weights, float* __restrict below, float* __restrict upTo) {
     static_assert(kFarthest == 8);
     const std::ptrdiff_t far = reach * stride;
     const auto steps = static_cast<float>(reach);
@@ -82,8 +81,8 @@ inline __attribute__((always_inline)) void addQuickly(const float* u, const Supp
     }
 }
 
-EDGESCAN_SIMD void voteQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, int beams, float limit,
-                               QuickVotes& votes) {
+EDGESCAN_INLINE void voteQuickly(const float* u, const Support* support, std::ptrdiff_t stride, int reach, int beams, float limit,
+                                 QuickVotes& votes) {
     float *const weight = votes.weight.data(), *const below = votes.below.data(), *const upTo = votes.upTo.data();
     constexpr auto kAll = std::integral_constant<int, kVoteLanes>();
     int j = 0;
@@ -100,7 +99,7 @@ EDGESCAN_SIMD void voteQuickly(const float* u, const Support* support, std::ptrd
 bool isSurelyNoSlip(const InverseRange& inverse, int line, int reach, float limit) {
     constexpr float kClear = 0.01F; // share of the weight; the sums are exact to a ten-thousandth
     QuickVotes votes;
-    voteQuickly(inverse.u.line(line), inverse.support.line(line), inverse.u.beams, reach, inverse.u.beams, limit, votes);
+    vectorised<voteQuickly>(inverse.u.line(line), inverse.support.line(line), inverse.u.beams, reach, inverse.u.beams, limit, votes);
     for (std::size_t parity = 0; parity < 2; ++parity) {
         float weight = 0, below = 0, upTo = 0;
         for (std::size_t lane = parity; lane < kVoteLanes; lane += 2) {
@@ -126,8 +125,8 @@ struct StepVotes {
     std::vector<std::int32_t> upTo;   // ... and of votes for less than limit
 };
 
-EDGESCAN_SIMD void weigh(const float* u, const Support* support, const LineSlants& slants, std::ptrdiff_t stride, int reach, float limit,
-                         StepVotes& votes) {
+EDGESCAN_INLINE void weigh(const float* u, const Support* support, const LineSlants& slants, std::ptrdiff_t stride, int reach, float limit,
+                           StepVotes& votes) {
     const std::ptrdiff_t far = reach * stride;
     const auto beams = static_cast<std::ptrdiff_t>(votes.weight.size());
     const float* slant = slants.slant.data();
@@ -150,7 +149,7 @@ EDGESCAN_SIMD void weigh(const float* u, const Support* support, const LineSlant
 struct Sum {
     std::int64_t votes = 0, weight = 0, below = 0, upTo = 0;
 };
-EDGESCAN_SIMD Sum sumOfParity(const StepVotes& votes, std::size_t parity) {
+EDGESCAN_INLINE Sum sumOfParity(const StepVotes& votes, std::size_t parity) {
     Sum sum;
     for (std::size_t j = parity; j < votes.weight.size(); j += 2) {
         sum.votes += votes.weight[j] != 0 ? 1 : 0;
@@ -166,7 +165,7 @@ bool areEnough(std::size_t votes, int beams) { return votes >= std::max<std::siz
 // Whether the weighted median of either parity may exceed the limit.
 bool canBeSlip(const StepVotes& votes, int beams) {
     for (std::size_t parity = 0; parity < 2; ++parity) {
-        const Sum sum = sumOfParity(votes, parity);
+        const Sum sum = vectorised<sumOfParity>(votes, parity);
         if (areEnough(static_cast<std::size_t>(sum.votes), beams) && (2 * sum.below >= sum.weight || 2 * sum.upTo < sum.weight))
             return true;
     }
@@ -240,8 +239,8 @@ void findSlip(const InverseRange& inverse, int line, LineWork& work, LineSteps& 
     const int reach = reachAt(line, inverse.u.lines);
     const int beams = inverse.u.beams;
     if (isSurelyNoSlip(inverse, line, reach, kLeastExtra)) return;
-    slantsRoundStep(inverse.u.line(line), beams, reach, beams, work.slants.slant.data(), work.slants.slanted.data());
-    weigh(inverse.u.line(line), inverse.support.line(line), work.slants, beams, reach, kLeastExtra, work.votes);
+    vectorised<slantsRoundStep>(inverse.u.line(line), beams, reach, beams, work.slants.slant.data(), work.slants.slanted.data());
+    vectorised<weigh>(inverse.u.line(line), inverse.support.line(line), work.slants, beams, reach, kLeastExtra, work.votes);
     if (!canBeSlip(work.votes, beams)) return;
     StepSlips& slips = work.slips;
     for (std::vector<SlipVote>& ofParity : slips) ofParity.clear();
@@ -340,7 +339,8 @@ float stepUnevenness(const InverseRange& inverse) {
     LineWork work(beams);
     std::vector<float> sizes;
     for (int i = kNearest; i + 1 + kNearest < lines; i += std::max(1, lines / kLooks)) {
-        slantsRoundStep(inverse.u.line(i), beams, reachAt(i, lines), beams, work.slants.slant.data(), work.slants.slanted.data());
+        vectorised<slantsRoundStep>(inverse.u.line(i), beams, reachAt(i, lines), beams, work.slants.slant.data(),
+                                    work.slants.slanted.data());
         addStepsAgain(inverse, i, work.slants, work.slips);
         for (const std::vector<SlipVote>& votes : work.slips) {
             if (!areEnough(votes.size(), beams)) continue;

@@ -42,8 +42,7 @@ struct LineTables {
 };
 
 template <bool kSpin, bool kSkewed, class Number>
-inline __attribute__((always_inline)) void multiplyLine(const LineTables& of, Number* __restrict x, Number* __restrict y,
-                                                        Number* __restrict z) {
+EDGESCAN_INLINE void multiplyLine(const LineTables& of, Number* __restrict x, Number* __restrict y, Number* __restrict z) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     // Copied before the loop, so that the writes in the loop cannot change these pointers.
     const double *const cosBeam = of.cosBeam, *const sinBeam = of.sinBeam, *const cosLines = of.cosLine, *const sinLines = of.sinLine;
@@ -63,15 +62,9 @@ inline __attribute__((always_inline)) void multiplyLine(const LineTables& of, Nu
 }
 
 template <class Number>
-inline __attribute__((always_inline)) void multiply(Axis axis, bool skewed, const LineTables& of, Number* x, Number* y, Number* z) {
+EDGESCAN_INLINE void multiply(Axis axis, bool skewed, const LineTables& of, Number* x, Number* y, Number* z) {
     if (axis == Axis::Spin) return skewed ? multiplyLine<true, true>(of, x, y, z) : multiplyLine<true, false>(of, x, y, z);
     return skewed ? multiplyLine<false, true>(of, x, y, z) : multiplyLine<false, false>(of, x, y, z);
-}
-EDGESCAN_SIMD void multiplied(Axis axis, bool skewed, const LineTables& of, double* x, double* y, double* z) {
-    multiply(axis, skewed, of, x, y, z);
-}
-EDGESCAN_SIMD void multiplied(Axis axis, bool skewed, const LineTables& of, float* x, float* y, float* z) {
-    multiply(axis, skewed, of, x, y, z);
 }
 
 } // namespace
@@ -143,7 +136,7 @@ void CartesianTables::fillLine(int line, Number* x, Number* y, Number* z) const 
         of.cosLine = cosLine.data();
         of.sinLine = sinLine.data();
     }
-    multiplied(polar_->axis, !cosSkew_.empty(), of, x, y, z);
+    vectorised<multiply<Number>>(polar_->axis, !cosSkew_.empty(), of, x, y, z);
 }
 
 void CartesianTables::pointsOfLine(int line, double* x, double* y, double* z) const { fillLine(line, x, y, z); }

@@ -30,8 +30,8 @@ constexpr std::size_t kCellsForNoise = 250000;
 constexpr std::size_t kCellsForSpacing = 50000;
 
 // Converts measured ranges to inverse range; `isolated`: 255 at isolated cells.
-EDGESCAN_SIMD void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams, float* __restrict u,
-                                Support* __restrict support) {
+EDGESCAN_INLINE void takeMeasured(const float* rangeMm, const CellState* state, const std::uint8_t* isolated, int beams,
+                                  float* __restrict u, Support* __restrict support) {
     for (int j = 0; j < beams; ++j) {
         const bool valid = (state[j] == CellState::Valid) & (isolated[j] == 0) & (rangeMm[j] >= kLeastRangeMm);
         support[j] = valid ? Support::Measured : Support::Void;
@@ -41,7 +41,7 @@ EDGESCAN_SIMD void takeMeasured(const float* rangeMm, const CellState* state, co
 
 // 1 at measured cells that end a gap of 1 to 4 cells. Cells are `step` apart, `cells` of them come before the first one; the search needs
 // five of these where they exist.
-EDGESCAN_SIMD void findGapEnds(const Support* support, std::ptrdiff_t step, int cells, int beams, std::uint8_t* __restrict ends) {
+EDGESCAN_INLINE void findGapEnds(const Support* support, std::ptrdiff_t step, int cells, int beams, std::uint8_t* __restrict ends) {
     static_assert(kLongestGap == 4);
     // If there are fewer cells before, the last of them is used again.
     const std::ptrdiff_t three = std::min(3, cells) * step, four = std::min(4, cells) * step, five = std::min(5, cells) * step;
@@ -96,7 +96,7 @@ public:
 private:
     // Searches `beams` beams from `beam` on, with `before` cells before them.
     void find(InverseRange& inverse, int line, int beam, int beams, int step, int before) {
-        findGapEnds(inverse.support.line(line) + beam, step, before, beams, ends_.data());
+        vectorised<findGapEnds>(inverse.support.line(line) + beam, step, before, beams, ends_.data());
         forEachMarked(std::span(ends_.data(), static_cast<std::size_t>(beams)),
                       [&](std::size_t place) { fillGap(inverse, inverse.u.index(line, beam) + place, static_cast<std::size_t>(step)); });
     }
@@ -122,7 +122,7 @@ AngularSteps polarSteps(const PolarGeometry& polar) {
 
 // The distance of the inner cells of a line from the straight line through their neighbours, in metres, and the bin of their range. The bin
 // is the one behind the last if one of the three cells was not measured or is too far.
-EDGESCAN_SIMD void offStraight(const float* u, const Support* support, int beams, float* __restrict off, std::uint8_t* __restrict bin) {
+EDGESCAN_INLINE void offStraight(const float* u, const Support* support, int beams, float* __restrict off, std::uint8_t* __restrict bin) {
     static_assert(kBinM == 1 && kBins < 256);
     for (int j = 1; j < beams - 1; ++j) {
         const float range = 1.0F / u[j];
@@ -187,7 +187,8 @@ InverseRange inverseRange(const Scan& scan, int threads) {
         for (int i = first; i < last; ++i) {
             isolatedLines.next(isolated.data());
             if (bands == 1) inverse.u.cells.resize(inverse.u.index(i + 1, 0)); // cleared while it is in the cache
-            takeMeasured(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), beams, inverse.u.line(i), inverse.support.line(i));
+            vectorised<takeMeasured>(scan.rangeMm.line(i), scan.state.line(i), isolated.data(), beams, inverse.u.line(i),
+                                     inverse.support.line(i));
             ends.fillAlongBeams(inverse, i);
             if (bands == 1) ends.fillAlongLines(inverse, i);
         }
@@ -222,7 +223,7 @@ RangeNoise rangeNoise(const InverseRange& inverse) {
     std::vector<float> off(beams);
     std::vector<std::uint8_t> binOf(beams);
     for (int i = std::min(every, inverse.u.lines) / 2; i < inverse.u.lines; i += every) {
-        offStraight(inverse.u.line(i), inverse.support.line(i), inverse.u.beams, off.data(), binOf.data());
+        vectorised<offStraight>(inverse.u.line(i), inverse.support.line(i), inverse.u.beams, off.data(), binOf.data());
         for (std::size_t from = 1, end = 0; from + 1 < beams; from = end) {
             end = endOfRun(binOf, from, beams - 1);
             if (binOf[from] == kBins) continue;

@@ -18,17 +18,18 @@ constexpr float kAgreeShare = 0.08F;
 constexpr float kAgreeMm = 60.0F;
 
 // Copies the ranges of a line with one cell on either side. A missing range becomes a value that agrees with nothing.
-EDGESCAN_SIMD void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
+EDGESCAN_INLINE void takeValid(const float* ranges, const CellState* states, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) out[j] = states[j] == CellState::Valid ? ranges[j] : std::numeric_limits<float>::quiet_NaN();
 }
 
 void takeRanges(std::vector<float>& out, const Scan& scan, int line) {
     out.assign(static_cast<std::size_t>(scan.beams()) + 2, std::numeric_limits<float>::quiet_NaN());
-    if (line >= 0 && line < scan.lines()) takeValid(scan.rangeMm.line(line), scan.state.line(line), scan.beams(), out.data() + 1);
+    if (line >= 0 && line < scan.lines())
+        vectorised<takeValid>(scan.rangeMm.line(line), scan.state.line(line), scan.beams(), out.data() + 1);
 }
 
 // 255 where too few neighbours agree. The lines have one cell on either side.
-EDGESCAN_SIMD void isolatedOfLine(const float* before, const float* line, const float* after, int beams, std::uint8_t* __restrict out) {
+EDGESCAN_INLINE void isolatedOfLine(const float* before, const float* line, const float* after, int beams, std::uint8_t* __restrict out) {
     for (int j = 0; j < beams; ++j) {
         const float here = line[j];
         const float allowed = kAgreeShare * here + kAgreeMm;
@@ -63,7 +64,7 @@ IsolatedLines::IsolatedLines(const Scan& scan, int firstLine) : scan_(&scan), li
 void IsolatedLines::next(std::uint8_t* isolated) {
     std::rotate(ranges_.begin(), ranges_.begin() + 1, ranges_.end());
     takeRanges(ranges_[2], *scan_, ++line_);
-    isolatedOfLine(ranges_[0].data() + 1, ranges_[1].data() + 1, ranges_[2].data() + 1, scan_->beams(), isolated);
+    vectorised<isolatedOfLine>(ranges_[0].data() + 1, ranges_[1].data() + 1, ranges_[2].data() + 1, scan_->beams(), isolated);
 }
 
 Grid<std::uint8_t> nearMissing(const Grid<std::uint8_t>& missing, int reach) {

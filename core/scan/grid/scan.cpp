@@ -9,7 +9,7 @@
 namespace edgescan {
 namespace {
 
-EDGESCAN_SIMD std::size_t countOf(CellState state, const CellState* states, int beams) {
+EDGESCAN_INLINE std::size_t countOf(CellState state, const CellState* states, int beams) {
     int count = 0;
     for (int j = 0; j < beams; ++j) count += states[j] == state ? 1 : 0;
     return static_cast<std::size_t>(count);
@@ -26,7 +26,7 @@ struct LimitsOfLane {
     }
 };
 
-EDGESCAN_SIMD void takeLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
+EDGESCAN_INLINE void takeLimits(const float* rangeMm, const CellState* states, int beams, LimitsOfLane& lanes) {
     constexpr int kLaneCount = LimitsOfLane::kLaneCount;
     LimitsOfLane found = lanes; // on the stack, so that reading the grid cannot change it
     int j = 0;
@@ -57,14 +57,14 @@ std::array<std::size_t, kCellStates> countCells(const Scan& scan) {
     std::array<std::size_t, kCellStates> counts{};
     for (int i = 0; i < scan.state.lines; ++i) {
         for (std::size_t s = 0; s < counts.size(); ++s)
-            counts[s] += countOf(static_cast<CellState>(s), scan.state.line(i), scan.state.beams);
+            counts[s] += vectorised<countOf>(static_cast<CellState>(s), scan.state.line(i), scan.state.beams);
     }
     return counts;
 }
 
 RangeLimits rangeLimits(const Scan& scan) {
     LimitsOfLane lanes;
-    for (int i = 0; i < scan.lines(); ++i) takeLimits(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), lanes);
+    for (int i = 0; i < scan.lines(); ++i) vectorised<takeLimits>(scan.rangeMm.line(i), scan.state.line(i), scan.beams(), lanes);
     const RangeLimits limits{*std::ranges::min_element(lanes.least), *std::ranges::max_element(lanes.most)};
     return limits.minMm <= limits.maxMm ? limits : RangeLimits{};
 }

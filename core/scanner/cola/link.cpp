@@ -192,9 +192,12 @@ Result<std::vector<ColaFrame>> ColaLink::receive(Clock::time_point deadline) {
     if (problem) return Error{"the connection broke (" + problem.message() + ")", s.where, {}};
     std::vector<ColaFrame> frames = s.stream.push(ByteView(s.piece).first(count), now);
     s.count();
-    if (s.hooks.received) {
-        for (const ColaFrame& frame : frames) s.hooks.received(frame);
+    // An interruption counts between two frames, too: a peer may send thousands at once.
+    std::size_t seen = 0;
+    for (; seen < frames.size() && !s.stop; ++seen) {
+        if (s.hooks.received) s.hooks.received(frames[seen]);
     }
+    frames.resize(seen);
     return frames;
 }
 

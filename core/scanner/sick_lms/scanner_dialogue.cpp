@@ -50,6 +50,7 @@ Result<std::optional<ColaAnswer>> ScannerDialogue::await(const ColaRequest& requ
         const auto frames = link_.receive(deadline);
         if (!frames) return frames.error();
         for (const ColaFrame& frame : *frames) {
+            if (link_.interrupted()) break;
             onFrame_(frame);
             auto answer = parseAnswer(frame.payload(), frame.dialect);
             if (!found && answer && answers(*answer, request)) found = std::move(*answer);

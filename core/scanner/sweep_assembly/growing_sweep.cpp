@@ -9,9 +9,10 @@
 namespace edgescan::scanner {
 namespace {
 
-constexpr std::size_t kEarlyLines = 16; // after this many lines the interlacing of lines is known
-constexpr int kAnglesWaitedFor = 8;     // number of rows that a stepper reading may be late
-constexpr int kMostCells = 50'000'000;  // of one sweep
+constexpr std::size_t kEarlyLines = 16;       // after this many lines the interlacing of lines is known
+constexpr int kAnglesWaitedFor = 8;           // number of rows that a stepper reading may be late
+constexpr int kMostCells = 50'000'000;        // of one sweep
+constexpr std::int64_t kMostLost = 4'000'000; // cells of one sweep, and as many again as were measured
 
 bool isRange(const ScanChannel& channel) { return std::string_view(channel.content).starts_with("DIST"); }
 
@@ -107,6 +108,12 @@ int GrowingSweep::mostRows(const SweepSettings& settings) const {
     return settings.expectedLines > 0 ? std::min(settings.expectedLines, allowed) : allowed;
 }
 
+std::int64_t GrowingSweep::mayBeLost() const {
+    const std::int64_t measured = placed();
+    const std::int64_t lost = static_cast<std::int64_t>(grid_.rows()) * beams_.parts - measured;
+    return std::max<std::int64_t>(0, measured - lost + kMostLost * beams_.parts / std::max(beams_.beams, 1));
+}
+
 GrowingSweep::Repeat GrowingSweep::repeat(const SweepLine& line, std::int64_t behind) {
     const std::int64_t slot = lastSlot_ - behind;
     if (lastSlot_ < 0 || behind < 0 || slot < origin_ || rowOf(slot) >= grid_.rows()) return Repeat::Outside;
@@ -194,14 +201,14 @@ void GrowingSweep::grow(int rows) {
 }
 
 void GrowingSweep::markRestLost(int rows) {
-    grow(rows);
+    grow(static_cast<int>(std::min<std::int64_t>(rows, grid_.rows() + mayBeLost() / beams_.parts)));
     finish();
 }
 
 void GrowingSweep::markNextLost(std::int64_t telegrams, const SweepSettings& settings) {
     if (telegrams <= 0 || lastSlot_ < 0) return;
     const std::int64_t last = origin_ + static_cast<std::int64_t>(mostRows(settings)) * beams_.parts - 1;
-    lastSlot_ = std::max(lastSlot_, std::min(last, lastSlot_ + telegrams));
+    lastSlot_ = std::max(lastSlot_, std::min(last, lastSlot_ + std::min(telegrams, mayBeLost())));
     markRestLost(rowOf(lastSlot_) + 1);
 }
 

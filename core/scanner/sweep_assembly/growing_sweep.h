@@ -37,6 +37,10 @@ public:
     /// `lost`: telegrams lost since the last one.
     Place push(const SweepLine& line, std::int64_t lost, const SweepSettings& settings);
 
+    /// Number of further telegrams that may be lost in this sweep: as many as it has measured ones, and 4 million cells. With more, a few
+    /// telegrams whose counters are far apart would make a scan of any size.
+    [[nodiscard]] std::int64_t mayBeLost() const;
+
     enum class Repeat : std::uint8_t {
         Filled,  ///< it was missing and is now in its place
         Same,    ///< the same line is already there
@@ -51,9 +55,9 @@ public:
     /// Call it after the last line: the last row is then final.
     void finish() { wholeRows_ = grid_.rows(); }
 
-    /// Marks the missing rows up to `rows` as lost.
+    /// Marks the missing rows up to `rows` as lost, as far as mayBeLost().
     void markRestLost(int rows);
-    /// Marks so many telegrams behind the last one as lost.
+    /// The same of so many telegrams behind the last one.
     void markNextLost(std::int64_t telegrams, const SweepSettings& settings);
 
     /// The first row after the motor reversed; empty if it did not.

@@ -25,7 +25,7 @@ enum class Irregularity : std::uint8_t {
     Restart,         ///< the scanner's counters and clock started again
     OtherEchoes,     ///< other range channels than those of the sweep's first telegram, or channels with different beams
     OtherScanner,    ///< another serial number than that of the line before
-    Gap,             ///< so many consecutive lines were lost that a new sweep began
+    Gap,             ///< so many lines were lost that a new sweep began
 };
 inline constexpr int kIrregularities = 16;
 

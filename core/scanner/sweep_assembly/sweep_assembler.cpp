@@ -168,7 +168,7 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
     }
     const std::int64_t between = lost;
     lost += lostSince_;
-    if (sweep_ && lost > settings_.longestGap) {
+    if (sweep_ && lost > 0 && lost > std::min<std::int64_t>(settings_.longestGap, sweep_->mayBeLost())) {
         lostSince_ = 0;
         note(Irregularity::Gap, lost);
         finishSweep();

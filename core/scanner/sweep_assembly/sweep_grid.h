@@ -1,4 +1,4 @@
-// The cells of a growing sweep, and scans of it that cost only the copying of new rows.
+// The cells of a growing sweep, and scans of it that cost only the copying of new rows. A lost row has no cells until a scan is made.
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -65,12 +65,18 @@ private:
     };
 
     [[nodiscard]] std::size_t index(int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(beams_); }
+    /// Where the cells of the row begin below; kLostRow: it has none.
+    [[nodiscard]] std::size_t at(int row) const { return at_[static_cast<std::size_t>(row)]; }
+    void takeCells(const SweepGrid& other, int row, std::size_t to);
 
     int beams_ = 0;
     int rows_ = 0;
+    bool hasIntensity_ = false;   // since the first row with intensities
+    std::vector<std::size_t> at_; // per row
+    // The cells of the rows that are not lost, in the order in which they arrived.
     std::vector<float> rangeMm_;
     std::vector<CellState> state_;
-    std::vector<float> intensity_;                                  // empty until the first row with intensities
+    std::vector<float> intensity_;                                  // empty without intensities
     std::vector<std::uint64_t> changed_;                            // per row: number of its last change
     std::vector<std::array<std::uint32_t, kCellStates>> rowCounts_; // per row
     std::uint64_t change_ = 0;

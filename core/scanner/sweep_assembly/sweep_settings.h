@@ -29,9 +29,10 @@ struct SweepSettings {
     double indexDeg = -144.0;
     int expectedLines = 0;    ///< lines of a whole sweep; 0: unknown, only a reversal ends a sweep
     double reversalDeg = 0.5; ///< a larger move back starts a new sweep; 0: never
-    int longestGap = 2000;    ///< if more consecutive lines are lost, a new sweep starts
-    int mostLines = 20000;    ///< largest number of lines of a sweep
-    int outputInterval = 0;   ///< number of scans per telegram; 0: learn it
+    int longestGap =
+        2000; ///< if more consecutive lines are lost, a new sweep starts (or earlier, if lost lines would outnumber all others by far)
+    int mostLines = 20000;  ///< largest number of lines of a sweep
+    int outputInterval = 0; ///< number of scans per telegram; 0: learn it
     Echo echo = Echo::First;
 
     /// The value above was not given by the stream, the calibration or a flag: it is a guess, and the operator who opens the sweep is

@@ -1,12 +1,15 @@
 // Reads and writes the sidecar SCAN.rocks.json.
 #include "ui/controllers/rocks/rock_sidecar.h"
 
+#include "core/base/sha256.h"
 #include "core/base/whole_file.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/in_background.h"
 
 #include <filesystem>
+#include <map>
 #include <mutex>
+#include <span>
 #include <system_error>
 
 namespace edgescan::ui {
@@ -22,16 +25,33 @@ public:
         const std::lock_guard lock(mutex_);
         if (writing.number < last_) return Done{};
         last_ = writing.number;
-        if (!writing.text.empty()) return writeWholeFile(writing.path, writing.text);
-        std::error_code problem;
-        std::filesystem::remove(writing.path, problem);
-        if (problem) return Error{"the file cannot be removed (" + problem.message() + ")", writing.path, "check the rights of its folder"};
-        return Done{};
+        if (writing.text.empty()) return remove(writing.path);
+        auto written = writeWholeFile(writing.path, writing.text);
+        if (written) known_[writing.path] = sha256Hex(std::as_bytes(std::span(writing.text)));
+        return written;
+    }
+
+    /// The file was read.
+    void read(const std::string& path) {
+        const auto hash = sha256OfFile(path);
+        const std::lock_guard lock(mutex_);
+        if (hash) known_[path] = *hash;
     }
 
 private:
+    Result<Done> remove(const std::string& path) {
+        std::error_code problem;
+        if (!std::filesystem::exists(path, problem)) return Done{};
+        if (const auto hash = sha256OfFile(path); !hash || known_[path] != *hash)
+            return Error{"another program has changed this file, so it was not removed", path, "open the scan again to see its edits"};
+        std::filesystem::remove(path, problem);
+        if (problem) return Error{"the file cannot be removed (" + problem.message() + ")", path, "check the rights of its folder"};
+        return Done{};
+    }
+
     std::mutex mutex_;
     std::uint64_t last_ = 0;
+    std::map<std::string, std::string> known_; ///< hashes of the files as this window read or wrote them last
 };
 
 RockSidecar::RockSidecar(QObject* parent) : QObject(parent), disk_(std::make_shared<Disk>()) {
@@ -53,12 +73,13 @@ void RockSidecar::follow(std::shared_ptr<const Scan> scan) {
     reading_ = true;
     inBackground(
         this,
-        [this, about = scan_, number = number_]() -> std::function<void()> {
+        [this, about = scan_, number = number_, disk = disk_]() -> std::function<void()> {
             std::error_code none;
             const std::filesystem::path path = rocks::rockPresetPath(about->path);
             const bool isFile = std::filesystem::is_regular_file(about->path, none);
             const bool isThere = isFile && std::filesystem::exists(path, none);
             auto preset = isThere ? rocks::readRockPreset(path, *about) : Result<rocks::Preset>(rocks::Preset{});
+            if (isThere) disk->read(path.string());
             return [this, number, isFile, isThere, path = path.string(), preset = std::move(preset)] {
                 if (number != number_) return; // another scan is on the screen
                 reading_ = false;

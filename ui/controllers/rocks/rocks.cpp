@@ -95,6 +95,7 @@ void Rocks::forget() {
     nextOfSweep_.stop();
     picture_ = nullptr;
     asked_ = nullptr;
+    familyPicture_ = nullptr;
     selected_.clear();
     point(std::nullopt, nullptr);
     show();
@@ -111,6 +112,8 @@ void Rocks::followPicture() {
         edits_.clear();
         restored_.reset();
         settings_.region.clear();
+        sidecar_.follow(nullptr);
+        finder_.forget();
         if (on_) forget();
     }
     if (!on_) return;

@@ -1,6 +1,7 @@
 // Session files that the viewer saves itself.
 #include "ui/controllers/sessions/autosaves.h"
 
+#include "core/base/whole_file.h"
 #include "core/inspect/session_file/session_file.h"
 
 #include <QCoreApplication>
@@ -70,8 +71,8 @@ void Autosaves::markContinued(const QString& path) {
 void Autosaves::end() {
     if (own_.isEmpty() || !QFile::exists(own_)) return;
     const QString last = folder_ + "/last" + inspect::kSessionEnding;
-    QFile::remove(last);
-    QFile::rename(own_, last);
+    // Another window may end at the same time: the last one's session stays. Without a move, the next start offers this one.
+    if (!moveWholeFiles({{own_.toStdString(), last.toStdString()}})) return;
     for (const QString& path : takenUp_) QFile::remove(path);
 }
 

@@ -4,7 +4,6 @@
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
-#include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
@@ -222,14 +221,14 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 if (!read)
                     files_.open(paths, options);
                 else if (!*read)
-                    notice_.showError(read->error());
+                    refuse(NoticeBar::Kind::Error, exactText(read->error().sentence()));
                 else
                     restore(**read, isSessionName(first) ? first : QString());
             };
         },
         [this](const QString& what) {
             reading_ = false;
-            notice_.showNotice(NoticeBar::Kind::Error, what);
+            refuse(NoticeBar::Kind::Error, what);
         });
 }
 
@@ -255,8 +254,13 @@ void Sessions::openNextPlace() {
                     .arg(shownName(exactText(scan.path.string()))));
 }
 
+void Sessions::refuse(NoticeBar::Kind kind, const QString& sentence) {
+    notice_.showNotice(kind, sentence);
+    emit refused(sentence);
+}
+
 void Sessions::askForPlace(const QString& sentence) {
-    notice_.showNotice(NoticeBar::Kind::Warning, sentence);
+    refuse(NoticeBar::Kind::Warning, sentence);
     notice_.offer(tr("Locate…"), [this] {
         const QString path =
             QFileDialog::getOpenFileName(notice_.window(), tr("Where is the scan now?"), preferences_.folder("scans"), Files::filters());
@@ -311,7 +315,7 @@ QString Sessions::toGoOn() const {
 void Sessions::continueLast() {
     const QString path = toGoOn();
     if (!path.isEmpty()) return openSession(path);
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no session to go on with yet: open a scan first."));
+    refuse(NoticeBar::Kind::Warning, tr("There is no session to go on with yet: open a scan first."));
 }
 
 void Sessions::offerToContinue() {

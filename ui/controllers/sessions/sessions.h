@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/inspect/session_file/session_file.h"
+#include "ui/base/notice_bar.h"
 #include "ui/controllers/sessions/autosaves.h"
 #include "ui/controllers/sessions/parts.h"
 #include "ui/engine/worker_bridge/derived.h"
@@ -21,7 +22,6 @@ class Engine;
 class Files;
 class Live;
 class Preferences;
-class NoticeBar;
 
 /// GUI thread only. What it is given must outlive it; files are read and written by the pool.
 class Sessions : public QObject {
@@ -52,10 +52,15 @@ public:
     [[nodiscard]] const QString& path() const { return file_; }
     [[nodiscard]] const Autosaves& autosaves() const { return autosaves_; }
     /// No reading, waiting or writing is pending.
-    [[nodiscard]] bool settled() const { return !reading_ && !wanted_ && !soon_.isActive() && !written_.behind(); }
+    [[nodiscard]] bool settled() const { return !restoring() && !soon_.isActive() && !written_.behind(); }
+
+    /// A session is being read, or waits for its scan.
+    [[nodiscard]] bool restoring() const { return reading_ || wanted_; }
 
 signals:
     void nameChanged();
+    /// The wanted session cannot be restored, or not with its scan.
+    void refused(const QString& sentence);
 
 private:
     struct Job {
@@ -78,6 +83,7 @@ private:
     void restore(inspect::ReadSession read, const QString& file);
     void openNextPlace();
     void followStream();
+    void refuse(NoticeBar::Kind kind, const QString& sentence);
     void askForPlace(const QString& sentence);
 
     Engine& engine_;

@@ -251,7 +251,7 @@ KnownTargets Targets::workOut(const Question& question) {
     const edges::Detection& detection = *question.picture->detection;
     KnownTargets known{question.picture, {}, {}};
     if (question.notebook.empty()) return known;
-    if (noiseScan_ != detection.scan) {
+    if (noiseScan_.lock() != detection.scan) {
         noise_ = inspect::noiseOf(detection);
         noiseScan_ = detection.scan;
     }

@@ -144,7 +144,7 @@ private:
     bool using_ = false; // an undo step is running: signals of the views are ignored
 
     // Used only on the pool's threads, by one at a time.
-    std::shared_ptr<const Scan> noiseScan_;
+    std::weak_ptr<const Scan> noiseScan_;
     RangeNoise noise_;
     Derived<Question, KnownTargets> worked_; // last
 };

@@ -87,6 +87,7 @@ public:
     /// Where there is no question any more, as for a sweep that grows: nothing that was asked is delivered.
     void giveUp() {
         quiet_.stop();
+        question_ = nullptr;
         lane_.drop();
         oldest_ = asked_ + 1;
         settled_ = asked_;
@@ -99,8 +100,6 @@ public:
         lane_.end();
     }
 
-    /// The newest question; null before the first.
-    [[nodiscard]] const In* asked() const { return question_.get(); }
     /// The newest question has no answer yet: what is shown is older.
     [[nodiscard]] bool behind() const { return asked_ != settled_; }
     /// It has not even started: its quiet time runs.
@@ -132,7 +131,7 @@ private:
     }
 
     void start() {
-        lane_.post([this, number = asked_, question = question_] { work(number, question); });
+        lane_.post([this, number = asked_, question = std::exchange(question_, nullptr)] { work(number, question); });
     }
 
     // Pool's thread.
@@ -172,8 +171,8 @@ private:
     Deliver deliver_;
     Failed failed_;
     const Older older_;
-    QTimer quiet_; // also the object that events for the GUI thread are sent to: they end with it
-    std::shared_ptr<const In> question_;
+    QTimer quiet_;                          // also the object that events for the GUI thread are sent to: they end with it
+    std::shared_ptr<const In> question_;    // while its quiet time runs: what is large in it is freed with the answer
     std::uint64_t asked_ = 0, settled_ = 0; // numbers of questions: the newest, the newest that has its answer or was given up
     std::atomic<std::uint64_t> oldest_{1};  // number of the oldest question whose answer is wanted
     std::mutex mutex_;

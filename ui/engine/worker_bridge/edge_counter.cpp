@@ -26,10 +26,9 @@ EdgeCounter::EdgeCounter(QObject* parent)
           [](const QString&) {}) {}
 
 void EdgeCounter::want(const std::shared_ptr<const edges::Detection>& detection) {
-    const auto* asked = curve_.asked();
-    if (asked != nullptr && (*asked)->scan == detection->scan &&
-        edges::sameUpTo(edges::Stage::Edges, (*asked)->settings, detection->settings))
-        return;
+    if (scan_.lock() == detection->scan && edges::sameUpTo(edges::Stage::Edges, settings_, detection->settings)) return;
+    scan_ = detection->scan;
+    settings_ = detection->settings;
     curve_.ask(detection, kQuiet);
     emit outdated();
 }

@@ -28,6 +28,8 @@ signals:
     void counted(const QString& parameter, const edgescan::edges::EdgeCountCurve& curve);
 
 private:
+    std::weak_ptr<const Scan> scan_; // of the newest count, and the settings
+    edges::Settings settings_;
     Derived<std::shared_ptr<const edges::Detection>, edges::EdgeCountCurve> curve_;
 };
 

@@ -1,6 +1,7 @@
 // Lists, images and colours of the changes.
 #include "ui/panels/change/comparison.h"
 
+#include "core/base/inputs.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/files/open_save/open_scan.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -182,10 +184,13 @@ Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Sca
 }
 
 Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const edges::Settings& settings) {
+    const BindInputs inputs;
     try {
         Result<Scan> scan = files::openAsAsked(exactBytes(path), reading);
         if (!scan) return scan.error();
-        return pictureOf(std::make_shared<const Scan>(std::move(*scan)), settings);
+        // No export replaces the scan's files while it is compared.
+        const auto used = std::make_shared<const std::pair<Scan, std::shared_ptr<const InputClaims>>>(std::move(*scan), inputs.claims());
+        return pictureOf(std::shared_ptr<const Scan>(used, &used->first), settings);
     } catch (const std::bad_alloc&) {
         return Error{"there is not enough memory for a second scan", exactBytes(path), "close other programs or choose a smaller one"};
     }

@@ -11,13 +11,16 @@ RockFinder::RockFinder(QObject* parent)
 
 void RockFinder::ask(const RockQuestion& question) { rocks_.ask(question); }
 
+void RockFinder::forget() { rocks_.ask({}); }
+
 std::shared_ptr<const RockPicture> RockFinder::run(const RockQuestion& question) {
     try {
         if (detection_ != question.detection) {
             detection_ = nullptr;
-            inputs_ = rocks::rockInputs(*question.detection);
+            inputs_ = question.detection ? rocks::rockInputs(*question.detection) : rocks::Inputs{};
             detection_ = question.detection;
         }
+        if (!detection_) return last_ = nullptr;
         last_ =
             rockPicture(question.detection, rocks::studyRocks(inputs_, question.settings, question.edits, last_ ? &last_->study : nullptr));
     } catch (...) { // an interrupted computation starts again from the beginning

@@ -24,6 +24,8 @@ public:
     explicit RockFinder(QObject* parent = nullptr);
 
     void ask(const RockQuestion& question);
+    /// What is stored for the next question about the same scan is freed.
+    void forget();
     /// What was asked last is not answered yet.
     [[nodiscard]] bool behind() const { return rocks_.behind(); }
 

@@ -17,6 +17,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -64,6 +65,57 @@ TEST(ArchiveListing, AFolderGivesItsScansInOrderAndEachOnce) {
     EXPECT_EQ(std::ranges::count_if(twice->inputs, [](const std::string& path) { return path.ends_with("1.mcap"); }), 1);
     EXPECT_FALSE(listArchive({(folder / "no*such").string()}, ""));
     EXPECT_FALSE(listArchive({folder.path().string()}, folder.path())); // the results folder is among the scans
+}
+
+TEST(ArchiveListing, LinkedFoldersAreFollowedOnceAndWhatIsNotReadIsListed) {
+    const TemporaryFolder folder, elsewhere;
+    const fs::path archive = folder / "archive";
+    write(archive / "own/1.pcd", "x");
+    write(archive / "own/deep/2.pcd", "x");
+    write(folder / "beside/3.pcd", "x");
+    write(elsewhere / "out/4.pcd", "x");
+    write(elsewhere / "closed/5.pcd", "x");
+    fs::create_directory_symlink("../beside", archive / "neighbour");
+    fs::create_directory_symlink(elsewhere / "out", archive / "a_link");
+    fs::create_directory_symlink(archive / "a_link", archive / "b_link"); // a link to a link, to the same folder
+    fs::create_directory_symlink(elsewhere / "out", folder / "beside/c_link");
+    fs::create_directory_symlink("..", archive / "own/up");
+    fs::create_directory_symlink(folder.path(), archive / "above");
+    fs::create_directory_symlink(archive / "own", archive / "twice");
+    fs::create_directory_symlink("ring_b", archive / "ring_a");
+    fs::create_directory_symlink("ring_a", archive / "ring_b");
+    fs::create_directory_symlink("/nowhere/at/all", archive / "lost");
+    fs::create_symlink(archive / "own/1.pcd", archive / "file.pcd");
+    fs::create_symlink("/nowhere/at/all.pcd", archive / "gone.pcd");
+    ASSERT_EQ(::mkfifo((archive / "pipe.pcd").c_str(), 0600), 0);
+    for (const std::string& asked : {archive.string(), (folder / "arch*").string()}) {
+        const auto listing = listArchive({asked}, folder / "results");
+        ASSERT_TRUE(listing) << listing.error().sentence();
+        EXPECT_EQ(below(archive, listing->inputs),
+                  (std::vector<std::string>{"a_link/4.pcd", "file.pcd", "gone.pcd", "neighbour/3.pcd", "own/1.pcd", "own/deep/2.pcd"}));
+        std::map<std::string, std::string> why;
+        for (const auto& one : listing->notRead) why[fs::path(one.path).lexically_relative(archive).string()] = one.why;
+        ASSERT_EQ(why.size(), 9U);
+        for (const char* again : {"b_link", "neighbour/c_link", "twice"})
+            EXPECT_NE(why[again].find("read already"), std::string::npos) << again;
+        for (const char* back : {"own/up", "above"}) EXPECT_NE(why[back].find("above it"), std::string::npos) << back;
+        for (const char* lost : {"ring_a", "ring_b", "lost"}) EXPECT_NE(why[lost].find("leads nowhere"), std::string::npos) << lost;
+        EXPECT_NE(why["pipe.pcd"].find("not a file"), std::string::npos);
+    }
+}
+
+TEST(ArchiveListing, AFolderThatCannotBeReadIsListed) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root reads every folder";
+    const TemporaryFolder folder;
+    write(folder / "a/1.pcd", "x");
+    write(folder / "closed/2.pcd", "x");
+    fs::permissions(folder / "closed", fs::perms::none);
+    const auto listing = listArchive({folder.path().string()}, "");
+    fs::permissions(folder / "closed", fs::perms::owner_all);
+    ASSERT_TRUE(listing) << listing.error().sentence();
+    EXPECT_EQ(below(folder.path(), listing->inputs), (std::vector<std::string>{"a/1.pcd"}));
+    ASSERT_EQ(listing->notRead.size(), 1U);
+    EXPECT_NE(listing->notRead.front().why.find("cannot be read"), std::string::npos);
 }
 
 TEST(ArchiveListing, AListIsReadInItsOrderAndAPointListIsAScan) {
@@ -121,25 +173,25 @@ Json rowOf(const std::string& input, const std::string& finished, int edges = 0)
 TEST(Journal, ATornLineIsCutAndTheNewestRowCounts) {
     const TemporaryFolder folder;
     {
-        auto journal = Journal::open(folder.path(), {}, true);
+        auto journal = Journal::open(folder.path(), {}, true, "s");
         ASSERT_TRUE(journal);
         ASSERT_TRUE(journal->append(rowOf("a", "2026-01-01T00:00:01.000Z", 1), "PICTURE-A"));
         ASSERT_TRUE(journal->append(rowOf("b", "2026-01-01T00:00:02.000Z", 2), ""));
         ASSERT_TRUE(journal->append(rowOf("a", "2026-01-01T00:00:03.000Z", 3), "PICTURE-2"));
-        EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // one at a time
-        EXPECT_FALSE(Journal::open(folder.path(), {2, 5}, false));
+        EXPECT_FALSE(Journal::open(folder.path(), {}, true, "s")); // one at a time
+        EXPECT_FALSE(Journal::open(folder.path(), {2, 5}, false, "s"));
     }
     std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << R"({"input":"c","edg)"; // a crash here
     {
-        auto part = Journal::open(folder.path(), {2, 5}, false);
+        auto part = Journal::open(folder.path(), {2, 5}, false, "s");
         ASSERT_TRUE(part) << part.error().sentence();
-        EXPECT_FALSE(Journal::open(folder.path(), {}, true)); // a whole run includes this part
-        ASSERT_TRUE(Journal::open(folder.path(), {3, 5}, false));
+        EXPECT_FALSE(Journal::open(folder.path(), {}, true, "s")); // a whole run includes this part
+        ASSERT_TRUE(Journal::open(folder.path(), {3, 5}, false, "s"));
         ASSERT_TRUE(part->append(rowOf("b", "2026-01-01T00:00:01.500Z", 9), "")); // older than the existing row
     }
     EXPECT_EQ(shardsIn(folder.path()), 5);
     {
-        auto again = Journal::open(folder.path(), {}, true);
+        auto again = Journal::open(folder.path(), {}, true, "s");
         ASSERT_TRUE(again) << again.error().sentence();
         ASSERT_TRUE(again->append(rowOf("d", "2026-01-01T00:00:04.000Z", 4), ""));
     }
@@ -152,6 +204,72 @@ TEST(Journal, ATornLineIsCutAndTheNewestRowCounts) {
     EXPECT_EQ(pictureOf(Json{{"picture", {"../../etc/passwd", 0, 10}}}, folder.path()), "");
     std::ofstream(folder / ".batch/rows.ndjson", std::ios::app) << "{\"input\":3}\n";
     EXPECT_FALSE(readJournals(folder.path()));
+}
+
+TEST(Journal, RowsOfOtherTypesAreRefusedWithTheirLine) {
+    for (const char* row :
+         {"3", "[]", "null", "\"row\"", R"({"input":"a","times":3})", R"({"input":"a","times":[]})",
+          R"({"input":"a","times":{"finished_utc":"","modified":7}})", R"({"input":"a","times":{"finished_utc":"","memory_bytes":"much"}})",
+          R"({"input":"a","times":{"finished_utc":""},"outcome":5})", R"({"input":"a","times":{"finished_utc":""},"results":[]})",
+          R"({"input":"a","times":{"finished_utc":""},"settings_sha256":1})", R"({"input":"a","times":{"finished_utc":""},"files":[3]})",
+          R"({"input":"a","times":{"finished_utc":""},"files":{}})", R"({"input":"a","times":{"finished_utc":""},"outputs":["edges.png"]})",
+          R"({"input":"a","times":{"finished_utc":""},"outputs":[{"file":4}]})",
+          R"({"input":"a","times":{"finished_utc":""},"warnings":"many"})"}) {
+        const TemporaryFolder folder;
+        std::filesystem::create_directories(folder / ".batch");
+        std::ofstream(folder / ".batch/rows.ndjson") << R"({"input":"b","times":{"finished_utc":""}})"
+                                                     << "\n"
+                                                     << row << "\n";
+        const auto rows = readJournals(folder.path());
+        ASSERT_FALSE(rows) << row;
+        EXPECT_NE(rows.error().sentence().find("rows.ndjson: line 2: this line is not a row of a run"), std::string::npos)
+            << rows.error().sentence();
+    }
+}
+
+TEST(Journal, ALinkIsRefusedAndWhatItPointsToStays) {
+    for (const char* name : {".batch", ".batch/rows.ndjson", ".batch/pictures.bin"}) {
+        const TemporaryFolder folder, elsewhere;
+        std::filesystem::create_directories(elsewhere / "work");
+        std::ofstream(elsewhere / "work/mine") << "mine";
+        std::ofstream(elsewhere / "file") << "a text without a line feed";
+        const bool whole = name == std::string(".batch");
+        if (!whole) std::filesystem::create_directories(folder / ".batch");
+        std::filesystem::create_symlink(whole ? elsewhere.path() : elsewhere / "file", folder / name);
+        const auto refused = Journal::open(folder.path(), {}, true, "s");
+        ASSERT_FALSE(refused) << name;
+        EXPECT_NE(refused.error().sentence().find("this is a link"), std::string::npos) << refused.error().sentence();
+        EXPECT_EQ(test::fileText(elsewhere / "work/mine"), "mine");
+        EXPECT_EQ(test::fileText(elsewhere / "file"), "a text without a line feed");
+    }
+}
+
+TEST(Journal, PartsOfOtherSettingsDoNotMixTheirResults) {
+    const TemporaryFolder folder;
+    const auto opens = [&](const Shard& shard, const std::string& settings) -> std::string {
+        const auto journal = Journal::open(folder.path(), shard, shard.of == 1, settings);
+        return journal ? journal->otherSettings() : journal.error().sentence();
+    };
+    EXPECT_EQ(opens({1, 2}, "old"), "");
+    EXPECT_EQ(opens({1, 3}, "old"), "") << "the same settings in other parts";
+    EXPECT_NE(opens({2, 3}, "new").find("other settings were used in part 1 of 2"), std::string::npos);
+    EXPECT_EQ(opens({}, ""), "") << "a merge changes nothing";
+    EXPECT_NE(opens({2, 3}, "new").find("other settings were used in part 1 of 2"), std::string::npos);
+    EXPECT_EQ(opens({}, "new"), "") << "a whole run does all of them again";
+    EXPECT_EQ(opens({2, 3}, "new"), "");
+    EXPECT_NE(opens({3, 3}, "newer").find("the whole run"), std::string::npos);
+    EXPECT_EQ(shardsIn(folder.path()), 3);
+    EXPECT_FALSE(std::filesystem::exists(folder / ".batch/rows-3-of-3.ndjson")) << "what is refused leaves nothing";
+    const TemporaryFolder again;
+    {
+        const auto running = Journal::open(again.path(), {1, 2}, false, "old");
+        ASSERT_TRUE(running);
+        EXPECT_FALSE(Journal::open(again.path(), {2, 2}, false, "new")) << "part 1 is running with other settings";
+        EXPECT_TRUE(Journal::open(again.path(), {2, 2}, false, "old"));
+    }
+    const auto later = Journal::open(again.path(), {2, 2}, false, "new");
+    ASSERT_TRUE(later) << later.error().sentence();
+    EXPECT_EQ(later->otherSettings(), "part 1 of 2");
 }
 
 TEST(WorkerProcesses, WhatEndsOneJobEndsNoOther) {

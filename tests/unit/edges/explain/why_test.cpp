@@ -1,5 +1,6 @@
 // Why a cell is an edge: the explanation must agree with the method.
 #include "core/edges/explain/why.h"
+#include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
@@ -58,6 +59,23 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     }
     EXPECT_GT(appear, 0);
     EXPECT_GT(vanish, 0);
+}
+
+TEST(Why, TheThresholdOfOneCellIsThatOfTheMap) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
+    std::size_t edges = 0;
+    for (Settings settings : everyMethod()) {
+        for (const int length : {1, 6}) {
+            settings.minimumLength = length;
+            const auto detection = detectEdges(scan, settings);
+            const ThresholdMap map = thresholdMapOf(*detection);
+            for (std::size_t k = 0; k < scan->cells(); k += 11) {
+                ASSERT_EQ(rowOf(settings.method).decision.threshold(*detection, k), map.highest[k]) << k;
+                edges += map.highest[k] >= 0 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(edges, 100U);
 }
 
 TEST(Why, AWeakCellShowsItsWayToAStrongOne) {

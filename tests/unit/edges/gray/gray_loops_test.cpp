@@ -50,13 +50,12 @@ Settings anySettings(std::mt19937& random) {
     return settings;
 }
 
-class EveryGrayLoop : public testing::TestWithParam<std::size_t> {
+class EveryGrayLoop : public testing::TestWithParam<InstructionSet> {
 protected:
     void SetUp() override {
         cv::setNumThreads(0);
-        if (!loops().isHere()) GTEST_SKIP() << "this processor has no " << loops().instructions;
+        if (!isHere(GetParam())) GTEST_SKIP() << "this processor has no " << nameOf(GetParam());
     }
-    [[nodiscard]] const GrayLoops& loops() const { return allGrayLoops()[GetParam()]; }
 };
 
 TEST_P(EveryGrayLoop, EqualsOpenCvOnThousandsOfPictures) {
@@ -68,12 +67,12 @@ TEST_P(EveryGrayLoop, EqualsOpenCvOnThousandsOfPictures) {
         cv::Mat picture(levels.lines, levels.beams, CV_8U, const_cast<std::uint8_t*>(levels.cells.data()));
         cv::Mat blurred;
         cv::GaussianBlur(picture, blurred, {s.kernel, s.kernel}, std::isnan(s.sigma) ? 0.0 : s.sigma);
-        const Grid<std::uint8_t> smoothed = smoothBy(loops(), levels, s);
+        const Grid<std::uint8_t> smoothed = smoothBy(GetParam(), levels, s);
         ASSERT_TRUE(std::equal(smoothed.cells.begin(), smoothed.cells.end(), blurred.data))
             << n << ": " << levels.lines << " x " << levels.beams << ", kernel " << s.kernel << ", sigma " << s.sigma;
         cv::Mat mask;
         cv::Canny(blurred, mask, s.lower, s.upper(), s.aperture, s.norm == Norm::L2);
-        const Grid<std::uint8_t> found = cannyBy(loops(), smoothed, s);
+        const Grid<std::uint8_t> found = cannyBy(GetParam(), smoothed, s);
         ASSERT_TRUE(std::equal(found.cells.begin(), found.cells.end(), mask.data))
             << n << ": " << levels.lines << " x " << levels.beams << ", aperture " << s.aperture << ", lower " << s.lower << ", upper "
             << s.upper();
@@ -104,7 +103,7 @@ TEST_P(EveryGrayLoop, LevelsAreThoseOfDoubles) {
             if (random() % 5 == 0) states[k] = CellState::NoReturn;
         }
         Grid<std::uint8_t> levels(1, cells);
-        const std::size_t outside = loops().levels(ranges, states, to, levels);
+        const std::size_t outside = levelsBy(GetParam(), ranges, states, to, levels);
         std::size_t expectedOutside = 0;
         for (std::size_t k = 0; k < ranges.size(); ++k) {
             const double range = ranges[k];
@@ -120,14 +119,14 @@ TEST_P(EveryGrayLoop, LevelsAreThoseOfDoubles) {
 }
 
 TEST_P(EveryGrayLoop, NoCellsGiveNoCells) {
-    EXPECT_EQ(cannyBy(loops(), Grid<std::uint8_t>(), Settings{}).size(), 0U);
-    EXPECT_EQ(smoothBy(loops(), Grid<std::uint8_t>(), Settings{}).size(), 0U);
+    EXPECT_EQ(cannyBy(GetParam(), Grid<std::uint8_t>(), Settings{}).size(), 0U);
+    EXPECT_EQ(smoothBy(GetParam(), Grid<std::uint8_t>(), Settings{}).size(), 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Instructions, EveryGrayLoop, testing::Range<std::size_t>(0, allGrayLoops().size()),
-                         [](const testing::TestParamInfo<std::size_t>& tested) {
+INSTANTIATE_TEST_SUITE_P(Instructions, EveryGrayLoop, testing::ValuesIn(kInstructionSets),
+                         [](const testing::TestParamInfo<InstructionSet>& tested) {
                              std::string name;
-                             for (const char c : std::string(allGrayLoops()[tested.param].instructions)) {
+                             for (const char c : std::string(nameOf(tested.param))) {
                                  if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
                              }
                              return name;

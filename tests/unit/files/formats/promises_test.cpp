@@ -145,7 +145,7 @@ TEST(Promises, ALasFileCutInItsTailSaysSo) {
     std::string fewer = smallLas(listOf(makeScan({}), {}));
     const auto count = valueAt<std::uint32_t>(fewer, 107);
     putAt(fewer, 107, count / 2);
-    expectSaid(fewer, ".las", "which may be more points");
+    expectSaid(fewer, ".las", "points that the header promises were not read");
     for (const double scale : {0.0, 1e-300, 1e300, -1e-13}) {
         putAt(fewer, 131, scale);
         expectSaid(fewer, ".las", "the scale or offset in the LAS header");

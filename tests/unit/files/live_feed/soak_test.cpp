@@ -81,8 +81,7 @@ TEST(LiveSoak, TwentyMinutesOfTheEmulatedScanner) {
     settings.faults.stallEvery = 6000;
     settings.faults.stallS = 0.6;
     const auto scanner = served(numberedScan(kLines), settings);
-    LiveFeed feed(
-        settingsFor(*scanner, hasty()), soakSweep(), [] {}, kKeptBytes);
+    LiveFeed feed(settingsFor(*scanner, hasty()), soakSweep(), [] {}, {.keptBytes = kKeptBytes});
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();
@@ -148,8 +147,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     settings.port = port;
     settings.timeouts = hasty();
     settings.timeouts.detect = 1s;
-    LiveFeed feed(
-        settings, soakSweep(), [] {}, kKeptBytes);
+    LiveFeed feed(settings, soakSweep(), [] {}, {.keptBytes = kKeptBytes});
     Collected all;
     double early = 0.0;
     const auto start = std::chrono::steady_clock::now();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <random>
 
@@ -52,4 +53,34 @@ TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
         for (const FinishedSweep& sweep : assembler.takeFinished()) EXPECT_FALSE(sweep.progress.growing);
     }
     EXPECT_GT(grown, 2000);
+}
+
+// Telegrams whose counters are far apart: every measured line is in one of the sweeps, and no sweep consists of lost lines almost alone.
+TEST(GrowingSweep, LostLinesDoNotOutnumberTheOthersByFar) {
+    constexpr std::size_t kMostLost = 4'000'000; // cells
+    for (const auto& [telegrams, beams, apart] : {std::array{40, 1141, 997}, {40, 30, 1999}, {3, 5000, 1500}, {12, 1141, 2}}) {
+        SCOPED_TRACE(beams);
+        SweepAssembler assembler;
+        std::size_t sweeps = 0, measured = 0;
+        const auto collect = [&] {
+            for (const FinishedSweep& sweep : assembler.takeFinished()) {
+                ++sweeps;
+                const std::size_t lost = sweep.progress.cells[static_cast<std::size_t>(CellState::Lost)];
+                measured += sweep.scan->cells() - lost;
+                EXPECT_LE(lost, kMostLost + sweep.scan->cells() - lost);
+                EXPECT_TRUE(addsUp(*sweep.scan, sweep.progress));
+                for (const int row : {0, sweep.scan->lines() - 1}) EXPECT_FALSE(rowIsLost(*sweep.scan, row));
+            }
+        };
+        for (int n = 0; n < telegrams; ++n) {
+            assembler.push(telegramOfLine(n * apart, {.beams = beams, .step = 10}), hostNsOfLine(n * apart));
+            collect();
+        }
+        assembler.finish();
+        collect();
+        EXPECT_EQ(measured, static_cast<std::size_t>(telegrams) * static_cast<std::size_t>(beams));
+        EXPECT_EQ(assembler.progress().account.placed, telegrams);
+        EXPECT_TRUE(assembler.progress().account.addsUp());
+        EXPECT_EQ(sweeps > 1, apart > 2 && static_cast<std::size_t>(telegrams * apart) * static_cast<std::size_t>(beams) > 2 * kMostLost);
+    }
 }
