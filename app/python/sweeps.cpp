@@ -127,11 +127,19 @@ public:
     ConnectionObject(const ConnectionObject&) = delete;
     ConnectionObject& operator=(const ConnectionObject&) = delete;
 
-    /// Returns at once without a time-out.
+    /// Returns at once without a time-out. Error: no line came; a recording without a byte of the scanner is removed.
     void waitForFirstLine() {
         if (!timeout_) return;
         const auto end = endOf(timeout_);
-        while (feed_->status().lines == 0) waitUntil(end);
+        while (feed_->status().lines == 0) {
+            if (Clock::now() >= end && feed_->status().statistics.stream.bytes == 0) {
+                unlocked([&] {
+                    feed_->discardRecording();
+                    return Done{};
+                });
+            }
+            waitUntil(end);
+        }
     }
 
     SweepObject next() { return next(timeout_); }
