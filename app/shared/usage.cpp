@@ -17,16 +17,15 @@ void checkSwitches(CLI::App& app, const std::vector<std::string>& words) {
         return value == "true" || value == "false" ? std::string() : "\"" + value + "\" is not true or false";
     };
     for (CLI::Option* option : app.get_options([](const CLI::Option* one) { return one->get_items_expected_max() == 0; })) {
-        for (const std::string& name : option->get_lnames()) {
-            // CLI11 does not distinguish an empty value from none
-            if (std::ranges::find(words, "--" + name + "=") != words.end())
-                throw CLI::ValidationError("--" + name, "\"\" is not true or false");
-        }
         const bool answers = option == app.get_help_ptr() || option == app.get_version_ptr();
-        if (answers)
-            option->disable_flag_override();
-        else
-            option->check(trueOrFalse);
+        for (const std::string& name : option->get_lnames()) {
+            const std::string flag = "--" + name;
+            if (answers && std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(flag + "="); }))
+                throw CLI::ValidationError(flag, "takes no value");
+            // CLI11 does not distinguish an empty value from none
+            if (std::ranges::find(words, flag + "=") != words.end()) throw CLI::ValidationError(flag, "\"\" is not true or false");
+        }
+        if (!answers) option->check(trueOrFalse);
     }
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) checkSwitches(*command, words);
 }
