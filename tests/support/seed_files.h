@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/containers/png/png.h"
+#include "core/edges/settings/presets.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/recording/save_recording.h"
+#include "core/inspect/measure/notebook.h"
+#include "core/rocks/selection/preset.h"
 #include "core/scan/georef/place_scan.h"
 #include "core/scan/grid/range_image.h"
 #include "tests/support/bytes.h"
@@ -14,6 +17,8 @@
 #include "tests/support/packet_writer.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <string>
@@ -172,7 +177,42 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     return seeds;
 }
 
-/// The same, and seeds of files that are not scans: telegrams, recordings (without their magic bytes), poses, calibrations.
+/// Every kind of edit on a grid of 6 x 11 cells.
+inline std::string smallRockFile() {
+    using rocks::EditKind;
+    rocks::Preset preset;
+    preset.settings.emplace();
+    preset.settings->region = {{0, 0}, {5, 9}};
+    preset.edits = {{EditKind::Join, {3, 17, 30}},
+                    {EditKind::Part, {1, 40}},
+                    {EditKind::Cut, {2, 13, 24}},
+                    {EditKind::Rock, {7}},
+                    {EditKind::NotRock, {65}}};
+    preset.sha256 = std::string(64, 'a');
+    return rocks::rockPresetText(preset, 6, 11);
+}
+
+inline std::string smallNotebook() {
+    inspect::Notebook notebook;
+    notebook.targets = {{1, "keystone", 5, true, "2026-11-21T08:00:00Z", {{"Distance", "4.2 m"}}},
+                        {2, "", 60, false, "2026-11-21T08:01:00Z", {}}};
+    notebook.measures = {{inspect::MeasureKind::Distance, {5, 60}}};
+    return inspect::notebookText(notebook, {std::string(64, 'a'), "bell", 6, 11});
+}
+
+/// Two scans, one of them twice, and a line that a crash tore.
+inline std::string smallJournal() {
+    const auto row = [](const char* input, const char* finished) {
+        return nlohmann::ordered_json{{"input", input}, {"times", {{"finished_utc", finished}}}, {"picture", {"pictures.bin", 0, 7}}}
+                   .dump() +
+               "\n";
+    };
+    return row("a.json", "2026-11-21T08:00:00.000Z") + row("b.pcd", "2026-11-21T08:00:01.000Z") +
+           row("a.json", "2026-11-21T09:00:00.000Z") + row("c.las", "2026-11-21T09:00:01.000Z").substr(0, 40);
+}
+
+/// The same, and seeds of files that are not scans: telegrams, recordings (without their magic bytes), poses, calibrations, and the files
+/// that the programs write for themselves.
 inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     std::vector<SeedFile> seeds = seedFiles(lines, beams);
     const auto text = [](const auto& bytes) { return std::string(bytes.begin(), bytes.end()); };
@@ -192,6 +232,12 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     poses.talin = {{1.7e9, {498765.432, 5150123.456, 287.654}, 217.4, true, 5.75, -2.1}};
     seeds.push_back({"place", "", posesText(poses)});
     seeds.push_back({"session", "", inspect::sessionText(exampleSession("/scans/bell.json"), "/sessions", "2026-11-21T08:00:00Z")});
+    for (const edges::Preset& preset : edges::builtInPresets()) seeds.push_back({"preset", "", edges::presetText(preset)});
+    seeds.push_back({"preset", "", nlohmann::json{{"method", "canny"}, {"lower", 7}, {"near", "auto"}}.dump()});
+    seeds.push_back({"rock_file", "", smallRockFile()});
+    seeds.push_back({"rock_file", "", "0,1 3,4 5,10"});
+    seeds.push_back({"notebook", "", smallNotebook()});
+    seeds.push_back({"journal", "", smallJournal()});
     return seeds;
 }
 

@@ -5,6 +5,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/inspect/session_file/session_file.h"
 #include "tests/support/folders.h"
+#include "tests/support/robot_files.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
@@ -134,12 +135,13 @@ class StartsTest : public QObject {
             QStringList before; ///< the faulty file
             QStringList others;
         };
+        writeText(folder_ / "robot.json", test::calibrationText(test::exampleCalibration()));
         const std::vector<Kind> kinds{{"scan", ".json", {}, {}},
                                       {"session", inspect::kSessionEnding, {"--session"}, {}},
                                       {"compare", ".json", {"--compare"}, {scan_}},
-                                      {"calibration", ".json", {"--calibration"}, {scan_}},
+                                      {"calibration", ".json", {"--calibration"}, {scan_, "--pose", at("any-pose.json")}},
                                       {"live-calibration", ".json", {"--calibration"}, {"--live", silent_.address()}},
-                                      {"pose", ".json", {"--pose"}, {scan_}},
+                                      {"pose", ".json", {"--pose"}, {scan_, "--calibration", at("robot.json")}},
                                       {"preset", ".json", {"--preset"}, {scan_}}};
         for (const Kind& kind : kinds) {
             for (const Fault fault : kFaults) {
@@ -156,9 +158,9 @@ class StartsTest : public QObject {
         add("session of a missing scan", {"--session", session("of-missing", folder_ / "gone.json", identity)}, "gone");
         add("session of another scan", {"--session", session("of-another", scan_.toStdString(), other)}, "good");
         add("session of a broken scan", {"--session", session("of-broken", folder_ / "scan-broken.json", identity)}, "scan-broken");
-        add("session of a slow scan", {"--session", session("of-slow", folder_ / "scan-slow.json", identity)}, "of-slow");
+        add("session of a slow scan", {"--session", session("of-slow", folder_ / "scan-slow.json", identity)}, "slow");
         add("no session to continue", {"--continue"}, "session");
-        add("a pin outside", {"--pin", "99,5", scan_}, "line 99");
+        add("a pin outside", {scan_, "--pin", "99,5"}, "line 99");
         add("a scanner that refuses", {"--live", refusing_.address()}, refusing_.address());
         add("a silent scanner", {"--live", silent_.address()}, silent_.address());
         const QString of = session("good", scan_.toStdString(), identity);
