@@ -4,6 +4,7 @@
 #include "core/edges/settings/parameters.h"
 
 #include "app/shared/typed_settings.h"
+#include "core/base/foreign_text.h"
 #include "core/base/inputs.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -105,13 +106,13 @@ py::dict timesOf(const edges::Detection& detection) {
 }
 
 std::string textOf(const edges::Detection& detection) {
-    return "<edgescan.Result " + detection.scan->name + ": " + std::to_string(detection.edges->size()) + " edge cells of " +
+    return "<edgescan.Result " + printable(detection.scan->name) + ": " + std::to_string(detection.edges->size()) + " edge cells of " +
            std::to_string(detection.scan->cells()) + ">";
 }
 
 void bindResult(py::module_& module) {
     using D = std::shared_ptr<const edges::Detection>;
-    py::class_<ResultObject> type(module, "Result", "The edges that one run of the method found in one scan.");
+    Class<ResultObject> type(module, "Result", "The edges that one run of the method found in one scan.");
     // clang-format off
     const auto property = [&](const char* name, const auto& get, const char* help) {
         type.def_property_readonly(name, [get](const ResultObject& self) { return get(self.detection); }, help);

@@ -18,8 +18,23 @@ void raiseSignal() {
     if (PyErr_Occurred() != nullptr) throw py::error_already_set();
 }
 
+py::str nameOf(const std::string& bytes) {
+    PyObject* text = PyUnicode_DecodeFSDefaultAndSize(bytes.data(), static_cast<Py_ssize_t>(bytes.size()));
+    if (text == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(text);
+}
+
+double numberOf(const char* name, const py::object& value) {
+    return py::cast<double>(py::module_::import("edgescan").attr("_number")(name, value));
+}
+
 py::object objectOf(const nlohmann::ordered_json& json) {
-    return py::module_::import("json").attr("loads")(exports::reportText(json, false));
+    // jsonText() writes a byte that is not UTF-8 as \uef80 to \uefff, and Python's file names have \udc80 to \udcff for it.
+    std::string text = exports::reportText(json, false);
+    for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 2)) {
+        if (text.compare(at, 4, "\\uef") == 0 && text[at + 4] >= '8') text.replace(at + 2, 2, "dc");
+    }
+    return py::module_::import("json").attr("loads")(text);
 }
 
 namespace {
@@ -34,9 +49,9 @@ void bindError(py::module_& module) {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const Refused& refused) {
             const py::object error = type(refused.error.sentence());
-            error.attr("what") = refused.error.what;
-            error.attr("where") = refused.error.where;
-            error.attr("hint") = refused.error.hint;
+            error.attr("what") = nameOf(refused.error.what);
+            error.attr("where") = nameOf(refused.error.where);
+            error.attr("hint") = nameOf(refused.error.hint);
             PyErr_SetObject(type.ptr(), error.ptr());
         }
     });

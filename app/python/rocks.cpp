@@ -75,7 +75,7 @@ py::list tableOf(const rocks::RegionMap& map) {
 } // namespace
 
 void bindRocks(py::module_& module) {
-    py::class_<RocksObject> type(module, "Rocks", "Candidates for rocks at one level: geometry only, from one viewpoint.");
+    Class<RocksObject> type(module, "Rocks", "Candidates for rocks at one level: geometry only, from one viewpoint.");
     const auto property = [&](const char* name, const auto& get, const char* help) {
         type.def_property_readonly(
             name, [get](const RocksObject& self) { return get(self); }, help);
@@ -97,9 +97,9 @@ void bindRocks(py::module_& module) {
         "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.map->settings)); }, "What it was made with.");
     type.def(
         "at",
-        [](const RocksObject& self, double level) {
+        [](const RocksObject& self, const py::object& level) {
             rocks::RockSettings settings = self.map->settings;
-            const rocks::RockSettings checked = settingsOf({{"level", level}}, "");
+            const rocks::RockSettings checked = settingsOf({{"level", numberOf("level", level)}}, "");
             settings.level = checked.level;
             return unlocked([&] { return at(self.pieces, settings); });
         },

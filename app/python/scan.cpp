@@ -2,6 +2,7 @@
 #include "app/python/module.h"
 #include "core/edges/edgescan_plus/range_field.h"
 
+#include "core/base/foreign_text.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
@@ -77,14 +78,21 @@ py::object originOf(const Scan& scan) {
     return py::array_t<double>(3, scan.placement->originEnhM.data());
 }
 
+py::list warningsOf(const Scan& scan) {
+    py::list sentences;
+    for (const std::string& warning : scan.warnings) sentences.append(nameOf(warning));
+    return sentences;
+}
+
 std::string textOf(const Scan& scan) {
-    return "<edgescan.Scan " + scan.name + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams>";
+    return "<edgescan.Scan " + printable(scan.name) + ": " + std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) +
+           " beams>";
 }
 
 } // namespace
 
 void bindScan(py::module_& module) {
-    py::class_<ScanObject> type(module, "Scan", "A sweep as measured: lines x beams cells, each with a range and a state.");
+    Class<ScanObject> type(module, "Scan", "A sweep as measured: lines x beams cells, each with a range and a state.");
     // clang-format off
     const auto property = [&](const char* name, const auto& get, const char* help) {
         type.def_property_readonly(name, [get](const ScanObject& self) { return get(self.scan); }, help);
@@ -104,11 +112,11 @@ void bindScan(py::module_& module) {
     property("axis", [](const ScanPtr& s) { return axisOf(*s); }, "What the stepper turns about, 'spin' or 'sweep'. None as for beam_deg.");
     property("origin", [](const ScanPtr& s) { return originOf(*s); },
              "float64, 3: Easting, Northing, Elevation of the local zero, m. None without a place in the mine.");
-    property("name", [](const ScanPtr& s) { return s->name; }, "Short name.");
-    property("path", [](const ScanPtr& s) { return s->path; }, "File it was opened from; empty when made in memory.");
+    property("name", [](const ScanPtr& s) { return nameOf(s->name); }, "Short name.");
+    property("path", [](const ScanPtr& s) { return nameOf(s->path); }, "File it was opened from; empty when made in memory.");
     property("format", [](const ScanPtr& s) { return s->format; }, "What the file was recognised as.");
     property("sha256", [](const ScanPtr& s) { return s->sha256; }, "Of the file's bytes, lower-case hex.");
-    property("warnings", [](const ScanPtr& s) { return s->warnings; }, "Sentences about what was assumed, repaired or lost on reading.");
+    property("warnings", [](const ScanPtr& s) { return warningsOf(*s); }, "Sentences about what was assumed, repaired or lost on reading.");
     // clang-format on
     type.def(
         "xyz", [](const ScanObject& self, const std::string& frame) { return pointsOf(self.scan, frame); }, py::arg("frame") = "scanner",

@@ -110,7 +110,7 @@ py::object truthArrays(const SimulationObject& object) {
 } // namespace
 
 void bindSimulate(py::module_& module) {
-    py::class_<SimulationObject>(module, "Simulation", "A simulated scan, and its ground truth where it was asked for.")
+    Class<SimulationObject>(module, "Simulation", "A simulated scan, and its ground truth where it was asked for.")
         .def_property_readonly(
             "scan", [](const SimulationObject& self) { return ScanObject{self.scan}; }, "The scan.")
         .def_property_readonly("truth", &truthArrays,
@@ -119,7 +119,8 @@ void bindSimulate(py::module_& module) {
                                "(uint16), clean_mm (float32, mm: ranges without noise).")
         .def(
             "save_truth",
-            [](const SimulationObject& self, const std::string& folder) {
+            [](const SimulationObject& self, const py::object& name) {
+                const std::string folder = py::cast<std::string>(py::module_::import("os").attr("fsencode")(name));
                 unlocked([&] {
                     if (!self.simulation->truth) taken(truthOf(self));
                     return taken(sim::writeTruth(*self.simulation, self.settings, folder));

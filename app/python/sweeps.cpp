@@ -3,6 +3,8 @@
 
 #include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
+#include "core/base/number_text.h"
+#include "core/base/physical_limits.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
 
@@ -99,7 +101,9 @@ private:
 /// A live scanner: yields the newest state of the sweep after each change, and each finished sweep.
 class ConnectionObject {
 public:
-    ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record) : address_(address) {
+    ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record,
+                     std::optional<double> timeout)
+        : address_(address), timeout_(timeout) {
         const cli::HostPort typed = taken(cli::hostPort(address));
         scanner::SessionSettings scanner;
         scanner.host = typed.host;
@@ -123,15 +127,28 @@ public:
     ConnectionObject(const ConnectionObject&) = delete;
     ConnectionObject& operator=(const ConnectionObject&) = delete;
 
+    /// Returns at once without a time-out. Error: no line came; a recording without a byte of the scanner is removed.
+    void waitForFirstLine() {
+        if (!timeout_) return;
+        const auto end = endOf(timeout_);
+        while (feed_->status().lines == 0) {
+            if (Clock::now() >= end && feed_->status().statistics.stream.bytes == 0) {
+                unlocked([&] {
+                    feed_->discardRecording();
+                    return Done{};
+                });
+            }
+            waitUntil(end);
+        }
+    }
+
+    SweepObject next() { return next(timeout_); }
     SweepObject next(std::optional<double> timeout) {
-        const auto end = timeout ? Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*timeout))
-                                 : Clock::time_point::max();
+        const auto end = endOf(timeout);
         while (true) {
             if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
             if (stopped_) throw py::stop_iteration();
-            if (Clock::now() >= end) throw Refused{scanner::noLinesError(feed_->status().session, address_)};
-            unlocked([&] { return wait(end); });
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            waitUntil(end);
         }
     }
 
@@ -149,8 +166,8 @@ public:
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
         py::dict dict;
         dict["phase"] = scanner::connectionPhaseName(status.session.phase);
-        dict["sentence"] = status.session.sentence;
-        dict["scanner"] = status.scanner ? py::object(py::str(status.scanner->words())) : py::object(py::none());
+        dict["sentence"] = nameOf(status.session.sentence);
+        dict["scanner"] = status.scanner ? py::object(nameOf(status.scanner->words())) : py::object(py::none());
         dict["lines"] = status.lines;
         dict["undecodable"] = status.undecodable;
         dict["reconnects"] = status.statistics.reconnects;
@@ -160,6 +177,16 @@ public:
     }
 
 private:
+    static Clock::time_point endOf(std::optional<double> seconds) {
+        if (!seconds) return Clock::time_point::max();
+        return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+    }
+    /// Waits for a change. Error: `end` has passed.
+    void waitUntil(Clock::time_point end) {
+        if (Clock::now() >= end) throw Refused{scanner::noLinesError(feed_->status().session, address_)};
+        unlocked([&] { return wait(end); });
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
     std::optional<SweepObject> newest() {
         for (scanner::FinishedSweep& sweep : feed_->takeFinished()) {
             const bool yielded = sweep.progress.number == yielded_.number && sweep.progress.received == yielded_.received;
@@ -189,6 +216,7 @@ private:
     }
 
     std::string address_;
+    std::optional<double> timeout_;
     std::mutex mutex_; // protects changed_
     std::condition_variable wake_;
     bool changed_ = false;
@@ -201,15 +229,21 @@ private:
     std::unique_ptr<files::LiveFeed> feed_; // last member: its thread uses the members above
 };
 
+void checkTimeout(std::optional<double> timeout) {
+    if (!NumberLimits{0, 4e7}.hold(timeout.value_or(0)))
+        throw Refused{{shortestText(*timeout) + " seconds are out of reason", "timeout", "give 0 to 40000000, or None"}};
+}
+
 std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines,
                                           const std::optional<std::string>& axis, std::optional<double> firstLine,
                                           std::optional<double> lineStep, std::optional<double> ticksPerDegree,
-                                          const std::string& calibration, bool standing) {
+                                          const std::string& calibration, bool standing, std::optional<double> timeout) {
     if (axis && *axis != "spin" && *axis != "sweep") throw Refused{{"\"" + *axis + "\" is no axis", "axis", "use spin or sweep"}};
     if (expectedLines < 0 || expectedLines > 20000)
         throw Refused{{std::to_string(expectedLines) + " lines are out of reason", "expected_lines", "give 0 to 20000"}};
     if (!physical::kBeamDeg.hold(firstLine.value_or(0)) || !NumberLimits{-90, 90}.hold(lineStep.value_or(0)))
         throw Refused{{"the line angles are out of reason", "first_line, line_step", "give degrees, -360 to 360 and -90 to 90"}};
+    checkTimeout(timeout);
     cli::Mounting mounting{.lineStepDeg = lineStep,
                            .firstLineDeg = firstLine,
                            .ticksPerDeg = ticksPerDegree,
@@ -217,11 +251,13 @@ std::unique_ptr<ConnectionObject> connect(const std::string& address, const std:
                            .expectedLines = expectedLines,
                            .standing = standing};
     if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
-    return std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record);
+    auto connection = std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record, timeout);
+    connection->waitForFirstLine();
+    return connection;
 }
 
 void bindSweep(py::module_& module) {
-    py::class_<SweepObject> type(module, "Sweep", "A sweep as it was at one moment while its lines arrived.");
+    Class<SweepObject> type(module, "Sweep", "A sweep as it was at one moment while its lines arrived.");
     const auto property = [&](const char* name, const auto& get, const char* help) {
         type.def_property_readonly(
             name, [get](const SweepObject& self) { return get(self); }, help);
@@ -253,24 +289,34 @@ void bindSweep(py::module_& module) {
 
 void bindSweeps(py::module_& module) {
     bindSweep(module);
-    py::class_<ReplayObject>(module, "Replay", "Iterator over a recording.")
-        .def(py::init<const std::string&, int, double, const std::string&, const std::string&>())
+    Class<ReplayObject>(module, "Replay", "Iterator over a recording.")
         .def("__iter__", [](py::object self) { return self; })
         .def("__next__", &ReplayObject::next);
-    py::class_<ConnectionObject>(module, "Connection",
-                                 "A scanner: iterator over its growing sweep, and context manager that ends the session.")
+    Class<ConnectionObject>(module, "Connection", "A scanner: iterator over its growing sweep, and context manager that ends the session.")
         .def("__iter__", [](py::object self) { return self; })
-        .def("__next__", [](ConnectionObject& self) { return self.next(std::nullopt); })
-        .def("next", &ConnectionObject::next, py::arg("timeout") = py::none(),
-             "The next change; Error where none comes within `timeout` seconds, which says what the session waits for.")
+        .def("__next__", [](ConnectionObject& self) { return self.next(); })
+        .def(
+            "next",
+            [](ConnectionObject& self, const py::object& timeout) {
+                if (timeout.is_none()) return self.next();
+                const double seconds = numberOf("timeout", timeout);
+                checkTimeout(seconds);
+                return self.next(seconds);
+            },
+            py::arg("timeout") = py::none(),
+            "The next change. Error if none comes within `timeout` seconds, by default those of connect(); it says what the session waits "
+            "for.")
         .def("__enter__", [](py::object self) { return self; })
         .def("__exit__", [](ConnectionObject& self, const py::args&) { self.stop(); })
         .def("stop", &ConnectionObject::stop, "Ends the session and closes the recording.")
         .def_property_readonly("status", &ConnectionObject::status,
                                "A dict: phase, sentence, scanner, lines, undecodable, reconnects, sweep, recording.");
+    module.def("replay", [](const std::string& path, int every, double speed, const std::string& pose, const std::string& calibration) {
+        return std::make_unique<ReplayObject>(path, every, speed, pose, calibration);
+    });
     module.def("connect", &connect, py::arg("address"), py::arg("record"), py::arg("expected_lines"), py::arg("axis").none(true),
                py::arg("first_line").none(true), py::arg("line_step").none(true), py::arg("ticks_per_degree").none(true),
-               py::arg("calibration"), py::arg("standing"));
+               py::arg("calibration"), py::arg("standing"), py::arg("timeout").none(true));
 }
 
 } // namespace edgescan::python

@@ -6,6 +6,7 @@
 #include "app/viewer/wanted.h"
 #include "core/base/version.h"
 #include "ui/base/language/languages.h"
+#include "ui/base/shown_text.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -30,9 +31,9 @@ using namespace edgescan::viewer;
 // Opens the scans and files of the command line.
 void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const CommandLine& wanted, const ParsedCommandLine& understood) {
     QStringList files;
-    for (const std::string& file : wanted.files) files << QString::fromStdString(file);
+    for (const std::string& file : wanted.files) files << ui::exactText(file);
     if (!wanted.session.empty())
-        window.sessions().openSession(QString::fromStdString(wanted.session));
+        window.sessions().openSession(ui::exactText(wanted.session));
     else if (wanted.goOn)
         window.sessions().continueLast();
     else if (!files.isEmpty())

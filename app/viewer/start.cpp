@@ -2,6 +2,7 @@
 #include "app/viewer/start.h"
 
 #include "app/shared/exits.h"
+#include "ui/base/shown_text.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/window/main_window.h"
 
@@ -50,7 +51,7 @@ void Start::pinAndCompare() {
                          "give a cell of its " + std::to_string(scan.lines()) + " lines and " + std::to_string(scan.beams()) + " beams"}
                        .sentence());
     }
-    if (!wanted_.compare.empty()) window_.viewer().comparing.compareWith(QString::fromStdString(wanted_.compare));
+    if (!wanted_.compare.empty()) window_.viewer().comparing.compareWith(ui::exactText(wanted_.compare));
 }
 
 void Start::look() {
@@ -95,7 +96,7 @@ void Start::quit() {
 
 void Start::takeScreenshot() {
     look_.stop();
-    const Result<Done> written = window_.viewer().exports.saveScreenshot(window_.screenshot(), QString::fromStdString(wanted_.screenshot));
+    const Result<Done> written = window_.viewer().exports.saveScreenshot(window_.screenshot(), ui::exactText(wanted_.screenshot));
     if (!written) cli::printError(written.error());
     end(written ? cli::kDone : cli::kRefused);
 }

@@ -9,7 +9,6 @@
 #include "ui/base/language/languages.h"
 
 #include <CLI/CLI.hpp>
-#include <QString>
 
 namespace edgescan::viewer {
 namespace {
@@ -35,21 +34,6 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
         places.push_back({static_cast<int>(line), static_cast<int>(beam)});
     }
     return places;
-}
-
-// Qt stores file names as Unicode: a name with other bytes would open a different file.
-std::optional<Error> unusableName(const CommandLine& wanted) {
-    std::vector<std::string> names = wanted.files;
-    names.push_back(wanted.screenshot);
-    names.push_back(wanted.compare);
-    names.push_back(wanted.session);
-    names.push_back(wanted.read.options.pose);
-    names.push_back(wanted.read.options.calibration);
-    for (const std::string& name : names) {
-        if (QString::fromStdString(name).toStdString() != name)
-            return Error{"the window cannot open a name that is no UTF-8", name, "rename the file, or use edgescan-cli"};
-    }
-    return std::nullopt;
 }
 
 /// Finds flags that contradict each other.
@@ -100,7 +84,6 @@ void addFlags(CLI::App& app, CommandLine& wanted) {
 }
 
 std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood) {
-    if (const auto none = unusableName(wanted)) return Refusal{*none, cli::kRefused};
     if (const auto wrong = contradiction(wanted)) return Refusal{*wrong, cli::kWrongUsage};
     if (auto refused = understandScanner(wanted, understood)) return refused;
     const auto pins = pinsOf(wanted.pins);

@@ -33,6 +33,9 @@ Error readError(const fs::path& path, int code) {
     switch (code) {
     case ENOENT:
     case ENOTDIR:
+        if (path.string().find("\xEF\xBF\xBD") != std::string::npos) // U+FFFD, as Qt's file dialogs write a byte that is not UTF-8
+            return {"there is no such file; a name with other bytes than UTF-8 does not come through a file dialog", path.string(),
+                    "give the name on the command line, drag the file into the window, or rename it"};
         return {"there is no such file", path.string(), "check the spelling and the folder"};
     case EACCES:
     case EPERM:

@@ -4,7 +4,9 @@ Run by ctest (python.module) with PYTHONPATH, EDGESCAN_CLI, EDGESCAN_SOURCE and 
 """
 import ast
 import contextlib
+import copy
 import doctest
+import fractions
 import gc
 import hashlib
 import importlib.util
@@ -14,6 +16,7 @@ import os
 import pathlib
 import re
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -356,6 +359,105 @@ class Threads(unittest.TestCase):
         self.assertNotEqual(process.returncode, 0)
 
 
+class Types(unittest.TestCase):
+    def classes(self):
+        return [getattr(edgescan, name) for name in edgescan.__all__ if inspect.isclass(getattr(edgescan, name)) and name != "Error"]
+
+    def test_no_object_without_content(self):
+        self.assertGreaterEqual(len(self.classes()), 7)
+        for bound in self.classes():
+            derived = type("Derived", (bound,), {})
+            calls = [lambda: bound.__new__(bound), lambda: bound(), lambda: object.__new__(bound), lambda: derived.__new__(derived),
+                     lambda: bound.__mro__[1].__new__(bound), lambda: copy.copy(self.objects()[bound]) if bound in self.objects() else bound()]
+            for call in calls:
+                with self.subTest(bound=bound, call=inspect.getsource(calls[0])), self.assertRaises(TypeError):
+                    call()
+
+    def objects(self):
+        if not hasattr(Types, "made"):
+            bell = edgescan.simulate(lines=60, beams=80)
+            result = edgescan.detect(bell.scan)
+            Types.made = {edgescan.Simulation: bell, edgescan.Scan: bell.scan, edgescan.Result: result, edgescan.Rocks: edgescan.rocks(result),
+                          edgescan.Replay: edgescan.replay(recording_file())}
+        return Types.made
+
+    def test_values_of_other_types(self):
+        scan, result = self.objects()[edgescan.Scan], self.objects()[edgescan.Result]
+        path = bell_file()
+        for call in (lambda v: edgescan.detect(scan, jump=v), lambda v: edgescan.rocks(result, level=v), lambda v: self.objects()[edgescan.Rocks].at(v),
+                     lambda v: edgescan.simulate(lines=v, beams=80), lambda v: edgescan.open(path, line_step=v),
+                     lambda v: edgescan.replay(recording_file(), speed=v), lambda v: edgescan.connect("127.0.0.1:1", first_line=v),
+                     lambda v: edgescan.connect("127.0.0.1:1", timeout=v)):
+            for value in (b"x", b"12", bytearray(b"12"), memoryview(b"12"), True, False, np.True_, 1j, object(), {}, [b"12"]):
+                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
+                    call(value)
+        for call in (lambda v: edgescan.replay(recording_file(), every=v), lambda v: edgescan.simulate(seed=v, lines=60, beams=80),
+                     lambda v: edgescan.connect("127.0.0.1:1", expected_lines=v), lambda v: edgescan.rocks(result, region=[(v, 1), (2, 2)])):
+            for value in (b"1", "1", 1.5, True, None, np.float64(1)):
+                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
+                    call(value)
+        for call in (lambda v: edgescan.detect(scan, slips=v), lambda v: edgescan.open(path, straighten=v),
+                     lambda v: edgescan.save(scan, HERE / "types.pcd", ascii=v), lambda v: edgescan.simulate(lines=60, beams=80, truth=v),
+                     lambda v: edgescan.save(scan, HERE / "types.pcd", comments=v), lambda v: edgescan.connect("127.0.0.1:1", standing=v)):
+            for value in (b"on", 1, 0, 1.0, [], "yes"):
+                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
+                    call(value)
+        for call in (lambda v: edgescan.detect(scan, method=v), lambda v: edgescan.simulate(scene=v), lambda v: edgescan.connect(v),
+                     lambda v: edgescan.save(scan, HERE / "types.pcd", role=v), lambda v: edgescan.save(scan, HERE / "types.pcd", frame=v),
+                     lambda v: edgescan.detect(scan, classes=v)):
+            for value in (b"x", 1, True, np.float64(1)):
+                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
+                    call(value)
+        for call in (edgescan.open, lambda v: edgescan.save(scan, v), edgescan.replay, lambda v: edgescan.detect(scan, preset=v),
+                     lambda v: edgescan.open(path, pose=v), lambda v: edgescan.connect("127.0.0.1:1", record=v)):
+            for value in (1, True, 1.5, [b"x"], object()):
+                with self.subTest(call=str(call), value=value), self.assertRaises(TypeError):
+                    call(value)
+
+    def test_numbers_of_any_kind(self):
+        scan = self.objects()[edgescan.Scan]
+        wanted = edgescan.detect(scan, jump=40).mask_sha256
+        for value in (40.0, "40", np.int8(40), np.uint64(40), np.float32(40), np.float64(40), fractions.Fraction(40)):
+            self.assertEqual(edgescan.detect(scan, jump=value).mask_sha256, wanted, repr(value))
+        for value in (float("nan"), float("inf"), -float("inf"), np.nan, np.float32("inf"), 10**400, -(10**400)):
+            for call in (lambda v: edgescan.detect(scan, jump=v), lambda v: edgescan.rocks(edgescan.detect(scan), level=v),
+                         lambda v: edgescan.replay(recording_file(), speed=v), lambda v: edgescan.connect("127.0.0.1:1", timeout=v)):
+                with self.subTest(value=value), self.assertRaises(edgescan.Error):
+                    call(value)
+        self.assertEqual(edgescan.detect(scan, jump=None).mask_sha256, edgescan.detect(scan).mask_sha256)
+
+
+class Names(unittest.TestCase):
+    def test_names_that_are_not_utf8(self):
+        folder = os.fsencode(HERE) + b"/d\xfe"
+        os.makedirs(folder, exist_ok=True)
+        scans = {}
+        for seed, name in enumerate((b"a\xfe.pcd", b"a\xff.pcd", b"a\xee\xbe\xbf.pcd", b"a\\xff.pcd")):
+            path = folder + b"/" + name
+            scan = edgescan.simulate(seed=seed + 1, lines=60, beams=80).scan
+            edgescan.save(scan, path)
+            for given in (path, os.fsdecode(path), pathlib.Path(os.fsdecode(path))):
+                opened = edgescan.open(given)
+                np.testing.assert_array_equal(opened.range_mm, scan.range_mm)
+                self.assertEqual(os.fsencode(opened.path), path)
+                self.assertEqual(os.fsencode(opened.info()["input"]), path)
+                self.assertEqual(os.fsencode(edgescan.detect(opened).report()["input"]), path)
+                repr(opened), repr(edgescan.detect(opened)), opened.warnings, opened.name
+            scans[path] = opened.sha256
+            mask = path[:-4] + b".png"
+            edgescan.save(edgescan.detect(opened), mask)
+            self.assertIn("identical", cli("verify", os.fsdecode(mask), "--scans", os.fsdecode(folder)).stdout)
+        self.assertEqual(len(set(scans.values())), 4)
+        with self.assertRaises(edgescan.Error) as caught:
+            edgescan.open(folder + b"/nothing\xff")
+        self.assertEqual(os.fsencode(caught.exception.where), folder + b"/nothing\xff")
+        self.assertIn("\\xff", str(caught.exception))
+        edgescan.simulate(lines=60, beams=80, truth=True).save_truth(folder + b"/truth\xff")
+        self.assertTrue(os.path.exists(folder + b"/truth\xff/gt_class.png"))
+        with self.assertRaises(edgescan.Error):
+            edgescan.replay(folder + b"/a\xff.pcd")
+
+
 class Sweeps(unittest.TestCase):
     def test_replay_ends_with_what_open_gives(self):
         recording = recording_file()
@@ -392,9 +494,25 @@ class Sweeps(unittest.TestCase):
             self.assertNotIn("the axis", told[0])
 
     def test_nobody_there(self):
-        with edgescan.connect("127.0.0.1:1") as scanner, self.assertRaisesRegex(edgescan.Error, "127.0.0.1"):
+        record = HERE / "nobody.mcap"
+        with self.assertRaisesRegex(edgescan.Error, "127.0.0.1"):
+            edgescan.connect("127.0.0.1:1", timeout=1, record=record)
+        self.assertFalse(record.exists())
+        with edgescan.connect("127.0.0.1:1", timeout=None) as scanner, self.assertRaisesRegex(edgescan.Error, "127.0.0.1"):
             scanner.next(timeout=1)
         self.assertEqual(list(scanner), [])
+
+    def test_a_peer_that_says_nothing(self):
+        with socket.create_server(("127.0.0.1", 0)) as silent:
+            with self.assertRaises(edgescan.Error):
+                edgescan.connect(f"127.0.0.1:{silent.getsockname()[1]}", timeout=1)
+
+    def test_a_scanner_that_falls_silent(self):
+        small = bell_file("small.json", 5, 40, 96)
+        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, timeout=2) as scanner:
+            with self.assertRaises(edgescan.Error):
+                for _ in scanner:  # the emulated scanner stops after the last line
+                    pass
 
 
 class Documents(unittest.TestCase):

@@ -4,6 +4,7 @@
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
 #include "ui/controllers/files/calibrating.h"
 #include "ui/panels/dialogs/calibration_card.h"
@@ -13,6 +14,7 @@
 #include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
+#include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -217,6 +219,50 @@ private slots:
         QCoreApplication::sendEvent(&window, &drop);
         QVERIFY(on.settled());
         QCOMPARE(QString::fromStdString(window.viewer().engine.picture()->detection->scan->path), QString::fromStdString(real_));
+    }
+
+    void aNameThatIsNotUtf8IsOpenedAndRemembered() {
+        const std::string place = (folder_ / "d\xfd").string();
+        std::filesystem::create_directories(place);
+        const std::string first = place + "/n\xfe.json", second = place + "/n\xff.json";
+        QVERIFY(files::saveScan(test::boxesScan(30, 40, 8), first));
+        QVERIFY(files::saveScan(test::boxesScan(31, 40, 9), second));
+        const QString ini = exactText((folder_ / "names.ini").string());
+        const auto shown = [](WindowFixture& on) { return on.viewer.engine.picture()->detection->scan->path; };
+        {
+            WindowFixture on(ini);
+            QVERIFY(on.show());
+            on.viewer.files.open({exactText(first)});
+            QVERIFY(on.settled());
+            QCOMPARE(shown(on), first);
+            on.viewer.files.step(1); // the next one in its folder
+            QVERIFY(eventually([&] { return shown(on) == second && !on.viewer.engine.working(); }));
+            QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+            on.viewer.engine.save(exports::ExportContent::EdgeImage, exactText(place + "/mask\xff.png"));
+            QVERIFY(eventually([&] { return saved.count() == 1 && !on.viewer.engine.working(); }));
+            QVERIFY(std::filesystem::exists(place + "/mask\xff.png"));
+            QVERIFY2(on.viewer.notice.text().contains("mask\\xff.png"), qPrintable(on.viewer.notice.text()));
+        }
+        WindowFixture on(ini);
+        QVERIFY(on.show());
+        QCOMPARE(on.preferences.recentFiles().mid(0, 2), QStringList({exactText(second), exactText(first)}));
+        QMenu menu;
+        on.viewer.files.fillRecent(menu);
+        QVERIFY(menu.actions()[1]->isEnabled());
+        QVERIFY2(menu.actions()[1]->text().startsWith("n\\xfe.json"), qPrintable(menu.actions()[1]->text()));
+        menu.actions()[1]->trigger();
+        QVERIFY(on.settled());
+        QCOMPARE(shown(on), first);
+        QMimeData mime;
+        mime.setUrls({QUrl::fromEncoded("file://" + QByteArray::fromStdString(second).toPercentEncoding("/"))});
+        QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&on.window, &drop);
+        QVERIFY(eventually([&] { return shown(on) == second && !on.viewer.engine.working(); }));
+        // A file dialog of Qt replaces the byte.
+        QSignalSpy failures(&on.viewer.engine, &Engine::failed);
+        on.viewer.files.open({exactText(place + "/n\xef\xbf\xbd.json")});
+        QVERIFY(eventually([&] { return failures.count() == 1; }));
+        QVERIFY2(on.viewer.notice.text().contains("does not come through a file dialog"), qPrintable(on.viewer.notice.text()));
     }
 
     // Also after every kind of work on it: a large scan does not stay in memory while the next one is on the screen.

@@ -225,9 +225,14 @@ private slots:
             test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot-lines 5000 --screenshot " + picture + " " + placed_);
         QCOMPARE(few.code, 1);
         QVERIFY2(few.err.find("60 lines") != std::string::npos, few.err.c_str());
-        const auto bytes = test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot " + picture + " 'no\xff.json'");
-        QCOMPARE(bytes.code, 1);
-        QVERIFY2(bytes.err.find("UTF-8") != std::string::npos, bytes.err.c_str());
+        const auto missing = test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot " + picture + " 'no\xff.json'");
+        QCOMPARE(missing.code, 1);
+        QVERIFY2(missing.err.find("no\\xff.json") != std::string::npos, missing.err.c_str());
+        const std::string odd = (folder_ / "odd\xff.pcd").string(), oddPicture = (folder_ / "odd\xff.png").string();
+        QVERIFY(files::saveScan(test::boxesScan(30, 40, 8), odd));
+        const auto bytes = test::runProgram("edgescan", "--no-settings --quit-after 60 --screenshot '" + oddPicture + "' '" + odd + "'");
+        QVERIFY2(bytes.code == 0, bytes.err.c_str());
+        QVERIFY(std::filesystem::exists(oddPicture));
         for (const char* flag : {"--quit-after", "--expected-lines", "--ticks-per-degree", "--screenshot-lines", "--beam-step"}) {
             const auto wrong = test::runProgram("edgescan", std::string(flag) + " nan");
             QCOMPARE(wrong.code, 2);

@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <filesystem>
+
 namespace edgescan::ui {
 
 QString shownText(const std::string& text) {
@@ -19,10 +21,10 @@ QString shownText(const std::string& text) {
     return lines.join('\n');
 }
 
-QString shownText(const QString& text) { return shownText(text.toStdString()); }
+QString shownText(const QString& text) { return shownText(exactBytes(text)); }
 
 QString shownName(const QString& name, int mostCharacters) {
-    const QString whole = QString::fromStdString(printable(name.toStdString()));
+    const QString whole = QString::fromStdString(printable(exactBytes(name)));
     if (whole.size() <= mostCharacters) return whole;
     const int head = mostCharacters * 2 / 3;
     return whole.left(head).trimmed() + QStringLiteral("…") + whole.right(mostCharacters - head - 1).trimmed();
@@ -33,6 +35,19 @@ QString shortLength(double metres) {
     return QString::number(metres, 'g', 3) + " m";
 }
 
-QString exactText(const std::string& text) { return QString::fromStdString(text); }
+QString exactText(const std::string& text) { return QString::fromStdString(escapedBytes(text)); }
+
+std::string exactBytes(const QString& text) { return unescapedBytes(text.toStdString()); }
+
+bool isFile(const QString& path) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(exactBytes(path), none);
+}
+
+QString absolutePath(const QString& path) {
+    std::error_code problem;
+    const auto absolute = std::filesystem::absolute(exactBytes(path), problem);
+    return problem ? path : exactText(absolute.lexically_normal().string());
+}
 
 } // namespace edgescan::ui

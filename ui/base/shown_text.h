@@ -18,7 +18,15 @@ namespace edgescan::ui {
 /// Millimetres below 0.1 m, else metres with three digits: "53 mm", "0.532 m", "12.3 m".
 [[nodiscard]] QString shortLength(double metres);
 
-/// For paths, settings and the clipboard: unchanged.
+/// For paths, settings and the clipboard: unchanged. A byte that is not UTF-8, as a file name may hold it, is one character
+/// (core/base/foreign_text.h, escapedBytes()).
 [[nodiscard]] QString exactText(const std::string& text);
+
+/// The bytes that exactText() was given: for each path on its way out of the window.
+[[nodiscard]] std::string exactBytes(const QString& text);
+
+/// Qt's functions of files do not know these names. Each of the following does.
+[[nodiscard]] bool isFile(const QString& path);
+[[nodiscard]] QString absolutePath(const QString& path);
 
 } // namespace edgescan::ui

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const LinkedViews& views, const QUndoStack& undo, NoticeBar& notice)
     : engine_(engine), views_(views), notice_(notice) {
     if (folder.isEmpty()) return;
-    log_.emplace(std::filesystem::path(folder.toStdString()) / "audit.jsonl");
+    log_.emplace(std::filesystem::path(exactBytes(folder)) / "audit.jsonl");
     connect(&engine, &Engine::streamChanged, this, [this] {
         pinned_.reset();
         note("opened", scanShown());
@@ -58,7 +58,7 @@ void AuditTrail::note(const std::string& event, const Json& details) {
 void AuditTrail::noteExport(const std::string& content, const QString& path, std::optional<qint64> count) {
     Json details = scanShown();
     details["content"] = content;
-    details["file"] = path.toStdString();
+    details["file"] = exactBytes(path);
     if (count) details["count"] = *count;
     note("exported", details);
 }

@@ -149,7 +149,7 @@ void Live::reportSweepEnd() {
 void Live::loadTimeline(const QString& path) {
     fileScan_ = nullptr;
     if (QFileInfo(path).suffix().compare("mcap", Qt::CaseInsensitive) == 0)
-        timeline_.load(path.toStdString(), files_.options());
+        timeline_.load(exactBytes(path), files_.options());
     else
         timeline_.clear();
 }

@@ -43,8 +43,8 @@ void ScanReport::ask() {
 std::string ScanReport::commandFor(const edges::Detection& detection, const QString& path) const {
     const Scan& scan = *detection.scan;
     if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
-    std::string command = "edgescan-cli report " + shellQuoted(QFileInfo(exactText(scan.path)).absoluteFilePath().toStdString()) + " -o " +
-                          shellQuoted(path.toStdString());
+    std::string command =
+        "edgescan-cli report " + shellQuoted(exactBytes(absolutePath(exactText(scan.path)))) + " -o " + shellQuoted(exactBytes(path));
     const std::string reading = readingFlags(files_.options());
     command += (reading.empty() ? "" : " " + reading) + " " + edges::settingsFlags(detection.settings);
     std::string missing; // a remark in shell syntax
@@ -53,11 +53,11 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
         if (kept.isEmpty())
             missing = " # without what was pinned and measured: no file keeps it";
         else
-            command += " --targets " + shellQuoted(kept.toStdString());
+            command += " --targets " + shellQuoted(exactBytes(kept));
     }
     if (const auto& compared = comparing_.comparison(); compared && compared->isOfTwoScans()) {
         const std::string& before = compared->asked.before->detection->scan->path;
-        if (!before.empty()) command += " --before " + shellQuoted(QFileInfo(exactText(before)).absoluteFilePath().toStdString());
+        if (!before.empty()) command += " --before " + shellQuoted(exactBytes(absolutePath(exactText(before))));
     }
     if (!rocks_.shown()) return command + missing;
     command += " --rocks";
@@ -88,7 +88,7 @@ void ScanReport::writeTo(const QString& path) {
                 notes.change = &compared->change;
                 notes.earlier = compared->isOfTwoScans() ? before.scan->name : "this scan by other settings";
             }
-            const auto written = writeWholeFile(path.toStdString(), exports::scanPage(*detection, words, notes));
+            const auto written = writeWholeFile(exactBytes(path), exports::scanPage(*detection, words, notes));
             return [this, written, path] {
                 if (!written) return notice_.showError(written.error());
                 notice_.showSaved(path, tr("a page for any browser"));

@@ -52,7 +52,7 @@ Tuning::Tuning(Engine& engine, EdgesPanel& panel, NoticeBar& notice, Preferences
 
 void Tuning::recall() {
     const QString preset = preferences_.text("edges/preset");
-    if (const auto found = edges::findPreset(preset.toStdString()); !preset.isEmpty() && found) panel_.setPreset(*found);
+    if (const auto found = edges::findPreset(exactBytes(preset)); !preset.isEmpty() && found) panel_.setPreset(*found);
     if (!preferences_.flag("edges/ratio-locked", true)) panel_.setRatioLocked(false);
     useSettings(preferences_.settings(engine_.settings()));
 }
@@ -135,7 +135,7 @@ void Tuning::askOpenPreset() {
         QFileDialog::getOpenFileName(panel_.window(), tr("Open preset"), preferences_.folder("presets"), tr("EdgeScan presets (*.json)"));
     if (path.isEmpty()) return;
     preferences_.keepFolder("presets", path);
-    if (const Result<edges::Preset> preset = edges::findPreset(path.toStdString()); preset)
+    if (const Result<edges::Preset> preset = edges::findPreset(exactBytes(path)); preset)
         usePreset(*preset);
     else
         notice_.showError(preset.error());
@@ -145,14 +145,13 @@ void Tuning::askSavePreset() {
     SaveQuestion question{tr("Save preset"), preferences_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
     // Scans use this extension too.
     question.keeps = [](const QString& there) {
-        return edges::findPreset(there.toStdString()) ? QString()
-                                                      : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
+        return edges::findPreset(exactBytes(there)) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;
     preferences_.keepFolder("presets", path);
-    const edges::Preset preset{QFileInfo(path).completeBaseName().toStdString(), "", engine_.settings(), path.toStdString()};
-    if (const Result<Done> written = writeWholeFile(path.toStdString(), edges::presetText(preset)); written)
+    const edges::Preset preset{exactBytes(QFileInfo(path).completeBaseName()), "", engine_.settings(), exactBytes(path)};
+    if (const Result<Done> written = writeWholeFile(exactBytes(path), edges::presetText(preset)); written)
         usePreset(preset);
     else
         notice_.showError(written.error());

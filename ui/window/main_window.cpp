@@ -291,7 +291,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls()) {
-        if (url.isLocalFile()) paths << url.toLocalFile();
+        // url.toLocalFile() loses bytes that are not UTF-8
+        if (url.isLocalFile()) paths << exactText(QByteArray::fromPercentEncoding(url.path(QUrl::FullyEncoded).toLatin1()).toStdString());
     }
     if (!paths.isEmpty()) event->acceptProposedAction();
     sessions_->open(paths);

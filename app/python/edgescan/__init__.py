@@ -16,6 +16,7 @@ line prints. Names of flags have _ where the command line has -.
 """
 import difflib as _difflib
 import inspect as _inspect
+import math as _math
 import numbers as _numbers
 import os as _os
 
@@ -43,29 +44,94 @@ def _name(key):
     return key.replace("-", "_")
 
 
-def _typed(value):
-    """A value as it is typed on the command line."""
+def _refused(name, wanted, value):
+    return TypeError(f"{name} must be {wanted}, not {type(value).__name__}")
+
+
+def _is_bool(value):
+    return isinstance(value, bool) or type(value).__name__ in ("bool_", "bool")
+
+
+def _number(name, value):
+    if not isinstance(value, _numbers.Real) or _is_bool(value):
+        raise _refused(name, "a number", value)
+    try:
+        return float(value)
+    except OverflowError:
+        return _math.inf if value > 0 else -_math.inf
+
+
+def _whole(name, value):
+    if not isinstance(value, _numbers.Integral) or _is_bool(value):
+        raise _refused(name, "a whole number", value)
+    return int(value)
+
+
+def _switch(name, value):
+    if not _is_bool(value):
+        raise _refused(name, "True or False", value)
+    return bool(value)
+
+
+def _word(name, value):
+    if not isinstance(value, str):
+        raise _refused(name, "a str", value)
+    return value
+
+
+def _path(name, value):
+    """The bytes of a path, which need not be UTF-8."""
+    try:
+        return _os.fsencode(value)
+    except TypeError:
+        raise _refused(name, "a path: str, bytes or PathLike", value) from None
+
+
+def _list(name, wanted, values):
+    if isinstance(values, (bytes, bytearray, memoryview)):
+        raise _refused(name, wanted, values)
+    try:
+        return list(values)
+    except TypeError:
+        raise _refused(name, wanted, values) from None
+
+
+def _number_text(name, value):
+    return str(_whole(name, value)) if isinstance(value, _numbers.Integral) else repr(_number(name, value))
+
+
+def _typed(name, value, row):
+    """A value as it is typed on the command line. TypeError if its type is not one of the row's."""
+    kind, choices = row.get("kind"), row.get("choices") or []
+    if kind == "path":
+        return _path(name, value)
+    if kind == "switch" or choices == ["off", "on"]:
+        if isinstance(value, str) and value in choices:
+            return value
+        return "on" if _switch(name, value) else "off"
     if isinstance(value, str):
         return value
-    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
-        return "on" if value else "off"
-    if isinstance(value, _numbers.Integral):
-        return str(int(value))
-    if isinstance(value, _numbers.Real):
-        return repr(float(value))
-    if isinstance(value, _os.PathLike):
-        return _os.fspath(value)
-    return ",".join(_typed(each) for each in value)
+    if kind == "three numbers":
+        return ",".join(_number_text(name, each) for each in _list(name, "a str or three numbers", value))
+    if row.get("several"):
+        return ",".join(_word(name, each) for each in _list(name, "a str or a list of them", value))
+    if choices and not choices[0].isdigit():
+        return _word(name, value)
+    return _number_text(name, value)
 
 
-def _all_typed(given, rows):
-    """The keywords that were given, as texts by key. TypeError for one that no row has."""
-    keys = {_name(row["key"]): row["key"] for row in rows}
+def _all_typed(given, rows, typed=_typed):
+    """The keywords that were given, by key. TypeError for one that no row has."""
+    by_name = {_name(row["key"]): row for row in rows}
     for name in given:
-        if name not in keys:
-            near = _difflib.get_close_matches(name, keys, 1)
+        if name not in by_name:
+            near = _difflib.get_close_matches(name, by_name, 1)
             raise TypeError(f"there is no keyword {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
-    return {keys[name]: _typed(value) for name, value in given.items() if value is not None}
+    return {by_name[name]["key"]: typed(name, value, by_name[name]) for name, value in given.items() if value is not None}
+
+
+def _all_numbers(given, rows):
+    return _all_typed(given, rows, lambda name, value, row: _number(name, value))
 
 
 def _help(row):
@@ -99,6 +165,7 @@ def _keywords(*tables):
 _READING = _edgescan.reading_options()
 _PARAMETERS = _edgescan.parameters()
 _CHOICES = [dict(row, kind="switch") for row in _edgescan.writing_choices()]
+_SWITCHES = [{"key": key, "kind": "switch"} for key in ("ascii", "include-attached", "footprint", "mixed-pixels", "echo-loss", "after-blast", "truth")]
 _ROCKS = _edgescan.rock_parameters()
 _NUMBERS = [dict(row, default=f"{row['default']:g}") for row in _edgescan.simulation_numbers()]
 
@@ -111,7 +178,7 @@ def open(path, **reading):
     >>> scan.range_mm.shape == scan.state.shape == (scan.lines, scan.beams)
     True
     """
-    return _edgescan.open(_os.fspath(path), _all_typed(reading, _READING))
+    return _edgescan.open(_path("path", path), _all_typed(reading, _READING))
 
 
 @_keywords(("Parameters, as the sliders of the viewer and the flags of the command line:", _PARAMETERS))
@@ -126,7 +193,7 @@ def detect(scan, *, preset=None, **parameters):
     >>> bool(((result.strength >= 10) == (result.mask > 0)).all())
     True
     """
-    return _edgescan.detect(scan, _all_typed(parameters, _PARAMETERS), "" if preset is None else _os.fspath(preset))
+    return _edgescan.detect(scan, _all_typed(parameters, _PARAMETERS), b"" if preset is None else _path("preset", preset))
 
 
 @_keywords(("Parameters of rocks:", _ROCKS))
@@ -142,11 +209,10 @@ def rocks(result, *, region=None, **parameters):
     >>> found.at(2.0).settings["level"] == 2   # coarser, at once
     True
     """
-    keys = {_name(row["key"]): row["key"] for row in _ROCKS}
-    _all_typed(parameters, _ROCKS)
     if region is not None and not isinstance(region, str):
-        region = " ".join(f"{int(line)},{int(beam)}" for line, beam in region)
-    return _edgescan.rocks(result, {keys[name]: float(value) for name, value in parameters.items() if value is not None}, region or "")
+        cells = [_list("region", "a list of cells", cell) for cell in _list("region", "a str or a list of cells", region)]
+        region = " ".join(f"{_whole('region', line)},{_whole('region', beam)}" for line, beam in cells)
+    return _edgescan.rocks(result, _all_numbers(parameters, _ROCKS), region or "")
 
 
 @_keywords(("Choices of single formats, True or False:", _CHOICES))
@@ -163,14 +229,17 @@ def save(what, path, content=None, *, frame="auto", ascii=False, include_attache
     >>> edgescan.save(result, folder / "edges.pcd") == len(result.edges)
     True
     """
-    path = _os.fspath(path)
-    typed = dict(_all_typed(choices, _CHOICES), frame=frame, operator=operator, role=role, ascii=_typed(bool(ascii)))
-    typed["include-attached"] = _typed(bool(include_attached))
+    path = _path("path", path)
+    typed = _all_typed(choices, _CHOICES)
+    typed.update(_all_typed({"ascii": ascii, "include_attached": include_attached}, _SWITCHES))
+    typed.update(frame=_word("frame", frame), operator=_word("operator", operator), role=_word("role", role))
+    if content is not None:
+        _word("content", content)
     if isinstance(what, Scan):
         if content not in (None, "scan"):
             raise TypeError("a Scan is written whole; detect() first for anything else")
         return _edgescan.save_scan(what, path, typed)
-    return _edgescan.save_result(what, path, content or ("mask" if path.lower().endswith(".png") else "edges"), typed)
+    return _edgescan.save_result(what, path, content or ("mask" if path.lower().endswith(b".png") else "edges"), typed)
 
 
 def replay(path, *, every=1, speed=0, pose="", calibration=""):
@@ -184,11 +253,12 @@ def replay(path, *, every=1, speed=0, pose="", calibration=""):
     >>> sweep.finished, sweep.complete
     (True, True)
     """
-    return Replay(_os.fspath(path), every, speed, _os.fspath(pose), _os.fspath(calibration))
+    return _edgescan.replay(_path("path", path), _whole("every", every), _number("speed", speed), _path("pose", pose),
+                            _path("calibration", calibration))
 
 
 def connect(address, *, record="", expected_lines=0, axis=None, first_line=None, line_step=None, ticks_per_degree=None, calibration="",
-            standing=False):
+            standing=False, timeout=30):
     """Connects to an LMS5xx: an iterator of Sweep, the newest state whenever a line came, and each sweep once more when it is finished.
 
     address: HOST or HOST:PORT. Nothing but reads and a subscription is sent to it. record: new recording (.mcap) of every telegram.
@@ -196,8 +266,10 @@ def connect(address, *, record="", expected_lines=0, axis=None, first_line=None,
     degrees. ticks_per_degree: encoder counts, where there is an encoder. calibration: the robot's file, which says axis and step. What neither
     says is assumed, and the scan's warnings and the recording tell so. standing: the stepper stands while a line is measured.
 
-    The session ends with stop(), or at the end of a with block. A lost connection is made again by itself; next(timeout=SECONDS) raises
-    edgescan.Error where nothing comes.
+    timeout: seconds. connect() waits for the first scan line of the scanner, and raises edgescan.Error if it does not come in this time. So
+    does the iterator if the sweep does not change for this time. None: connect() returns at once, and the iterator waits without end.
+
+    The session ends with stop(), or at the end of a with block. A lost connection is made again by itself.
 
     >>> with edgescan.connect(address, expected_lines=40) as scanner:
     ...     for sweep in scanner:
@@ -206,8 +278,13 @@ def connect(address, *, record="", expected_lines=0, axis=None, first_line=None,
     >>> sweep.scan.lines
     40
     """
-    return _edgescan.connect(address, _os.fspath(record), expected_lines, axis, first_line, line_step, ticks_per_degree,
-                             _os.fspath(calibration), standing)
+    def number(name, value):
+        return None if value is None else _number(name, value)
+
+    return _edgescan.connect(_word("address", address), _path("record", record), _whole("expected_lines", expected_lines),
+                             None if axis is None else _word("axis", axis), number("first_line", first_line), number("line_step", line_step),
+                             number("ticks_per_degree", ticks_per_degree), _path("calibration", calibration), _switch("standing", standing),
+                             number("timeout", timeout))
 
 
 @_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
@@ -223,14 +300,12 @@ def simulate(*, seed=1, scene="hangup", axis="sweep", profile="high", hole=None,
     >>> edgescan.simulate(seed=3, lines=90, beams=96).scan.range_mm.shape
     (90, 96)
     """
-    keys = {_name(row["key"]): row["key"] for row in _NUMBERS}
-    _all_typed(numbers, _NUMBERS)
-    words = {"scene": scene, "axis": axis, "profile": profile, "footprint": _typed(bool(footprint)),
-             "mixed-pixels": _typed(bool(mixed_pixels)), "echo-loss": _typed(bool(echo_loss)), "after-blast": _typed(bool(after_blast)),
-             "truth": _typed(bool(truth))}
+    words = {"scene": _word("scene", scene), "axis": _word("axis", axis), "profile": _word("profile", profile)}
+    words.update(_all_typed({"footprint": footprint, "mixed_pixels": mixed_pixels, "echo_loss": echo_loss, "after_blast": after_blast,
+                             "truth": truth}, _SWITCHES))
     if hole is not None:
-        words["hole"] = hole
-    return _edgescan.simulate(seed, {keys[name]: float(value) for name, value in numbers.items() if value is not None}, words, surface)
+        words["hole"] = _word("hole", hole)
+    return _edgescan.simulate(_whole("seed", seed), _all_numbers(numbers, _NUMBERS), words, surface)
 
 
 def __getattr__(name):

@@ -44,6 +44,21 @@ void keepMessage(png_structp png, png_const_charp text) {
     png_longjmp(png, 1);
 }
 void ignoreWarning(png_structp, png_const_charp) {}
+void takeFromText(png_structp png, png_bytep to, png_size_t count) {
+    auto* left = static_cast<std::string_view*>(png_get_io_ptr(png));
+    if (count > left->size()) png_error(png, "the file ends too early");
+    std::memcpy(to, left->data(), count);
+    left->remove_prefix(count);
+}
+}
+
+/// As in encode(), a longjmp skips no destructor.
+bool readUpToPixels(png_structp png, png_infop head, std::string_view* left) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_read_fn(png, left, takeFromText);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_read_info(png, head);
+    return true;
 }
 
 struct Shape {
@@ -157,6 +172,24 @@ std::string pngRecord(std::string_view bytes) {
         at += 12 + length;
     }
     return {};
+}
+
+std::string pngText(std::string_view bytes, std::string_view key) {
+    Message message;
+    std::string_view left = bytes;
+    std::string found;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, keepMessage, ignoreWarning);
+    png_infop head = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (head != nullptr && readUpToPixels(png, head, &left)) {
+        png_textp texts = nullptr;
+        int count = 0;
+        png_get_text(png, head, &texts, &count);
+        for (int i = 0; i < count; ++i) {
+            if (texts[i].text != nullptr && key == texts[i].key) found.assign(texts[i].text);
+        }
+    }
+    png_destroy_read_struct(&png, &head, nullptr);
+    return found;
 }
 
 Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {

@@ -27,6 +27,10 @@ Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string&
 /// The record in a picture's bytes; empty when there is none.
 [[nodiscard]] std::string pngRecord(std::string_view bytes);
 
+/// The text that any program put before the pixels of a picture under this key; empty if there is none, or if the picture is damaged there.
+/// Unlike Qt's reader it prints nothing.
+[[nodiscard]] std::string pngText(std::string_view bytes, std::string_view key);
+
 /// 8-bit gray, one byte per cell unchanged. Error: the grid is empty or the file cannot be written.
 Result<Done> savePng8(const Grid<std::uint8_t>& gray, const std::filesystem::path& path);
 

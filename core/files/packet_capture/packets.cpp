@@ -1,6 +1,8 @@
 // Records of PCAP and blocks of PCAPNG. Every length is compared with the bytes that are there; nothing is copied.
 #include "core/files/packet_capture/packets.h"
 
+#include "core/base/utc_time.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -75,18 +77,18 @@ struct Interface {
     bool binary = false;
     std::int64_t offsetS = 0;
 
-    [[nodiscard]] std::int64_t ns(std::uint64_t time) const {
+    /// Empty for a time before 1970 or after kLatestNs.
+    [[nodiscard]] std::optional<std::int64_t> ns(std::uint64_t time) const {
         const double perSecond = binary ? std::exp2(resolution) : std::pow(10.0, resolution);
-        constexpr double kLatest = 9e9; // seconds, as many as nanoseconds of 64 bits hold
-        if (static_cast<double>(time) / perSecond > kLatest) return 0;
+        constexpr double kMost = 1e12; // seconds
+        const double counted = static_cast<double>(time) / perSecond;
+        const double all = counted + static_cast<double>(offsetS);
+        if (counted > kMost || all < 0 || all > static_cast<double>(kLatestNs / kNsPerS)) return std::nullopt;
         const bool whole = perSecond < 1.8e19;
         const std::uint64_t seconds = whole ? time / static_cast<std::uint64_t>(perSecond) : 0;
         const std::uint64_t rest = whole ? time % static_cast<std::uint64_t>(perSecond) : time;
         const auto ns = static_cast<std::int64_t>(std::llround(static_cast<double>(rest) / perSecond * 1e9));
-        return (static_cast<std::int64_t>(seconds) +
-                std::clamp<std::int64_t>(offsetS, 0, 9'000'000'000 - static_cast<std::int64_t>(seconds))) *
-                   kNsPerS +
-               ns;
+        return (static_cast<std::int64_t>(seconds) + offsetS) * kNsPerS + ns;
     }
 };
 
@@ -125,6 +127,7 @@ Interface interfaceOf(const Block& block, bool bigEndian) {
 struct PacketFound {
     std::optional<Packet> packet;
     const char* wrong = nullptr;
+    bool outOfTime = false;
 };
 PacketFound packetIn(const Block& block, const std::vector<Interface>& interfaces, bool bigEndian) {
     constexpr std::uint32_t kOldPacket = 2, kSimple = 3, kEnhanced = 6;
@@ -140,8 +143,8 @@ PacketFound packetIn(const Block& block, const std::vector<Interface>& interface
     if (simple && interface.longest > 0) length = std::min<std::size_t>(length, interface.longest);
     if (simple) length = std::min(length, block.body.size() - head);
     if (length > block.body.size() - head) return {{}, "promises more bytes of a packet than it has"};
-    const std::uint64_t time = simple ? 0 : std::uint64_t{in.u32(4)} << 32U | in.u32(8);
-    return {Packet{simple ? 0 : interface.ns(time), interface.link, block.body.subspan(head, length)}, nullptr};
+    const auto ns = simple ? std::optional<std::int64_t>(0) : interface.ns(std::uint64_t{in.u32(4)} << 32U | in.u32(8));
+    return {Packet{ns.value_or(0), interface.link, block.body.subspan(head, length)}, nullptr, !ns.has_value()};
 }
 
 Result<PacketFile> readPcapng(ByteView file, const std::string& where) {
@@ -174,6 +177,7 @@ Result<PacketFile> readPcapng(ByteView file, const std::string& where) {
         const PacketFound packet = packetIn(block, interfaces, bigEndian);
         if (packet.wrong != nullptr) return damaged(packet.wrong);
         if (packet.packet) found.packets.push_back(*packet.packet);
+        found.outOfTime += packet.outOfTime ? 1 : 0;
         at += length;
     }
     return found;

@@ -29,6 +29,7 @@ struct Packet {
 
 struct PacketFile {
     std::vector<Packet> packets; ///< in the order of the file; their bytes are those of the file
+    std::size_t outOfTime = 0;   ///< packets with a time before 1970 or after kLatestNs; they have the time 0
     bool cutOff = false;         ///< the file ends within a packet; all before it are here
 };
 

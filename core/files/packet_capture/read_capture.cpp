@@ -167,6 +167,9 @@ void tellLosses(std::vector<std::string>& warnings, const PacketFile& file, cons
         late += stream->late;
     }
     if (file.cutOff) warnings.emplace_back("The capture was cut off: everything up to the cut is here.");
+    if (file.outOfTime > 0)
+        warnings.push_back(counted(file.outOfTime, "packet has", "packets have") +
+                           " a time before 1970 or after 2262 and count as of 1970.");
     if (missing > 0) {
         warnings.push_back(std::to_string(missing) + " bytes that the scanner sent are missing in the capture, in " +
                            counted(gaps, "place", "places") + ": the telegrams there are lost.");

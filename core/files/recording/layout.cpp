@@ -4,6 +4,7 @@
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/base/physical_limits.h"
+#include "core/base/utc_time.h"
 #include "core/base/version.h"
 #include "core/scanner/sick_lms/scan_telegram.h"
 
@@ -145,7 +146,7 @@ std::optional<scanner::StepperReading> parseStepper(ByteView json, std::int64_t 
     reading.step = numberOr<std::int64_t>(object, "step", 0);
     reading.moving = object.value("moving", Json(reading.degPerSecond != 0.0)) == Json(true);
     const auto stated = numberOr<std::int64_t>(object, "t_host_ns", hostNs);
-    reading.hostNs = stated >= 0 && stated < (std::int64_t{1} << 62) ? stated : hostNs;
+    reading.hostNs = stated >= 0 && stated <= kLatestNs ? stated : hostNs;
     const bool sane = physical::kLineDeg.hold(reading.phiDeg) && physical::kLineDeg.hold(reading.degPerSecond);
     return sane ? std::optional(reading) : std::nullopt;
 }

@@ -124,7 +124,7 @@ double numberOf(const PlainJson& reading, const char* key, const PhysicalLimit& 
 
 double timeOf(const PlainJson& reading, std::int64_t logNs) {
     const auto found = reading.find("t_host_ns");
-    const bool stated = found != reading.end() && found->is_number_unsigned() && found->get<std::uint64_t>() < (std::uint64_t{1} << 62U);
+    const bool stated = found != reading.end() && found->is_number_unsigned() && found->get<std::uint64_t>() <= std::uint64_t{kLatestNs};
     return static_cast<double>(stated ? found->get<std::int64_t>() : logNs) * 1e-9;
 }
 

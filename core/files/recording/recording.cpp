@@ -2,17 +2,9 @@
 #include "core/files/recording/recording.h"
 
 #include "core/base/inputs.h"
-
-#include <algorithm>
+#include "core/base/utc_time.h"
 
 namespace edgescan::files {
-namespace {
-
-/// Times that no clock shows are cut to what the arithmetic of times can bear.
-std::int64_t sane(std::uint64_t ns) { return static_cast<std::int64_t>(std::min(ns, std::uint64_t{1} << 62U)); }
-
-} // namespace
-
 Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path) {
     const auto read = readInput(path);
     if (!read) return read.error();
@@ -34,14 +26,23 @@ Result<Done> Recording::take(Bytes bytes, const std::string& where) {
     for (const containers::McapMetadata& record : content_.metadata) {
         if (record.name == "sweep") metadata_ = record.entries;
     }
+    std::size_t later = 0;
+    const auto bounded = [&](std::uint64_t ns) {
+        if (ns <= static_cast<std::uint64_t>(kLatestNs)) return static_cast<std::int64_t>(ns);
+        ++later;
+        return kLatestNs;
+    };
     for (const containers::McapMessage& message : content_.messages) {
         const containers::McapChannel* channel = containers::channelOf(content_, message);
         const auto topic = channel != nullptr ? topicNamed(channel->topic) : std::nullopt;
-        if (topic) messages_.push_back({*topic, sane(message.logNs), sane(message.publishNs), message.payload});
+        if (topic) messages_.push_back({*topic, bounded(message.logNs), bounded(message.publishNs), message.payload});
     }
     warnings_ = content_.warnings;
     if (!content_.clean && content_.badChunks == 0 && content_.warnings.empty())
         warnings_.emplace_back("The recording was cut off: everything up to the cut is here.");
+    if (later > 0)
+        warnings_.push_back(std::to_string(later) + " times in the recording are after " + utcText(static_cast<double>(kLatestNs) * 1e-9) +
+                            " and were read as this time.");
     if (metadata_.empty() && messages_.empty()) {
         const std::string leftOut = whatWasLeftOut();
         if (leftOut.empty()) return Error{"this MCAP file holds nothing that a laser scanner sent", where, "choose a recording of a sweep"};

@@ -1,6 +1,8 @@
 // Unwraps the scanner's counters and clocks.
 #include "core/scanner/sweep_assembly/counters.h"
 
+#include "core/base/utc_time.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -41,10 +43,9 @@ bool near(std::int64_t count, double byClock) { return std::abs(static_cast<doub
 
 constexpr std::int64_t kWindowLines = 250; // 10 s at 25 Hz
 constexpr std::int64_t kNsPerUs = 1000;
-constexpr std::int64_t kLatestNs = std::int64_t{1} << 61; // 73 years; larger differences would overflow
 
-std::int64_t bounded(std::int64_t ns) { return std::clamp(ns, -kLatestNs, kLatestNs); }
-std::int64_t nsOf(std::int64_t us) { return bounded(std::clamp(us, -kLatestNs / kNsPerUs, kLatestNs / kNsPerUs) * kNsPerUs); }
+std::int64_t bounded(std::int64_t ns) { return std::clamp(ns, kEarliestNs, kLatestNs); }
+std::int64_t nsOf(std::int64_t us) { return std::clamp(us, kEarliestNs / kNsPerUs, kLatestNs / kNsPerUs) * kNsPerUs; }
 
 } // namespace
 
@@ -205,6 +206,11 @@ void DeviceClock::line(std::int64_t transmittedUs, std::int64_t hostNs) {
     while (delays_.front().line + kWindowLines < lines_) delays_.pop_front();
 }
 
-std::int64_t DeviceClock::hostNs(std::int64_t deviceUs) const { return nsOf(deviceUs) + (delays_.empty() ? 0 : delays_.front().ns); }
+std::int64_t DeviceClock::hostNs(std::int64_t deviceUs) const {
+    const std::int64_t delay = delays_.empty() ? 0 : delays_.front().ns;
+    std::int64_t ns = 0;
+    if (__builtin_add_overflow(nsOf(deviceUs), delay, &ns)) return delay < 0 ? kEarliestNs : kLatestNs;
+    return bounded(ns);
+}
 
 } // namespace edgescan::scanner

@@ -178,7 +178,7 @@ Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Questio
     ReadingOptions reading = question.reading;
     reading.progress = progress;
     for (const QString& path : question.others) {
-        const std::string file = path.toStdString();
+        const std::string file = exactBytes(path);
         Result<Scan> scan = files::openAsAsked(file, reading);
         if (!scan) return scan.error();
         if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *scan); !enough) return enough.error();
@@ -219,14 +219,14 @@ Calibrating::Answer Calibrating::run(const Question& question, const Progress& p
         if (!*answer.found) return answer;
         std::string base;
         if (!question.base.isEmpty()) {
-            const auto bytes = readInput(question.base.toStdString());
+            const auto bytes = readInput(exactBytes(question.base));
             if (!bytes) {
                 answer.found = bytes.error();
                 return answer;
             }
             base = textOf(*bytes);
         }
-        const Result<std::string> file = inspect::calibrationText(base, question.base.toStdString(), **answer.found, sources);
+        const Result<std::string> file = inspect::calibrationText(base, exactBytes(question.base), **answer.found, sources);
         if (!file) {
             answer.found = file.error();
             return answer;
@@ -275,7 +275,7 @@ void Calibrating::saveTo(const QString& path) {
     inBackground(
         this,
         [this, path, answer = found_]() -> std::function<void()> {
-            const Result<Done> written = writeWholeFile(path.toStdString(), answer->file);
+            const Result<Done> written = writeWholeFile(exactBytes(path), answer->file);
             return [this, path, answer, written] {
                 if (!written) return notice_.showError(written.error());
                 preferences_.keepFolder("exports", path);
@@ -305,7 +305,7 @@ QString Calibrating::whyNotApplied() const {
 void Calibrating::apply() {
     if (saved_.isEmpty() || files_.path() != screenPath_ || !whyNotApplied().isEmpty()) return;
     ReadingOptions options = files_.options();
-    options.calibration = QFileInfo(saved_).absoluteFilePath().toStdString();
+    options.calibration = exactBytes(absolutePath(saved_));
     files_.readAgain(options, stepName("Apply Calibration"));
 }
 

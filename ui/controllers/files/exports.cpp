@@ -50,7 +50,7 @@ Result<Done> savePng(const QImage& image, const QString& path) {
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
-    return writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
+    return writeWholeFile(exactBytes(path), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
 }
 
 Exports::Exports(Engine& engine, const Files& files, NoticeBar& notice, Preferences& preferences)
@@ -91,7 +91,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
             if (each.write != nullptr) question.filters << filterOf(each, each.writes);
         }
     // The provenance record of the file is replaced too.
-    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
+    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
 }
@@ -122,12 +122,12 @@ Result<Done> Exports::saveScreenshot(const QImage& image, const QString& path) {
 void Exports::copyCommand() {
     if (!engine_.picture() || engine_.picture()->detection->scan->path.empty()) return;
     const edges::Detection& detection = *engine_.picture()->detection;
-    const QString path = QFileInfo(exactText(detection.scan->path)).absoluteFilePath();
+    const QString path = absolutePath(exactText(detection.scan->path));
     // If it is not on the PATH: in the folder of this program.
     const QString beside = QCoreApplication::applicationDirPath() + "/edgescan-cli";
     const QString program = QStandardPaths::findExecutable("edgescan-cli").isEmpty() && QFileInfo::exists(beside) ? beside : "edgescan-cli";
     QGuiApplication::clipboard()->setText(
-        exactText(edges::detectCommand(program.toStdString(), path.toStdString(), readingFlags(files_.options()), detection.settings)));
+        exactText(edges::detectCommand(exactBytes(program), exactBytes(path), readingFlags(files_.options()), detection.settings)));
     notice_.showNotice(NoticeBar::Kind::Done, QGuiApplication::clipboard()->text());
 }
 

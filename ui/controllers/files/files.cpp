@@ -16,6 +16,8 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <filesystem>
+#include <unistd.h>
 
 namespace edgescan::ui {
 namespace {
@@ -26,14 +28,23 @@ QStringList scansInFolder(const QString& path) {
     for (const files::Format& format : files::formats()) {
         for (const char* extension : format.reads) patterns << QString("*") + extension;
     }
-    const QFileInfo own(path);
-    QStringList scans;
-    for (const QFileInfo& file : own.dir().entryInfoList(patterns, QDir::Files | QDir::Readable, QDir::Name)) {
+    namespace fs = std::filesystem;
+    const fs::path own = exactBytes(absolutePath(path));
+    QStringList names;
+    std::error_code problem;
+    for (fs::directory_iterator entry(own.parent_path(), problem); !problem && entry != fs::directory_iterator();
+         entry.increment(problem)) {
+        const std::string name = entry->path().filename().string();
+        std::error_code gone;
+        if (name.starts_with('.') || !entry->is_regular_file(gone) || ::access(entry->path().c_str(), R_OK) != 0) continue;
+        if (!QDir::match(patterns, exactText(name))) continue;
         // A raw grid is a description and a file of numbers: the opened one of both counts.
-        const bool part = file.suffix() == "u16" || file.fileName().endsWith(".provenance.json");
-        if (!part || file.fileName() == own.fileName()) scans << file.absoluteFilePath();
+        const bool part = entry->path().extension() == ".u16" || name.ends_with(".provenance.json");
+        if (!part || entry->path().filename() == own.filename()) names << exactText(name);
     }
-    return scans;
+    names.sort();
+    for (QString& name : names) name = exactText((own.parent_path() / exactBytes(name)).string());
+    return names;
 }
 
 } // namespace
@@ -85,7 +96,7 @@ void Files::reload() {
 void Files::step(int files) {
     if (series_.size() <= 1 && !path_.isEmpty()) { // one file was opened: its folder is the series
         const QStringList inFolder = scansInFolder(path_);
-        const auto own = static_cast<int>(inFolder.indexOf(QFileInfo(path_).absoluteFilePath()));
+        const auto own = static_cast<int>(inFolder.indexOf(absolutePath(path_)));
         if (own >= 0) {
             series_ = inFolder;
             place_ = own;
@@ -180,7 +191,7 @@ void Files::fillRecent(QMenu& menu) {
     for (const QString& path : files) {
         QAction* action = menu.addAction(shownName(QFileInfo(path).fileName() + "  -  " + QFileInfo(path).path()).replace('&', "&&"), this,
                                          [this, path] { open({path}); });
-        action->setEnabled(QFileInfo::exists(path));
+        action->setEnabled(isFile(path));
     }
     if (files.isEmpty()) menu.addAction(tr("No file yet; demos are not listed"))->setEnabled(false);
     menu.addSeparator();
@@ -189,7 +200,7 @@ void Files::fillRecent(QMenu& menu) {
 
 std::optional<inspect::SessionScan> Files::scanShown(const Scan& scan) const {
     if (path_.isEmpty() && !demo_) return std::nullopt;
-    inspect::SessionScan of = inspect::fileScan(path_.toStdString(), options_, inspect::notebookScan(scan));
+    inspect::SessionScan of = inspect::fileScan(exactBytes(path_), options_, inspect::notebookScan(scan));
     if (demo_) of.kind = *demo_ ? inspect::SessionScan::Kind::DemoAfterBlast : inspect::SessionScan::Kind::Demo;
     return of;
 }

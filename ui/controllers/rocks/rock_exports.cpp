@@ -59,7 +59,7 @@ void Rocks::askExport() {
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
     question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
-    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(path.toStdString()).string())}; };
+    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);
 }

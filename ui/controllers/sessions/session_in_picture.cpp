@@ -1,18 +1,19 @@
 // PNG text and session files.
 #include "ui/controllers/sessions/session_in_picture.h"
 
+#include "core/base/whole_file.h"
+#include "core/containers/png/png.h"
 #include "ui/base/shown_text.h"
 
 #include <QFileInfo>
-#include <QImageReader>
 
 namespace edgescan::ui {
 namespace {
 
 const QString kSessionKey = QStringLiteral("EdgeScanSession");
-// Base64: Qt changes spaces of such texts when it reads them.
+// Base64, because texts of a PNG are Latin-1.
 constexpr std::size_t kMostCarried = std::size_t{4} << 20U; // PNG readers refuse texts of more than 8 MB
-constexpr qint64 kLargestPicture = qint64{256} << 20U;
+constexpr std::uint64_t kLargestPicture = std::uint64_t{256} << 20U;
 
 } // namespace
 
@@ -25,17 +26,18 @@ QImage withSession(QImage picture, const std::string& text) {
 }
 
 std::string sessionIn(const QString& picture) {
-    const QFileInfo file(picture);
-    if (file.suffix().toLower() != "png" || !file.isFile() || file.size() > kLargestPicture) return {};
-    QImageReader reader(picture, "png");
-    return QByteArray::fromBase64(reader.text(kSessionKey).toLatin1()).toStdString();
+    if (!picture.endsWith(".png", Qt::CaseInsensitive)) return {};
+    const auto bytes = readWholeFile(exactBytes(picture), kLargestPicture);
+    if (!bytes) return {};
+    const std::string text = containers::pngText(textOf(*bytes), kSessionKey.toStdString());
+    return QByteArray::fromBase64(QByteArray::fromStdString(text)).toStdString();
 }
 
 std::optional<Result<inspect::ReadSession>> sessionOf(const QString& path) {
-    if (isSessionName(path)) return inspect::readSession(path.toStdString());
+    if (isSessionName(path)) return inspect::readSession(exactBytes(path));
     const std::string text = sessionIn(path);
     if (text.empty()) return std::nullopt;
-    return inspect::sessionFromText(text, QFileInfo(path).absolutePath().toStdString(), path.toStdString());
+    return inspect::sessionFromText(text, exactBytes(QFileInfo(absolutePath(path)).path()), exactBytes(path));
 }
 
 } // namespace edgescan::ui

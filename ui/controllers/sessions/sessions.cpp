@@ -28,7 +28,7 @@ constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
 QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(inspect::kSessionEnding); }
 
-std::filesystem::path folderOf(const QString& path) { return QFileInfo(path).absolutePath().toStdString(); }
+std::filesystem::path folderOf(const QString& path) { return exactBytes(QFileInfo(absolutePath(path)).path()); }
 
 bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
     return a.sha256 == b.sha256 && a.name == b.name && a.lines == b.lines && a.beams == b.beams;
@@ -68,7 +68,7 @@ Sessions::~Sessions() {
         if (const auto last = job()) {
             for (const QString& path : {last->own, last->file}) {
                 if (!path.isEmpty())
-                    (void)writeWholeFile(path.toStdString(), inspect::sessionText(last->state, folderOf(path), utcText(utcNow())));
+                    (void)writeWholeFile(exactBytes(path), inspect::sessionText(last->state, folderOf(path), utcText(utcNow())));
             }
         }
     }
@@ -85,7 +85,7 @@ std::optional<inspect::SessionScan> Sessions::scanTaken() const {
     if (picture.source.growth.sweep < 0) return scan.sha256.empty() ? std::nullopt : files_.scanShown(scan);
     const QString recording = live_.recordingOf(picture.source.stream);
     if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
-    inspect::SessionScan of = inspect::fileScan(recording.toStdString(), {}, inspect::notebookScan(scan));
+    inspect::SessionScan of = inspect::fileScan(exactBytes(recording), {}, inspect::notebookScan(scan));
     of.kind = inspect::SessionScan::Kind::Recording;
     of.identity.sha256.clear(); // of a file that grows
     of.head = inspect::scanHead(scan);
@@ -120,7 +120,7 @@ std::optional<Sessions::Job> Sessions::job() {
     if (wanted_ || reading_) return std::nullopt; // the session's scan is not on the screen yet
     auto state = taken();
     if (!state) return std::nullopt;
-    state->keptIn = file_.toStdString();
+    state->keptIn = exactBytes(file_);
     if (autosaves_.own().isEmpty() && file_.isEmpty()) return std::nullopt;
     const bool closed = state->scan.kind == inspect::SessionScan::Kind::Recording && live_.scanner().recordingClosed();
     return Job{std::move(*state), autosaves_.own(), file_, closed};
@@ -147,7 +147,7 @@ QString Sessions::write(const Job& job) {
         if (path == job.file) state.keptIn.clear();
         std::string text = inspect::sessionText(state, folderOf(path), {});
         if (const auto last = lastTexts_.find(path); last != lastTexts_.end() && last->second == text) continue;
-        const auto done = writeWholeFile(path.toStdString(), inspect::sessionText(state, folderOf(path), utcText(utcNow())));
+        const auto done = writeWholeFile(exactBytes(path), inspect::sessionText(state, folderOf(path), utcText(utcNow())));
         if (done)
             lastTexts_[path] = std::move(text);
         else
@@ -183,8 +183,8 @@ void Sessions::askSaveAs() {
     SaveQuestion question{
         tr("Save session"), QDir(preferences_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
     question.keeps = [](const QString& there) {
-        return inspect::readSession(there.toStdString()) ? QString()
-                                                         : tr("%1 is no session and stays as it is: choose another name.").arg(there);
+        return inspect::readSession(exactBytes(there)) ? QString()
+                                                       : tr("%1 is no session and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(notice_.window(), question);
     if (path.isEmpty()) return;
@@ -270,7 +270,7 @@ void Sessions::askForPlace(const QString& sentence) {
 
 void Sessions::locate(const QString& path) {
     if (!wanted_) return;
-    wanted_->places = {path.toStdString()};
+    wanted_->places = {exactBytes(path)};
     place_ = 0;
     openNextPlace();
 }
@@ -288,7 +288,7 @@ void Sessions::followStream() {
         return;
     }
     const bool isFile = inspect::hasPath(wanted_->state.scan.kind);
-    if (isFile && (place_ >= wanted_->places.size() || files_.path().toStdString() != wanted_->places[place_].string())) {
+    if (isFile && (place_ >= wanted_->places.size() || exactBytes(files_.path()) != wanted_->places[place_].string())) {
         wanted_.reset(); // the operator opened another scan meanwhile
         return;
     }
@@ -327,7 +327,7 @@ void Sessions::offerToContinue() {
 
 std::string Sessions::textFor(const QString& folder) const {
     const auto state = taken();
-    return state ? inspect::sessionText(*state, QDir(folder).absolutePath().toStdString(), utcText(utcNow())) : std::string();
+    return state ? inspect::sessionText(*state, exactBytes(absolutePath(folder)), utcText(utcNow())) : std::string();
 }
 
 } // namespace edgescan::ui

@@ -2,6 +2,7 @@
 #include "ui/controllers/targets/target_store.h"
 
 #include "core/base/whole_file.h"
+#include "ui/base/shown_text.h"
 
 #include <filesystem>
 #include <string_view>
@@ -32,7 +33,7 @@ QString TargetStore::pathOf(const inspect::NotebookScan& scan) const {
 }
 
 Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
-    const std::string path = pathOf(scan).toStdString();
+    const std::string path = exactBytes(pathOf(scan));
     if (path.empty()) return inspect::Notebook{};
     std::string text;
     if (const auto waits = waiting_.find(path); waits != waiting_.end()) {
@@ -56,7 +57,7 @@ Result<inspect::Notebook> TargetStore::load(const inspect::NotebookScan& scan) {
 }
 
 void TargetStore::save(const inspect::Notebook& notebook, const inspect::NotebookScan& scan) {
-    const std::string path = pathOf(scan).toStdString();
+    const std::string path = exactBytes(pathOf(scan));
     if (path.empty() || refused_.contains(path)) return;
     waiting_[path] = inspect::notebookText(notebook, scan);
     written_.ask(waiting_);

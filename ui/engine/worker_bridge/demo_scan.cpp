@@ -5,6 +5,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
+#include "ui/base/shown_text.h"
 
 #include <QDir>
 #include <QFile>
@@ -23,7 +24,7 @@ QString cachedPath(bool afterBlast) {
 } // namespace
 
 Result<Scan> demoScan(const std::function<bool(const char* stage, double fraction)>& progress, bool afterBlast) {
-    const std::string path = cachedPath(afterBlast).toStdString();
+    const std::string path = exactBytes(cachedPath(afterBlast));
     const char* name = afterBlast ? "demo draw-bell after the blast" : "demo draw-bell";
     if (QFile::exists(cachedPath(afterBlast))) {
         ReadingOptions options;

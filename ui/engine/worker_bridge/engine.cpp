@@ -20,7 +20,7 @@ namespace edgescan::ui {
 namespace {
 
 Error outOfMemory(const QString& where) {
-    return {"there is not enough memory for this scan", where.toStdString(), "close other programs or open a smaller scan"};
+    return {"there is not enough memory for this scan", exactBytes(where), "close other programs or open a smaller scan"};
 }
 
 QString itFailed(const QString& title, const QString& what) {
@@ -48,7 +48,7 @@ Engine::Engine(QObject* parent)
           [](const QString&) {}) {}
 
 void Engine::open(const QString& path, const ReadingOptions& options) {
-    const std::string file = path.toStdString();
+    const std::string file = exactBytes(path);
     startOpening(tr("Opening %1").arg(QFileInfo(path).fileName()), path, [file, options](const Progress& progress) {
         ReadingOptions withProgress = options;
         withProgress.progress = progress;
@@ -111,7 +111,7 @@ void Engine::save(exports::ExportContent what, const QString& path, const std::o
     const auto write = [this, what, detection, path, how] {
         Result<std::size_t> written{std::size_t{0}};
         try {
-            written = exports::exportWithProvenance(what, *detection, path.toStdString(), how);
+            written = exports::exportWithProvenance(what, *detection, exactBytes(path), how);
         } catch (const std::bad_alloc&) {
             written = outOfMemory(path);
         }
@@ -157,7 +157,7 @@ Engine::Opened Engine::read(const Opening& opening, const Asker& asker) {
     } catch (const std::bad_alloc&) {
         return {outOfMemory(opening.path), nullptr};
     } catch (const std::exception& failure) {
-        return {Error{"it could not be opened (" + std::string(failure.what()) + ")", opening.path.toStdString(),
+        return {Error{"it could not be opened (" + std::string(failure.what()) + ")", exactBytes(opening.path),
                       "close other programs or use a smaller scan"},
                 nullptr};
     }

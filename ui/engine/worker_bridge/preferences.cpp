@@ -56,7 +56,7 @@ QStringList Preferences::recentFiles() const { return file_ ? file_->value("rece
 void Preferences::keepRecentFile(const QString& path) {
     if (!file_) return;
     QStringList files = recentFiles();
-    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const QString absolute = absolutePath(path);
     files.removeAll(absolute);
     files.prepend(absolute);
     file_->setValue("recent/files", QStringList(files.mid(0, kRecentFiles)));

@@ -6,6 +6,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/inspect/change_detection/change_report.h"
+#include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/cloud_geometry.h"
@@ -185,13 +186,13 @@ Result<std::shared_ptr<const Picture>> pictureOf(const std::shared_ptr<const Sca
 Result<std::shared_ptr<const Picture>> earlierPicture(const QString& path, const ReadingOptions& reading, const edges::Settings& settings) {
     const BindInputs inputs;
     try {
-        Result<Scan> scan = files::openAsAsked(path.toStdString(), reading);
+        Result<Scan> scan = files::openAsAsked(exactBytes(path), reading);
         if (!scan) return scan.error();
         // No export replaces the scan's files while it is compared.
         const auto used = std::make_shared<const std::pair<Scan, std::shared_ptr<const InputClaims>>>(std::move(*scan), inputs.claims());
         return pictureOf(std::shared_ptr<const Scan>(used, &used->first), settings);
     } catch (const std::bad_alloc&) {
-        return Error{"there is not enough memory for a second scan", path.toStdString(), "close other programs or choose a smaller one"};
+        return Error{"there is not enough memory for a second scan", exactBytes(path), "close other programs or choose a smaller one"};
     }
 }
 

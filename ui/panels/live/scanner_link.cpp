@@ -165,7 +165,7 @@ void ScannerLink::startRecording(const QString& path) {
     recordingClosed_ = false;
     recordingErrorReported_ = false;
     runInThread([this, feed = feed_, path]() -> std::function<void()> {
-        const Result<Done> started = feed->startRecording(path.toStdString());
+        const Result<Done> started = feed->startRecording(exactBytes(path));
         return [this, started, feed] {
             if (started) return;
             emit failed(shownText(started.error().sentence()));
@@ -199,7 +199,7 @@ void ScannerLink::reportRecorded(const Result<files::RecordingState>& closed, co
 void ScannerLink::keepRecent(const QString& path) {
     if (!feed_) return;
     runInThread([this, feed = feed_, path]() -> std::function<void()> {
-        const Result<Done> kept = feed->keepRecent(path.toStdString());
+        const Result<Done> kept = feed->keepRecent(exactBytes(path));
         return [this, kept, path] {
             if (kept)
                 emit written(path);

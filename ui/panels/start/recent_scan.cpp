@@ -11,12 +11,12 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
 
+#include <filesystem>
 #include <new>
 #include <span>
 
@@ -26,9 +26,12 @@ namespace {
 const QString kWordsKey = QStringLiteral("EdgeScanWords");
 
 /// File name in the cache: another content, or another version of the program, gives another name.
-QString cacheName(const QFileInfo& file) {
-    const std::string key = file.absoluteFilePath().toStdString() + "\n" + std::to_string(file.size()) + "\n" +
-                            std::to_string(file.lastModified().toMSecsSinceEpoch()) + "\n" +
+QString cacheName(const QString& path) {
+    const std::filesystem::path file = exactBytes(absolutePath(path));
+    std::error_code gone;
+    const auto size = std::filesystem::file_size(file, gone);
+    const auto modified = std::filesystem::last_write_time(file, gone).time_since_epoch().count();
+    const std::string key = file.string() + "\n" + std::to_string(size) + "\n" + std::to_string(modified) + "\n" +
                             QCoreApplication::applicationVersion().toStdString();
     return exactText(sha256Hex(std::as_bytes(std::span(key)))) + ".png";
 }
@@ -68,17 +71,16 @@ void keep(QImage picture, const QString& words, const QString& path) {
     picture.save(&buffer, "PNG");
     QDir().mkpath(QFileInfo(path).path());
     // If storing fails, the picture is made again the next time.
-    (void)writeWholeFile(path.toStdString(), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
+    (void)writeWholeFile(exactBytes(path), std::as_bytes(std::span(png.constData(), static_cast<std::size_t>(png.size()))));
 }
 
 } // namespace
 
 RecentScan recentScan(const QString& path, const QString& cache, const std::function<bool()>& goOn) {
     RecentScan found{path, false, {}, {}};
-    const QFileInfo file(path);
-    found.exists = file.isFile();
+    found.exists = isFile(path);
     if (!found.exists) return found;
-    const QString kept = cache.isEmpty() ? QString() : cache + "/" + cacheName(file);
+    const QString kept = cache.isEmpty() ? QString() : cache + "/" + cacheName(path);
     if (!kept.isEmpty() && found.picture.load(kept, "PNG")) {
         found.words = QString::fromUtf8(QByteArray::fromBase64(found.picture.text(kWordsKey).toLatin1()));
         if (!found.words.isEmpty()) return found;
@@ -86,7 +88,7 @@ RecentScan recentScan(const QString& path, const QString& cache, const std::func
     ReadingOptions options;
     options.progress = [&goOn](const char*, double) { return goOn(); };
     try {
-        const Result<Scan> scan = files::openScan(path.toStdString(), options);
+        const Result<Scan> scan = files::openScan(exactBytes(path), options);
         if (!scan) {
             found.words = shownText(scan.error().what);
             return found;

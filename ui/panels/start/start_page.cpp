@@ -199,7 +199,7 @@ void StartPage::showSession(const QString& path) {
     inBackground(
         this,
         [this, path]() -> std::function<void()> {
-            const auto read = inspect::readSession(path.toStdString());
+            const auto read = inspect::readSession(exactBytes(path));
             QString words;
             if (read)
                 words = tr("%1, %2 targets, %3 UTC")

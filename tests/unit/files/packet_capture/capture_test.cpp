@@ -1,4 +1,5 @@
 // Captures: in whatever way packets arrive, the sweep is that of the recording with the same telegrams.
+#include "core/base/utc_time.h"
 #include "core/files/packet_capture/tcp_streams.h"
 #include "core/files/recording/replay.h"
 #include "core/scan/grid/acquisition.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace edgescan;
@@ -105,6 +107,50 @@ TEST(Capture, EveryKindOfCaptureGivesTheSweepOfItsTelegrams) {
             EXPECT_TRUE(captureTold(*scan, "ASSUMED"));
         }
     }
+}
+
+TEST(Capture, TimesOfLaterYearsAreRightOrReported) {
+    const auto startOf = [](std::int64_t seconds, const PacketStyle& style) {
+        std::vector<TcpPart> parts = segmentsOf(telegramStream(), 5);
+        for (TcpPart& part : parts) part.timeNs += seconds * 1'000'000'000 - kEpochNs;
+        auto scan = readBytes(captureOf(parts, style), ".pcap");
+        EXPECT_TRUE(scan && scan->acquisition);
+        return std::pair(scan->acquisition->startUtc, captureTold(*scan, "a time before 1970 or after 2262"));
+    };
+    constexpr std::int64_t kMinute = 60;
+    for (const char* from : {"2038-01-19T03:14", "2043-01-25T23:58", "2043-01-26T08:00", "2100-03-01T00:00", "2106-02-07T06:20"}) {
+        const auto seconds = static_cast<std::int64_t>(*parseUtc(std::string(from) + ":10Z"));
+        for (const PacketStyle& style : {PacketStyle{}, PacketStyle{.nanoseconds = true}, PacketStyle{.pcapng = true, .resolution = 6}}) {
+            const auto [start, reported] = startOf(seconds, style);
+            EXPECT_LT(std::abs(parseUtc(start).value_or(0) - static_cast<double>(seconds)), kMinute) << from << " became " << start;
+            EXPECT_FALSE(reported);
+        }
+    }
+    for (const char* from : {"2116-02-20T23:58", "2262-03-28T12:00"}) { // later than the 32 bits of PCAP
+        const auto seconds = static_cast<std::int64_t>(*parseUtc(std::string(from) + ":10Z"));
+        const auto [start, reported] = startOf(seconds, {.pcapng = true, .resolution = 9});
+        EXPECT_LT(std::abs(parseUtc(start).value_or(0) - static_cast<double>(seconds)), kMinute) << from << " became " << start;
+        EXPECT_FALSE(reported);
+    }
+    EXPECT_TRUE(startOf(9'223'000'000, {.pcapng = true, .resolution = 6}).second); // 2262-04-07
+}
+
+TEST(Capture, ARecordingReportsTimesThatItCannotHold) {
+    std::vector<RecordingMessagePtr> messages;
+    const std::string payload = "\x02sRA x\x03";
+    const auto message = [&](std::int64_t ns) {
+        messages.push_back(
+            std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, ns, {payload.begin(), payload.end()}}));
+    };
+    message(kLatestNs - 1'000'000'000);
+    auto recording = Recording::fromBytes(recordingBytes({}, messages), "x.mcap");
+    ASSERT_TRUE(recording);
+    EXPECT_TRUE((*recording)->warnings().empty());
+    message(std::numeric_limits<std::int64_t>::max());
+    recording = Recording::fromBytes(recordingBytes({}, messages), "x.mcap");
+    ASSERT_TRUE(recording);
+    ASSERT_EQ((*recording)->warnings().size(), 1U);
+    EXPECT_NE((*recording)->warnings()[0].find("are after 2262-03-29T"), std::string::npos) << (*recording)->warnings()[0];
 }
 
 TEST(Capture, PacketsOutOfOrderTwiceAndOverlappingArePutInOrder) {

@@ -1,9 +1,11 @@
 // Losses, wraps, duplicates and restarts, detected from the scanner's counters and clock.
+#include "core/base/utc_time.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/cola_vectors.h"
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 using namespace edgescan;
@@ -198,4 +200,26 @@ TEST(LineCounter, DevicesThatDoNotCountOrHaveNoClock) {
     const LineStamp stamp = clockless.stamp(telegram, 120'000'000);
     EXPECT_EQ(stamp.step, LineStep::Next);
     EXPECT_EQ(stamp.lost, 2);
+}
+
+// Two clocks of 64 bits: nothing is cut before 2262, and no difference overflows.
+TEST(DeviceClock, CarriesTimesOfEveryCentury) {
+    constexpr std::int64_t kYearNs = 31'556'952'000'000'000;
+    for (int year = 0; year < 292; ++year) {
+        DeviceClock clock;
+        const std::int64_t host = year * kYearNs + 123'456'789;
+        clock.line(5'000'000, host);
+        EXPECT_EQ(clock.hostNs(6'000'000), host + 1'000'000'000) << 1970 + year;
+    }
+    constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min(), kMost = std::numeric_limits<std::int64_t>::max();
+    for (const std::int64_t host : {kLeast, std::int64_t{0}, kMost}) {
+        for (const std::int64_t device : {kLeast, std::int64_t{0}, kMost}) {
+            for (const std::int64_t asked : {kLeast, std::int64_t{0}, kMost}) {
+                DeviceClock clock;
+                clock.line(device, host);
+                EXPECT_GE(clock.hostNs(asked), kEarliestNs);
+                EXPECT_LE(clock.hostNs(asked), kLatestNs);
+            }
+        }
+    }
 }
