@@ -255,6 +255,8 @@ private slots:
         QCOMPARE(shown(on), first);
         QMimeData mime;
         mime.setUrls({QUrl::fromEncoded("file://" + QByteArray::fromStdString(second).toPercentEncoding("/"))});
+        QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&on.window, &enter);
         QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&on.window, &drop);
         QVERIFY(eventually([&] { return shown(on) == second && !on.viewer.engine.working(); }));
