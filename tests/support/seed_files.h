@@ -241,4 +241,10 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     return seeds;
 }
 
+/// The options that a seed opens with: the angles of a picture or table of ranges, otherwise those of the file.
+inline ReadingOptions optionsOf(const SeedFile& seed) {
+    const bool ranges = seed.reader == "picture" || seed.reader == "range_csv" || seed.reader == "numpy";
+    return ranges ? seedOptions() : ReadingOptions{};
+}
+
 } // namespace edgescan::test

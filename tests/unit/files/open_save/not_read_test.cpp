@@ -13,11 +13,6 @@ using namespace edgescan::test;
 
 namespace {
 
-ReadingOptions optionsOf(const SeedFile& seed) {
-    const bool ranges = seed.reader == "picture" || seed.reader == "range_csv" || seed.reader == "numpy";
-    return ranges ? seedOptions() : ReadingOptions{};
-}
-
 std::vector<SeedFile> everyReader() {
     std::vector<SeedFile> seeds = seedFiles();
     const auto recording = recordingOf(makeScan({.lines = 6, .beams = 11, .beamStart = 20}), "seed");

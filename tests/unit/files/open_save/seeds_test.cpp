@@ -14,13 +14,8 @@ using namespace edgescan::test;
 
 namespace {
 
-ReadingOptions optionsFor(const SeedFile& seed) {
-    const bool ranges = seed.reader == "picture" || seed.reader == "range_csv" || seed.reader == "numpy";
-    return ranges ? seedOptions() : ReadingOptions{};
-}
-
 void holdsSoundly(const std::string& bytes, const SeedFile& seed) {
-    const auto scan = readBytes(bytes, seed.extension, optionsFor(seed));
+    const auto scan = readBytes(bytes, seed.extension, optionsOf(seed));
     if (!scan) {
         const std::string sentence = scan.error().sentence();
         EXPECT_TRUE(sentence.ends_with(".")) << sentence;
@@ -50,7 +45,7 @@ TEST(Seeds, EveryReaderHasSmallOnesThatOpen) {
 #endif
         readers.insert(seed.reader);
         EXPECT_LT(seed.bytes.size(), 10000U);
-        const auto scan = readBytes(seed.bytes, seed.extension, optionsFor(seed));
+        const auto scan = readBytes(seed.bytes, seed.extension, optionsOf(seed));
         ASSERT_TRUE(scan) << scan.error().sentence();
         holdsSoundly(seed.bytes, seed);
     }
