@@ -111,8 +111,7 @@ TEST(EmulatedScanner, AClientThatAsksAndNeverReadsCostsNoMemory) {
 }
 
 TEST(EmulatedScanner, AcceptsAgainOnceThereAreDescriptors) {
-    const auto scanner = served(countingScan(5, 9), {});
-    ASSERT_TRUE(answers(scanner->port()));
+    const auto scanner = served(countingScan(5, 9), {}); // without a client before: its descriptor could be closed later than it leaves
     rlimit before{};
     getrlimit(RLIMIT_NOFILE, &before);
     rlimit few = before;
