@@ -86,6 +86,9 @@ class SameAsTheCommandLine(unittest.TestCase):
         for name in ("gt_class.png", "gt_ignore.png", "rocks.json", "scene.json"):
             self.assertEqual((HERE / "again-truth" / name).read_bytes(), (HERE / "bell-truth" / name).read_bytes(), name)
 
+        with self.assertRaisesRegex(edgescan.Error, "truth=True"):
+            edgescan.simulate(seed=7, lines=60, beams=80).truth
+
 
 class Arrays(unittest.TestCase):
     def setUp(self):
