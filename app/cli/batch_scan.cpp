@@ -172,9 +172,10 @@ std::string reportCommand(const BatchWork& work, const Scan& scan) {
     return command;
 }
 
+// Adds what is said of the coordinates of the file to the row, for moveIntoPlace().
 Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edges::Detection& detection,
-                      const std::shared_ptr<const rocks::Study>& rocks, double loadMs, const fs::path& folder) {
-    exports::ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
+                      const std::shared_ptr<const rocks::Study>& rocks, double loadMs, const fs::path& folder, Json& row) {
+    exports::ExportOptions options = exportOptions(work.write, *detection.scan);
     options.sidecar = work.sidecars;
     options.rocks = rocks;
     if (wanted.extension == ".html") {
@@ -187,6 +188,9 @@ Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edg
     const std::string name = exports::exportFileName(*wanted.kind, wanted.extension, options.frame);
     const auto written = exports::exportWithProvenance(wanted.kind->content, detection, folder / name, options);
     if (!written) return written.error();
+    if (written->coordinates)
+        row["coordinates"][name] = {{"frame", frameName(written->coordinates->frame)},
+                                    {"coordinates", exports::coordinatesText(*written->coordinates)}};
     return Done{};
 }
 
@@ -219,9 +223,11 @@ Result<Done> moveIntoPlace(const fs::path& from, const fs::path& to, const Json&
         if (!hash) return hash.error();
         Json output{{"file", name.string()}};
         if (!holdsTimes(name)) output.update(Json{{"bytes", fs::file_size(from / name, problem)}, {"sha256", *hash}});
+        if (row.contains("coordinates") && row["coordinates"].contains(name.string())) output.update(row["coordinates"][name.string()]);
         row["outputs"].push_back(output);
         moves.push_back({from / name, to / name});
     }
+    row.erase("coordinates");
     if (auto moved = moveWholeFiles(moves); !moved) {
         Json& outputs = row["outputs"]; // only those that moved
         for (std::size_t n = moves.size(); n-- > 0;) {
@@ -282,7 +288,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
         addRockStudy(row, *rocks);
     }
     for (const WantedFile& wanted : work.wanted) {
-        const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging);
+        const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging, row);
         if (!written) {
             refuse(row, "failed", written.error());
             return {};

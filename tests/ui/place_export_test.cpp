@@ -88,8 +88,8 @@ private slots:
             choice(dialog, name).click();
             const auto written = exports::exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
             QVERIFY2(bool(written), name);
-            QCOMPARE(dialog.count(), *written);
-            QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
+            QCOMPARE(dialog.count(), written->count);
+            QVERIFY2(count->text().remove(',').contains(QString::number(written->count)), qPrintable(count->text()));
         }
         choice(dialog, "cloud").click();
         choice(dialog, "local").click();

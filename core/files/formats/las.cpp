@@ -286,8 +286,7 @@ Format lasFormat() {
             .write = lasBytes,
             .record = lasRecord,
             .stepM = 0.001,
-            .keepsIntensity = true,
-            .keepsPlace = true};
+            .keepsIntensity = true};
 }
 
 } // namespace edgescan::files

@@ -365,6 +365,7 @@ Format pointListFormat() {
             .read = readingOf<readTextPoints>,
             .write = xyzBytes,
             .keeps = Keeps::Sidecar,
+            .inFloats = {"MeshLab", "PCL"},
             .writesByLines = true};
 }
 

@@ -233,8 +233,7 @@ Format rawGridFormat() {
             .writes = {".json", ".u16"},
             .recognises = looksLikeRawGrid,
             .read = readingOf<readRawGrid>,
-            .writeScan = rawGridFiles,
-            .keepsPlace = true};
+            .writeScan = rawGridFiles};
 }
 
 } // namespace edgescan::files

@@ -1,6 +1,6 @@
 // Exports of rocks: table, report, labels, outlines, hulls.
+#include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
-#include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -77,7 +77,7 @@ void Rocks::exportTo(const QString& path) {
         return;
     }
     exports::ExportOptions options;
-    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = usualFrame(*picture_->detection->scan);
+    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = files::usualFrame(*picture_->detection->scan);
     options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
     engine_.save(file->kind->content, path, options);
 }
