@@ -92,11 +92,6 @@ FileState stateOf(const fs::path& path) {
     return {status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
-bool isThere(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
-}
-
 fs::path folderOf(const BatchWork& work, std::size_t job) { return work.results / "scans" / work.names[job]; }
 
 Json beginRow(const BatchWork& work, std::size_t job) {
@@ -125,7 +120,7 @@ bool addInputFiles(Json& row, const std::string& input, const InputClaims& claim
     row["bytes"] = files[0]["bytes"];
     row["sha256"] = files[0]["sha256"];
     row["files"] = files;
-    row["record_beside"] = isThere(files::sidecarPath(input));
+    row["record_beside"] = files::sidecarOf(input).has_value();
     row["times"]["modified"] = modified;
     return files[0]["bytes"] >= 0 && files[0]["sha256"].is_string();
 }
@@ -336,7 +331,7 @@ bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     const Json& times = row["times"];
     const bool triedAgain = work.retry || work.memoryBytes > times.value("memory_bytes", std::uint64_t{0});
     if (outcome != "done" && (outcome != "refused" || triedAgain)) return false;
-    if (isThere(files::sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
+    if (files::sidecarOf(work.inputs[job]).has_value() != row["record_beside"]) return false;
     const Json modified = times.value("modified", Json::array());
     for (std::size_t i = 0; i < row["files"].size(); ++i) {
         const Json& file = row["files"][i];

@@ -34,7 +34,10 @@ constexpr double kToleranceM = 6e-4; // LAS rounds to half a millimetre; whole m
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Json vectorJson(const Eigen::Vector3d& v) {
+    constexpr double kPerM = 1e6; // the digits behind a micrometre are those of arithmetic
+    return {rounded(v.x(), kPerM), rounded(v.y(), kPerM), rounded(v.z(), kPerM)};
+}
 
 /// The expected content of the file, in addition to its bytes.
 struct Expected {

@@ -57,10 +57,16 @@ std::string frameAndExtent(const WrittenCoordinates& written) {
     return text + (written.box.isEmpty() ? std::string() : extentText(written.box, names)) + ".";
 }
 
-std::string listed(const std::vector<const char*>& names) {
+std::string listed(const std::vector<std::string>& names) {
     std::string text;
-    for (std::size_t n = 0; n < names.size(); ++n) text += (n == 0 ? "" : n + 1 == names.size() ? " and " : ", ") + std::string(names[n]);
+    for (std::size_t n = 0; n < names.size(); ++n) text += (n == 0 ? "" : n + 1 == names.size() ? " and " : ", ") + names[n];
     return text;
+}
+
+void addMissing(std::vector<std::string>& names, const std::vector<std::string>& others) {
+    for (const std::string& name : others) {
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
 }
 
 } // namespace
@@ -68,10 +74,8 @@ std::string listed(const std::vector<const char*>& names) {
 void WrittenCoordinates::add(const WrittenCoordinates& other) {
     box.extend(other.box);
     measurements = measurements && other.measurements;
-    aboutOrigin = aboutOrigin || other.aboutOrigin;
-    for (const char* program : other.inFloats) {
-        if (std::ranges::find(inFloats, std::string(program)) == inFloats.end()) inFloats.push_back(program);
-    }
+    addMissing(aboutOrigin, other.aboutOrigin);
+    addMissing(inFloats, other.inFloats);
 }
 
 std::optional<WrittenCoordinates> coordinatesOf(ExportContent content, const Scan& scan, const std::filesystem::path& path,
@@ -84,8 +88,8 @@ std::optional<WrittenCoordinates> coordinatesOf(ExportContent content, const Sca
     const files::Format* format = files::writtenFormat(path);
     if (format != nullptr && exportKind(content).holds != ExportKind::Holds::Numbers) {
         written.measurements = format->write == nullptr;
-        written.aboutOrigin = format->aboutOrigin && !options.choices.doubles;
-        written.inFloats = format->inFloats;
+        if (format->aboutOrigin && !options.choices.doubles) written.aboutOrigin = {format->writes.front()};
+        written.inFloats = {format->inFloats.begin(), format->inFloats.end()};
     }
     return written;
 }
@@ -95,7 +99,8 @@ std::string coordinatesText(const WrittenCoordinates& written) {
         return std::string("Ranges and angles of the scanner, ") + (written.originEnhM ? "with" : "without") + " a place in the mine grid.";
     std::string text = frameAndExtent(written);
     if (written.frame != CoordinateFrame::Mine) return text;
-    if (written.aboutOrigin) text += " The file holds metres from " + originText(*written.originEnhM) + " in 4-byte numbers.";
+    if (!written.aboutOrigin.empty())
+        text += " " + listed(written.aboutOrigin) + ": 4-byte metres from " + originText(*written.originEnhM) + ".";
     const double loss = lossInFloatsM(written.box);
     if (!written.inFloats.empty() && loss >= kLeastLossM)
         text += " For " + listed(written.inFloats) + " use the local frame (--frame local): 4-byte numbers are up to " +

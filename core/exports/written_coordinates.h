@@ -18,8 +18,8 @@ struct WrittenCoordinates {
     std::optional<Eigen::Vector3d> originEnhM{}; ///< of the scan's place; empty without one
     Eigen::AlignedBox3d box{};                   ///< metres in the frame; empty where no point is there
     bool measurements = false;                   ///< a raw grid or a recording: ranges and angles in place of coordinates
-    bool aboutOrigin = false;                    ///< the file holds 4-byte metres from the origin
-    std::vector<const char*> inFloats{};         ///< programs that read the file's coordinates into 4-byte numbers
+    std::vector<std::string> aboutOrigin{};      ///< extensions of the files that hold 4-byte metres from the origin
+    std::vector<std::string> inFloats{};         ///< programs that read the files' coordinates into 4-byte numbers
 
     /// Of several files of one scan in one frame.
     void add(const WrittenCoordinates& other);

@@ -142,6 +142,7 @@ private slots:
         window.viewer().engine.save(exports::ExportContent::EdgeCloud, path, options);
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
+        QTRY_VERIFY2(window.viewer().notice.text().contains("Mine grid: E 6200"), qPrintable(window.viewer().notice.text()));
     }
 };
 

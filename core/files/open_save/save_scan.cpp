@@ -99,7 +99,7 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
                        ".provenance.json beside it, which holds the grid, or write it with --comments.");
     if (scan.intensity.size() > 0 && !format->keepsIntensity && !(bySidecar && options.choices.comments))
         lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
-    if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry))
+    if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry) && options.frame == CoordinateFrame::Scanner)
         lost.push_back("The file rounds the points to whole steps of " + significantText(format->stepM * 1000, 3) + " mm.");
     if (scan.placement && options.frame == CoordinateFrame::Scanner && format->keeps != Keeps::States &&
         !(bySidecar && options.choices.comments))

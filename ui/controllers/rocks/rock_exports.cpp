@@ -1,6 +1,7 @@
 // Exports of rocks: table, report, labels, outlines, hulls.
 #include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
+#include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -56,7 +57,8 @@ void Rocks::askExport() {
     for (const RockFile& each : rockFiles())
         question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
     question.extension = rockFiles().front().file->extension;
-    const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
+    const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks" +
+                         frameTail(files::usualFrame(*picture_->detection->scan));
     question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
