@@ -25,7 +25,7 @@ constexpr std::size_t kRowsAtOnce = 2048;
 constexpr std::size_t kRowsOfPiece = 32768; // what a thread begins costs as much as some hundred rows
 constexpr std::size_t kMostOfNumber = 400;  // bytes of text: the largest double has 309 digits before its point
 constexpr std::size_t kUsualNumber = 8;     // bytes of text with its separator; more is found when it is needed
-constexpr int kMostDecimals = 9;            // of metres: the digits behind a nanometre are those of arithmetic
+constexpr int kListDecimals = 9;            // of metres: the digits behind a nanometre are those of arithmetic
 constexpr int kMineDecimals = 4;            // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
 template <class Number>
@@ -74,7 +74,7 @@ std::size_t writeRows(std::vector<char>& piece, const CloudColumns& cloud, std::
             // A file with its description opens again as the same scan: there every bit counts.
             const bool isRounded = doubles != nullptr && cloud.description.empty();
             if ((isMine || isRounded) && std::isfinite(numberIn(column, row))) {
-                at = writeDecimals(at, numberIn(column, row), isMine ? kMineDecimals : kMostDecimals, !isMine, fixed);
+                at = writeDecimals(at, numberIn(column, row), isMine ? kMineDecimals : kListDecimals, !isMine, fixed);
             } else {
                 std::visit([&](const auto& values) { at = writeShortest(at, end, values[row]); }, column.values);
             }
