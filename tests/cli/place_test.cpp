@@ -142,7 +142,9 @@ TEST_F(CliPlace, EveryFormatIsInTheMineGridIfThereIsAPoseAndOpensAsTheSameScan) 
             if (!one.opens) continue;
             const json after = json::parse(runCli("detect " + path(one.name) + " --json -").out);
             for (const char* key : {"edge_mask_sha256", "lines", "beams", "frame", "pose"}) EXPECT_EQ(after[key], before[key]) << key;
-            if (name != "w.csv" && name != "w.xyz" && name != "w.obj" && name != "w.ptx") EXPECT_EQ(after["cells"], before["cells"]);
+            if (name != "w.csv" && name != "w.xyz" && name != "w.obj" && name != "w.ptx") {
+                EXPECT_EQ(after["cells"], before["cells"]);
+            }
         }
     }
 }
@@ -175,7 +177,7 @@ TEST_F(CliPlace, BatchStatesTheFrameOfEveryFile) {
     for (const json& output : row["outputs"]) {
         const bool holds = output["file"] == "edges.csv";
         EXPECT_EQ(output.contains("frame"), holds) << output;
-        if (holds) EXPECT_EQ(output["coordinates"].get<std::string>().find("Mine grid: E 6207"), 0U) << output;
+        EXPECT_EQ(holds, output.value("coordinates", "").starts_with("Mine grid: E 6207")) << output;
     }
 }
 
@@ -217,7 +219,7 @@ TEST_F(CliPlace, LinksLeadToWhatIsBesideTheirFiles) {
         const json opened = json::parse(info.out);
         EXPECT_EQ(opened["lines"], 40) << name;
         EXPECT_EQ(opened["frame"], std::string(name) == "w.csv" ? "mine grid" : "scanner");
-        if (std::string(name) == "w.csv") EXPECT_EQ(runCli("verify " + link.string()).code, 0);
+        EXPECT_EQ(runCli("verify " + link.string()).code, std::string(name) == "w.csv" ? 0 : 1) << "only exports have records";
         std::filesystem::remove(link);
     }
 }
