@@ -65,9 +65,4 @@ struct MinePoint {
 [[nodiscard]] const char* frameName(CoordinateFrame frame);
 [[nodiscard]] std::optional<CoordinateFrame> frameNamed(std::string_view name);
 
-/// The default frame of an export: Mine if the scan has a placement, otherwise Scanner.
-[[nodiscard]] inline CoordinateFrame usualFrame(const Scan& scan) {
-    return scan.placement ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
-}
-
 } // namespace edgescan

@@ -73,6 +73,7 @@ Json placementToJson(const Placement& p) {
                   {"axis", {p.mount.axis.x(), p.mount.axis.y(), p.mount.axis.z()}},
                   {"zero_deg", p.mount.zeroDeg},
                   {"direction", p.mount.direction}}}};
+    if (!p.startUtc.empty()) object["scan_start"] = p.startUtc;
     if (p.boom) {
         object["boom"] = {{"pivot_m", {p.boom->pivotM.x(), p.boom->pivotM.y(), p.boom->pivotM.z()}},
                           {"head_m", {p.boom->headM.x(), p.boom->headM.y(), p.boom->headM.z()}}};
@@ -91,6 +92,7 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.grid = fields.text("grid");
     p.source = fields.text("source");
     p.timeUtc = fields.text("time");
+    p.startUtc = fields.text("scan_start");
     p.ageSeconds = fields.number("age_s", std::numeric_limits<double>::quiet_NaN());
     p.outOfSpec = fields.boolean("out_of_spec", false);
     p.warnings = fields.texts("warnings");
