@@ -79,6 +79,9 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 /// The value of a parameter that is a number. TypeError for every other type, bool included.
 [[nodiscard]] double numberOf(const char* name, const py::object& value);
 
+/// The frame of that name: scanner, local or mine. Refused if there is no such frame, or if the scan has no place in it.
+[[nodiscard]] CoordinateFrame frameOf(const Scan& scan, const std::string& name);
+
 /// Names in it are as nameOf() gives them.
 [[nodiscard]] py::object objectOf(const nlohmann::ordered_json& json);
 
