@@ -105,7 +105,7 @@ public:
                      std::optional<double> timeout)
         : address_(address), timeout_(timeout) {
         const cli::HostPort typed = taken(cli::hostPort(address));
-        scanner::SessionSettings scanner;
+        scanner::ConnectionSettings scanner;
         scanner.host = typed.host;
         scanner.port = typed.port;
         feed_ = std::make_unique<files::LiveFeed>(scanner, sweep, [this] {
