@@ -45,12 +45,12 @@ RocksObject rocksOf(rocks::Study made) {
 
 RocksObject rocks(const ResultObject& result, const std::map<std::string, double>& numbers, const std::string& region) {
     const rocks::RockSettings settings = settingsOf(numbers, region);
-    return unlocked([&] { return rocksOf(rocks::studyRocks(rocks::rockInputs(*result.detection), settings)); });
+    return unlocked([&] { return rocksOf(rocks::studyRocks(rocks::rockInputs(*whole(result)), settings)); });
 }
 
-RocksObject atLevel(const RocksObject& self, const py::object& level) {
+RocksObject atLevel(const RocksObject& self, double level) {
     rocks::RockSettings settings = self.study->settings;
-    settings.level = settingsOf({{"level", numberOf("level", level)}}, "").level;
+    settings.level = settingsOf({{"level", level}}, "").level;
     return unlocked([&] { return rocksOf(rocks::studyRocks(self.study->segmentation->inputs, settings, {}, self.study.get())); });
 }
 
@@ -127,10 +127,11 @@ void bindRocks(py::module_& module) {
         "(across the beams), four_sd_m (4 standard deviations of its points along their longest axis), evidence, confidence.");
     property(
         "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.study->settings)); }, "What it was made with.");
-    type.def("table_in", &tableOf, py::arg("frame"),
-             "`table` in another frame. frame: 'scanner', 'local' (east, north, up from the scan's `origin`) or 'mine' (Easting, Northing, "
-             "Elevation).");
-    type.def("at", &atLevel, py::arg("level"), "The same at another level, without working out the pieces again.");
+    type.def("__repr__", [](const RocksObject& r) {
+        return "<edgescan.Rocks: " + std::to_string(r.study->map.rocks) + " rocks at level " + shortestText(r.study->settings.level) + ">";
+    });
+    module.def("rocks_at", &atLevel);
+    module.def("rocks_table", &tableOf);
     module.def("rocks", &rocks);
     module.def("rock_parameters", [] {
         py::list rows;
