@@ -6,8 +6,6 @@
 
 #include <QPainter>
 
-#include <algorithm>
-#include <string_view>
 #include <vector>
 
 namespace edgescan::ui {
@@ -25,10 +23,6 @@ const std::vector<rocks::RockColumn>& columns() {
         return shown;
     }();
     return kShown;
-}
-
-int columnOf(std::string_view key) {
-    return static_cast<int>(std::ranges::find(columns(), key, &rocks::RockColumn::key) - columns().begin());
 }
 
 } // namespace
@@ -86,12 +80,10 @@ void ShownRocks::setSureOnly(bool on) {
     invalidateFilter();
 }
 
-bool ShownRocks::filterAcceptsRow(int row, const QModelIndex& parent) const {
-    const auto number = [&](int column) {
-        return sourceModel()->data(sourceModel()->index(row, column, parent), RockTableModel::kNumberRole).toDouble();
-    };
-    static const int kWide = columnOf("visible_wide_m"), kConfidence = columnOf("confidence");
-    return number(kWide) >= smallestM_ && (!sureOnly_ || number(kConfidence) >= rocks::kSureConfidence);
+bool ShownRocks::filterAcceptsRow(int row, const QModelIndex&) const {
+    const auto& picture = static_cast<const RockTableModel*>(sourceModel())->picture();
+    const rocks::Rock& rock = picture->study.rocks[static_cast<std::size_t>(row)];
+    return rock.shortestCaliperM >= smallestM_ && (!sureOnly_ || !isDoubtful(rock));
 }
 
 } // namespace edgescan::ui

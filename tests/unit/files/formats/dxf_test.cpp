@@ -1,4 +1,5 @@
 // DXF output, read by a small parser of group codes; and edges as chains.
+#include "core/edges/settings/settings.h"
 #include "core/files/formats/edge_chains.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
