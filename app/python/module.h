@@ -13,6 +13,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <string>
@@ -95,7 +96,9 @@ public:
         this->attr("__module__") = "edgescan";
         auto* made = reinterpret_cast<PyTypeObject*>(this->ptr());
         made->tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
-            PyErr_Format(PyExc_TypeError, "objects of %s are made by the functions of edgescan", of->tp_name);
+            const char* dot = std::strrchr(of->tp_name, '.');
+            PyErr_Format(PyExc_TypeError, "%s(): objects of this class are made by the functions of edgescan",
+                         dot == nullptr ? of->tp_name : dot + 1);
             return nullptr;
         };
         PyType_Modified(made);

@@ -23,7 +23,7 @@ from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulatio
 from . import _arrays, _edgescan, _methods
 from ._lab import benchmark
 from .reports import Compared, Why
-from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole
+from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
 
 __all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
            "open", "parameters", "presets", "replay", "report", "rocks", "save", "simulate", "why"]
@@ -144,7 +144,7 @@ def rocks(result: Result, *, region: Union[None, str, Iterable[Iterable[int]]] =
         if any(len(cell) != 2 for cell in cells):
             raise TypeError("rocks(): region must be a list of cells (line, beam), and one of them does not have two numbers")
         region = " ".join(f"{_whole('rocks(): region', line)},{_whole('rocks(): region', beam)}" for line, beam in cells)
-    return _edgescan.rocks(result, parameters, region or "")
+    return _edgescan.rocks(result, parameters, _word("rocks(): region", region or ""))
 
 
 @_keywords(("Choices of single formats, True or False:", _CHOICES))
