@@ -128,13 +128,13 @@ def report(result: Result, path: Path, *, rocks: Optional[Rocks] = None, targets
 
 @_keywords(("Parameters of rocks:", _ROCKS))
 def rocks(result: Result, *, region: Union[None, str, Iterable[Iterable[int]]] = None, **parameters) -> Rocks:
-    """Rocks from a Result's edges: a Rocks with labels and a row per region. Candidates, geometry only, from one viewpoint.
+    """Rocks from a Result's edges: a Rocks with labels and a row per rock. Candidates, geometry only, from one viewpoint.
 
     region: cells (line, beam), two opposite corners or a polygon; what lies mostly outside counts as nothing. A Result of another method
     than EdgeScan+ gives the rocks of EdgeScan+ with the same settings.
 
     >>> found = edgescan.rocks(result, min_cells=60)
-    >>> found.count == int(found.labels.max()) == len([row for row in found.table if row["kind"] == "rock"])
+    >>> found.count == int(found.labels.max()) == len(found.table)
     True
     >>> found.at(2.0).settings["level"] == 2   # coarser, at once
     True

@@ -63,8 +63,10 @@ std::optional<Zone> utmZone(const std::string& grid) {
     return zone && zone->number >= 1 && zone->number <= 60 ? zone : std::nullopt;
 }
 
+int codeOf(const Zone& zone) { return (zone.south ? 32700 : 32600) + zone.number; }
+
 std::string utmWkt(const Zone& zone) {
-    const std::string code = std::to_string((zone.south ? 32700 : 32600) + zone.number);
+    const std::string code = std::to_string(codeOf(zone));
     return "PROJCS[\"WGS 84 / UTM zone " + std::to_string(zone.number) + (zone.south ? "S" : "N") +
            "\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563,AUTHORITY[\"EPSG\",\"7030\"]],"
            "AUTHORITY[\"EPSG\",\"6326\"]],PRIMEM[\"Greenwich\",0,AUTHORITY[\"EPSG\",\"8901\"]],UNIT[\"degree\",0.0174532925199433,"
@@ -85,6 +87,11 @@ std::string quotable(std::string name) {
 }
 
 } // namespace
+
+std::optional<int> epsgCode(const std::string& grid) {
+    const auto zone = utmZone(grid);
+    return zone ? std::optional(codeOf(*zone)) : std::nullopt;
+}
 
 std::string coordinateSystemWkt(const CloudColumns& cloud) {
     std::string name = "EdgeScan scanner frame (local)";

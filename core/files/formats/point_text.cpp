@@ -10,6 +10,7 @@
 #include "core/files/point_tables/point_columns.h"
 #include "core/files/point_tables/text_words.h"
 #include "core/files/point_tables/unnamed_cells.h"
+#include "core/scan/georef/placed_points.h"
 
 #include <algorithm>
 #include <array>
@@ -276,13 +277,6 @@ Result<PointTable> readTextPoints(const Source& source) {
     table.precision = precisionOf(rows.digits());
     describePoints(table, *columns, use, *layout, source);
     return table;
-}
-
-/// The names of coordinates in tables: without a comment line they alone name the frame.
-std::array<const char*, 3> coordinateNames(CoordinateFrame frame) {
-    if (frame == CoordinateFrame::Mine) return {"easting_m", "northing_m", "elevation_m"};
-    if (frame == CoordinateFrame::MineLocal) return {"east_m", "north_m", "up_m"};
-    return {"x_m", "y_m", "z_m"};
 }
 
 /// Rows without a point would not be numbers.

@@ -151,7 +151,9 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
     if (!poses.headInRobotM.allFinite()) placement->boom = boomOf(calibration);
     placement->grid = poses.grid;
     placement->source = poses.source;
-    placement->startUtc = utcText(poses.scanStartS);
+    placement->robot = poses.robot.empty() ? calibration.robot : poses.robot;
+    placement->scanStartUtc = utcText(poses.scanStartS);
+    placement->scanEndUtc = utcText(poses.scanEndS);
     const TalinReading mean = averageTalin(poses.talin);
     placement->originEnhM = chooseOrigin(mean.enhM);
     const double startS = lineTimesS.empty() ? poses.scanStartS : lineTimesS.front();

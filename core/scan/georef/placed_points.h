@@ -4,6 +4,7 @@
 #include "core/scan/grid/placement.h"
 #include "core/scan/grid/scan.h"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -64,5 +65,8 @@ struct MinePoint {
 /// The frame's name in records: "scanner", "mine grid", "local metres from the mine grid origin".
 [[nodiscard]] const char* frameName(CoordinateFrame frame);
 [[nodiscard]] std::optional<CoordinateFrame> frameNamed(std::string_view name);
+
+/// The names of coordinates in tables: they alone name the frame where a file has no other place for it. "easting_m", "east_m", "x_m" ...
+[[nodiscard]] std::array<const char*, 3> coordinateNames(CoordinateFrame frame);
 
 } // namespace edgescan

@@ -64,6 +64,9 @@ Json placementToJson(const Placement& p) {
                 {"grid_scale", p.gridScale},
                 {"grid", p.grid},
                 {"source", p.source},
+                {"robot", p.robot},
+                {"scan_start", p.scanStartUtc},
+                {"scan_end", p.scanEndUtc},
                 {"time", p.timeUtc},
                 {"age_s", std::isfinite(p.ageSeconds) ? Json(p.ageSeconds) : Json()},
                 {"out_of_spec", p.outOfSpec},
@@ -73,7 +76,6 @@ Json placementToJson(const Placement& p) {
                   {"axis", {p.mount.axis.x(), p.mount.axis.y(), p.mount.axis.z()}},
                   {"zero_deg", p.mount.zeroDeg},
                   {"direction", p.mount.direction}}}};
-    if (!p.startUtc.empty()) object["scan_start"] = p.startUtc;
     if (p.boom) {
         object["boom"] = {{"pivot_m", {p.boom->pivotM.x(), p.boom->pivotM.y(), p.boom->pivotM.z()}},
                           {"head_m", {p.boom->headM.x(), p.boom->headM.y(), p.boom->headM.z()}}};
@@ -91,8 +93,10 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.gridScale = fields.number("grid_scale", 1.0, physical::kGridScale.limits);
     p.grid = fields.text("grid");
     p.source = fields.text("source");
+    p.robot = fields.text("robot");
+    p.scanStartUtc = fields.text("scan_start");
+    p.scanEndUtc = fields.text("scan_end");
     p.timeUtc = fields.text("time");
-    p.startUtc = fields.text("scan_start");
     p.ageSeconds = fields.number("age_s", std::numeric_limits<double>::quiet_NaN());
     p.outOfSpec = fields.boolean("out_of_spec", false);
     p.warnings = fields.texts("warnings");

@@ -13,7 +13,7 @@ std::optional<double> startOfScan(const Scan& scan) {
         start = scan.acquisition->lineTimesS.front();
     else if (scan.acquisition)
         start = parseUtc(scan.acquisition->startUtc);
-    if (!start && scan.placement) start = parseUtc(scan.placement->startUtc);
+    if (!start && scan.placement) start = parseUtc(scan.placement->scanStartUtc);
     if (!start && scan.placement) start = parseUtc(scan.placement->timeUtc);
     const bool isHeld = start && *start > 0 && *start < static_cast<double>(kLatestNs) * 1e-9;
     return isHeld ? start : std::nullopt;

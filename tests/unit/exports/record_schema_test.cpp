@@ -76,7 +76,8 @@ std::vector<WrittenFile> exportAll(const Folder& folder, const edges::Detection&
     add(ExportContent::RockReport, "rocks.json");
     add(ExportContent::RockCloud, "rocks.ply");
     add(ExportContent::RockOutlines, "outlines.dxf");
-    add(ExportContent::RockOutlines, "outlines.geojson");
+    if (options.frame == CoordinateFrame::Mine) add(ExportContent::RockOutlines, "outlines.geojson");
+    add(ExportContent::RockPictureOutlines, "outlines.json");
     add(ExportContent::RockHulls, "hulls.ply");
     add(ExportContent::RockHulls, "hulls.obj");
     return written;

@@ -126,9 +126,9 @@ TEST(Foxglove, ATimeThatOnlyThePoseStatesIsTheTimeOfTheMessages) {
         EXPECT_EQ(seconds[0], seconds[1]);
         return seconds[0];
     };
-    placement.startUtc = "2026-11-20T10:00:00.000Z";
-    EXPECT_EQ(beginsAt(), *parseUtc(placement.startUtc));
-    placement.startUtc.clear();
+    placement.scanStartUtc = "2026-11-20T10:00:00.000Z";
+    EXPECT_EQ(beginsAt(), *parseUtc(placement.scanStartUtc));
+    placement.scanStartUtc.clear();
     EXPECT_EQ(beginsAt(), std::floor(*parseUtc(placement.timeUtc)));
     placement.timeUtc.clear();
     EXPECT_EQ(beginsAt(), 1) << "no time is known";
