@@ -239,4 +239,6 @@ def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "swe
 def __getattr__(name):
     if name == "evaluate":
         raise AttributeError("edgescan.evaluate: scores are in another program now; use edgescan-lab evaluate MASK.png --truth FOLDER --json -")
+    if name == "change":
+        raise AttributeError("edgescan.change: it is edgescan.compare(before, now)")
     raise AttributeError(f"module 'edgescan' has no attribute {name!r}")
