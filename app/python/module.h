@@ -81,6 +81,9 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 /// A whole number; beyond 64 bits the last one on its side.
 [[nodiscard]] std::int64_t wholeOf(const py::int_& number);
 
+/// The frame of that name: scanner, local or mine. Refused if there is no such frame, or if the scan has no place in it.
+[[nodiscard]] CoordinateFrame frameOf(const Scan& scan, const std::string& name);
+
 /// Names in it are as nameOf() gives them.
 [[nodiscard]] py::object objectOf(const nlohmann::ordered_json& json);
 

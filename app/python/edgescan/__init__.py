@@ -128,13 +128,13 @@ def report(result: Result, path: Path, *, rocks: Optional[Rocks] = None, targets
 
 @_keywords(("Parameters of rocks:", _ROCKS))
 def rocks(result: Result, *, region: Union[None, str, Iterable[Iterable[int]]] = None, **parameters) -> Rocks:
-    """Rocks from a Result's edges: a Rocks with labels and a row per region. Candidates, geometry only, from one viewpoint.
+    """Rocks from a Result's edges: a Rocks with labels and a row per rock. Candidates, geometry only, from one viewpoint.
 
     region: cells (line, beam), two opposite corners or a polygon; what lies mostly outside counts as nothing. A Result of another method
     than EdgeScan+ gives the rocks of EdgeScan+ with the same settings.
 
     >>> found = edgescan.rocks(result, min_cells=60)
-    >>> found.count == int(found.labels.max()) == len([row for row in found.table if row["kind"] == "rock"])
+    >>> found.count == int(found.labels.max()) == len(found.table)
     True
     >>> found.at(2.0).settings["level"] == 2   # coarser, at once
     True
@@ -154,7 +154,7 @@ def save(what: Union[Scan, Result], path: Path, content: Optional[str] = None, *
 
     content: of a Result 'edges' (the edge points), 'cloud' (all points), 'mask', 'gray', 'range' (PNG) or 'scan' (every cell with its
     state); a Scan is always written whole. Without it .png is the mask, all else the edge points. The extension chooses the format.
-    frame: 'mine', 'local', 'scanner' or 'auto' (the usual one). ascii: PCD and PLY as text. include_attached: of a cloud that was
+    frame: 'mine', 'local', 'scanner', or 'auto': 'mine' if the scan has a place. ascii: PCD and PLY as text. include_attached: of a cloud that was
     projected also the points behind the nearest of their cell. operator, role: who exports, for the record.
 
     Returns the number of points or cells written. The file that the scan was opened from is never written over.

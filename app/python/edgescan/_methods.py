@@ -2,7 +2,7 @@
 # mypy: ignore-errors
 from __future__ import annotations
 
-from typing import Literal, Optional
+from typing import Any, Dict, List, Literal, Optional
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +38,15 @@ def report(self) -> Detected:
 def at(self, level: float) -> Rocks:
     """The same at another level, without computing the segments again."""
     return _edgescan.rocks_at(self, level)
+
+
+@method(Rocks)
+def table_in(self, frame: Literal["scanner", "local", "mine"]) -> List[Dict[str, Any]]:
+    """`table` with the coordinates of this frame.
+
+    frame: 'scanner', 'local' (east, north, up from the scan's `origin`) or 'mine' (Easting, Northing, Elevation).
+    """
+    return _edgescan.rocks_table(self, frame)
 
 
 @method(Simulation)
