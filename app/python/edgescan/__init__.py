@@ -202,7 +202,7 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
 
     The session ends with stop(), or at the end of a with block. A lost connection is made again by itself.
 
-    >>> with edgescan.connect(address, expected_lines=40) as scanner:
+    >>> with edgescan.connect(address, expected_lines=40, timeout=30) as scanner:
     ...     for sweep in scanner:
     ...         if sweep.finished:
     ...             break
