@@ -4,6 +4,7 @@
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
+#include "core/scanner/sick_lms/telegram_line.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/scans.h"
 #include "tests/support/wait_until.h"
@@ -43,7 +44,7 @@ inline scanner::ScannerTimeouts hasty() {
 /// All events of a session. Destroy the session before this object.
 class Listener {
 public:
-    [[nodiscard]] scanner::SessionEvents events() {
+    [[nodiscard]] scanner::ConnectionEvents events() {
         return {[this](const scanner::ConnectionState& state) { add(states_, state); },
                 [this](const scanner::ScannerIdentity& who) { add(identities_, who); },
                 [this](const scanner::ColaFrame& frame) { add(frames_, frame); },
@@ -134,8 +135,9 @@ inline std::unique_ptr<scanner::EmulatedScanner> served(const Scan& scan, const 
     return std::move(*scanner);
 }
 
-inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner, const scanner::ScannerTimeouts& timeouts = patient()) {
-    scanner::SessionSettings settings;
+inline scanner::ConnectionSettings settingsFor(const scanner::EmulatedScanner& scanner,
+                                               const scanner::ScannerTimeouts& timeouts = patient()) {
+    scanner::ConnectionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
     settings.timeouts = timeouts;
@@ -155,7 +157,7 @@ inline Account accountOf(const std::vector<scanner::ScanTelegram>& telegrams) {
     scanner::LineCounter counter;
     std::int64_t first = 0;
     for (const scanner::ScanTelegram& telegram : telegrams) {
-        const scanner::LineStamp stamp = counter.stamp(telegram, 0);
+        const scanner::LineStamp stamp = counter.stamp(scanner::countOf(telegram), 0);
         if (stamp.step == scanner::LineStep::First) first = stamp.telegram;
         if (stamp.step == scanner::LineStep::Duplicate) {
             ++account.duplicates;

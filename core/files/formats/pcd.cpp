@@ -285,7 +285,7 @@ Format pcdFormat() {
             .read = readingOf<readPcdPoints>,
             .write = pcdBytes,
             .keepsIntensity = true,
-            .keepsPlace = true,
+            .aboutOrigin = true,
             .writesByLines = true};
 }
 

@@ -13,8 +13,8 @@ namespace {
 class Mock {
 public:
     explicit Mock(std::vector<std::string> faults) : port_(freePort()), process_(words(std::move(faults))) {}
-    [[nodiscard]] SessionSettings settings(const ScannerTimeouts& timeouts = patient()) const {
-        SessionSettings settings;
+    [[nodiscard]] ConnectionSettings settings(const ScannerTimeouts& timeouts = patient()) const {
+        ConnectionSettings settings;
         settings.host = "127.0.0.1";
         settings.port = port_;
         settings.timeouts = timeouts;
@@ -47,7 +47,7 @@ void expectRealLines(const Listener& listener) {
     LineCounter counter;
     std::int64_t previous = 0;
     for (const ScanTelegram& telegram : telegrams) {
-        const LineStamp stamp = counter.stamp(telegram, 0);
+        const LineStamp stamp = counter.stamp(countOf(telegram), 0);
         if (stamp.step == LineStep::Next) {
             EXPECT_EQ(stamp.telegram - previous - 1, stamp.lost);
         }
