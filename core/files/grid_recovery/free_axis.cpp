@@ -30,7 +30,7 @@ constexpr double kMostMountingDeg = 3.0;
 constexpr double kExplained = 0.65; // of the rounding: a larger misfit has another reason
 constexpr double kMostScale = 5e-3; // off 1
 constexpr double kClearlyBetter = 0.9;
-constexpr const char* kWayOut = "open the scan in the scanner's frame, or keep the record beside the file";
+constexpr const char* kWayOut = "open the scan as the scanner stored it, or with its record";
 
 struct Returns {
     std::vector<Eigen::Vector3d> points; ///< about the middle

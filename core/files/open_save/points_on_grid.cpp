@@ -239,7 +239,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
                       : laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind)
                                                      : findGrid(table, source, organised, false);
     auto& grid = found.grid;
-    if (afar && !grid && !found.cancelled()) return *afar;
+    if (afar && !grid && !found.cancelled()) return Error{afar->what + ", and " + grid.error().what, afar->where, afar->hint};
     const bool text = table.format == "point list";
     if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
