@@ -121,7 +121,7 @@ int run(const Record& record) {
         printError(address.error());
         return kWrongUsage;
     }
-    scanner::SessionSettings scanner;
+    scanner::ConnectionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
     Mounting mounting = record.mounting;

@@ -159,7 +159,7 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
     const Served served(bell + " --rate 500 --split"); // so slow that the sweep can be observed while it grows
     ASSERT_GT(served.port(), 0);
-    scanner::SessionSettings scanner;
+    scanner::ConnectionSettings scanner;
     scanner.host = "127.0.0.1";
     scanner.port = static_cast<std::uint16_t>(served.port());
     scanner::SweepSettings sweep;

@@ -43,7 +43,7 @@ inline scanner::ScannerTimeouts hasty() {
 /// All events of a session. Destroy the session before this object.
 class Listener {
 public:
-    [[nodiscard]] scanner::SessionEvents events() {
+    [[nodiscard]] scanner::ConnectionEvents events() {
         return {[this](const scanner::ConnectionState& state) { add(states_, state); },
                 [this](const scanner::ScannerIdentity& who) { add(identities_, who); },
                 [this](const scanner::ColaFrame& frame) { add(frames_, frame); },
@@ -134,8 +134,9 @@ inline std::unique_ptr<scanner::EmulatedScanner> served(const Scan& scan, const 
     return std::move(*scanner);
 }
 
-inline scanner::SessionSettings settingsFor(const scanner::EmulatedScanner& scanner, const scanner::ScannerTimeouts& timeouts = patient()) {
-    scanner::SessionSettings settings;
+inline scanner::ConnectionSettings settingsFor(const scanner::EmulatedScanner& scanner,
+                                               const scanner::ScannerTimeouts& timeouts = patient()) {
+    scanner::ConnectionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = scanner.port();
     settings.timeouts = timeouts;

@@ -28,7 +28,7 @@
 using namespace edgescan;
 namespace fs = std::filesystem;
 
-namespace {
+namespace starts { // has a name: members of the class below have these types
 
 constexpr int kProcessPatienceMs = 240'000;
 constexpr std::size_t kAtOnce = 4; // processes that compute
@@ -73,7 +73,8 @@ struct Running {
     std::unique_ptr<QProcess> process;
 };
 
-} // namespace
+} // namespace starts
+using namespace starts;
 
 class StartsTest : public QObject {
     Q_OBJECT

@@ -95,7 +95,7 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     timeline_.clear();
     files_.leave();
-    scanner::SessionSettings scanner;
+    scanner::ConnectionSettings scanner;
     scanner.host = host.toStdString();
     scanner.port = static_cast<std::uint16_t>(port);
     scanner_.connectTo(scanner, sweep);

@@ -103,7 +103,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     addToolButtons(*this);
     QApplication::instance()->installEventFilter(new KeysOfFocus(this));
     new CellCursor(viewer_.views, this);
-    connectSession();
+    connectEngine();
     sessions_ = sessionsOf(*this, viewer_.preferences);
     rememberTimer_.setSingleShot(true);
     rememberTimer_.setInterval(kRememberAfterMs);
@@ -210,7 +210,7 @@ void MainWindow::showOrigin() {
     emit originShown();
 }
 
-void MainWindow::connectSession() {
+void MainWindow::connectEngine() {
     connect(&viewer_.engine, &Engine::workStarted, &viewer_.statusLine, &StatusLine::startWork);
     connect(&viewer_.engine, &Engine::workProgressed, &viewer_.statusLine, &StatusLine::showProgress);
     connect(&viewer_.engine, &Engine::workEnded, &viewer_.statusLine, &StatusLine::endWork);

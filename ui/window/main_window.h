@@ -68,7 +68,7 @@ private:
     QDockWidget* addDock(const QString& title, const char* name, QWidget* content);
     void layOutLegend();
     void layOutTools();
-    void connectSession();
+    void connectEngine();
     void showOrigin();
     void escape();
     void showWarnings();

@@ -36,7 +36,7 @@ Viewer::Viewer(Preferences& ofPerson)
       selection(engine, views, rocks, notice, undo), comparing(engine, views, changeLegend, files, notice, preferences, undo),
       confidence(engine, views, targets, confidenceLegend, preferences), markedEdges(engine, views, targets, undo, notice),
       look(engine, views, scalePlate, rangeWindow, preferences), report(engine, files, rocks, targets, comparing, notice, preferences),
-      audit(preferences.place(), engine, views, undo, notice) {
+      audit(preferences.dataFolder(), engine, views, undo, notice) {
     followPictures();
 }
 

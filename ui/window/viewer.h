@@ -44,7 +44,7 @@ class WarningButton;
 
 /// GUI thread only.
 struct Viewer {
-    /// `memory` must outlive it.
+    /// `preferences` must outlive it.
     explicit Viewer(Preferences& preferences);
 
     Preferences& preferences;

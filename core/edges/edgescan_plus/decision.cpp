@@ -186,6 +186,12 @@ Grid<float> requestedStrength(const DepthResponses& responses, const Settings& s
     return strength;
 }
 
+float requestedStrengthAt(const DepthResponses& responses, const Settings& settings, std::size_t k) {
+    float strength = 0;
+    strengthsOfCells(&responses.jump[k], &responses.crease[k], 1, Wanted(settings), &strength);
+    return strength;
+}
+
 DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& settings, int threads) {
     const int lines = responses.jump.lines;
     const int beams = responses.jump.beams;

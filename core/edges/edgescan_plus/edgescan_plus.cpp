@@ -2,6 +2,7 @@
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 
 #include "core/base/bands.h"
+#include "core/base/portable_math.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
@@ -184,7 +185,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.grazing = static_cast<float>(settings.grazing);
     limits.misfitMm = static_cast<float>(kMisfitMm * q);
     limits.reliefMm = static_cast<float>(kReliefMm * q);
-    limits.windowMm = static_cast<float>(kWindowMm * std::pow(q, 0.7));
+    limits.windowMm = static_cast<float>(kWindowMm * portable::pow(q, 0.7));
     if (remembered) limits.windowMm = std::max(limits.windowMm, static_cast<float>(surface.memory.windowMm));
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
     limits.noisy = q > kNoisy;

@@ -275,7 +275,10 @@ MemoryNoise memoryNoise(const InverseRange& inverse, const AngularSteps& steps, 
         });
     }
     noise.fold = lawOf(bins, spreadByForty);
-    if (scales.sigmaMm[0] > 0) noise.cells = std::max(1.0, std::pow(noise.fold.at(scales.rangeM) / scales.sigmaMm[0], 2));
+    if (scales.sigmaMm[0] > 0) {
+        const double times = noise.fold.at(scales.rangeM) / scales.sigmaMm[0];
+        noise.cells = std::max(1.0, times * times);
+    }
     return noise;
 }
 

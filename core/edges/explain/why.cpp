@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace edgescan::edges {
 namespace {
@@ -20,40 +21,43 @@ double roundedDown(double value, const Parameter& parameter) {
 }
 
 // Breadth first over cells above the lower threshold: finds the path to the nearest strong cell, and the number of connected cells.
-void followChain(Why& why) {
-    const Grid<float>& strength = why.linked;
+void followChain(Why& why, const Grid<float>& scan) {
     if (why.level == StrengthLevel::Below) return;
-    const auto beams = static_cast<std::size_t>(strength.beams);
-    std::vector<std::uint32_t> from(strength.size(), kNone);
-    std::vector<std::uint32_t> waiting{why.probe.cell};
-    from[why.probe.cell] = why.probe.cell;
-    const auto described = [&](std::uint32_t k) {
-        return CellStrength{static_cast<int>(k / beams), static_cast<int>(k % beams), strength[k]};
+    struct Found {
+        CellStrength cell;
+        std::uint32_t from; ///< index in `chain` of the cell from which it was reached; the first one: itself
     };
+    const auto beams = static_cast<std::size_t>(scan.beams);
+    const auto described = [&](std::size_t k) {
+        return CellStrength{static_cast<int>(k / beams), static_cast<int>(k % beams), why.linked(k)};
+    };
+    std::vector<Found> chain{{described(why.probe.cell), 0}};
+    std::vector<bool> seen(scan.size(), false);
+    seen[why.probe.cell] = true;
     std::uint32_t strong = kNone;
-    for (std::size_t at = 0; at < waiting.size(); ++at) {
-        const std::uint32_t k = waiting[at];
-        if (strong == kNone && strength[k] > why.upper) strong = k;
-        const CellStrength here = described(k);
-        for (int i = here.line - 1; i <= here.line + 1; ++i) {
-            for (int j = here.beam - 1; j <= here.beam + 1; ++j) {
-                if (!strength.contains(i, j) || strength.at(i, j) <= why.lower) continue;
-                const auto n = static_cast<std::uint32_t>(strength.index(i, j));
-                if (from[n] != kNone) continue;
-                from[n] = k;
-                waiting.push_back(n);
+    for (std::uint32_t at = 0; at < chain.size(); ++at) {
+        const CellStrength here = chain[at].cell;
+        if (strong == kNone && here.strength > why.upper) strong = at;
+        for (int i = std::max(here.line - 1, 0); i <= std::min(here.line + 1, scan.lines - 1); ++i) {
+            for (int j = std::max(here.beam - 1, 0); j <= std::min(here.beam + 1, scan.beams - 1); ++j) {
+                const std::size_t n = scan.index(i, j);
+                if (seen[n]) continue;
+                seen[n] = true;
+                if (const CellStrength next = described(n); next.strength > why.lower) chain.push_back({next, at});
             }
         }
     }
-    why.chainCells = waiting.size();
-    const auto weaker = [&](std::uint32_t a, std::uint32_t b) { return strength[a] != strength[b] ? strength[a] < strength[b] : a > b; };
-    why.chainTop = described(*std::ranges::max_element(waiting, weaker));
-    why.chainMembers = waiting;
+    why.chainCells = chain.size();
+    for (const Found& found : chain) why.chainMembers.push_back(static_cast<std::uint32_t>(scan.index(found.cell.line, found.cell.beam)));
     std::ranges::sort(why.chainMembers);
+    const auto stronger = [](const CellStrength& a, const CellStrength& b) {
+        return std::tuple(-a.strength, a.line, a.beam) < std::tuple(-b.strength, b.line, b.beam);
+    };
+    why.chainTop = std::ranges::min(chain, stronger, &Found::cell).cell;
     if (strong == kNone) return;
-    for (std::uint32_t k = strong;; k = from[k]) {
-        why.chain.push_back(described(k));
-        if (k == why.probe.cell) break;
+    for (std::uint32_t at = strong;; at = chain[at].from) {
+        why.chain.push_back(chain[at].cell);
+        if (at == 0) break;
     }
     std::ranges::reverse(why.chain);
 }
@@ -87,10 +91,9 @@ Why whyCell(const Detection& detection, std::size_t k) {
     why.parameter = parameter.key;
     why.unit = parameter.unit;
     if (detection.smoothed) why.smoothed = (*detection.smoothed)[k];
-    const bool linked = why.linked.size() > 0;
-    why.level = standingOf(linked ? static_cast<double>(why.linked[k]) : why.strength, why);
-    if (linked) followChain(why);
-    why.linked = {}; // frees its memory: the threshold below needs as much again
+    why.level = standingOf(why.linked ? static_cast<double>(why.linked(k)) : why.strength, why);
+    if (why.linked) followChain(why, detection.scan->rangeMm);
+    why.linked = nullptr; // may hold a gradient; the threshold below needs its own
     if (why.shown != nullptr) convertToShownUnits(why, settings);
     const double highest = decision.threshold(detection, k);
     if (highest >= 0) {

@@ -136,4 +136,17 @@ Grid<std::int32_t> suppressedMagnitude(const Gradient& gradient, Norm norm) {
     return kept;
 }
 
+std::int32_t suppressedMagnitudeAt(const Gradient& gradient, Norm norm, std::size_t k) {
+    const Grid<std::int16_t>&dx = gradient.alongBeams, &dy = gradient.alongLines;
+    const int line = static_cast<int>(k / static_cast<std::size_t>(dx.beams));
+    const int beam = static_cast<int>(k % static_cast<std::size_t>(dx.beams));
+    const auto magnitude = [&](int i, int j) { return dx.contains(i, j) ? gradientMagnitude(dx.at(i, j), dy.at(i, j), norm) : 0; };
+    const std::int32_t here = magnitude(line, beam);
+    const AlongGradient along = alongGradient(dx[k], dy[k]);
+    const std::int32_t second = magnitude(line + along.lineStep, beam + along.beamStep);
+    const bool kept =
+        here > magnitude(line - along.lineStep, beam - along.beamStep) && (here > second || (along.tieSurvives && here == second));
+    return kept ? here : 0;
+}
+
 } // namespace edgescan::edges

@@ -45,5 +45,7 @@ struct AlongGradient {
 
 /// Non-maximum suppression: the magnitude of the cells that exceed their neighbours along the gradient, otherwise 0.
 [[nodiscard]] Grid<std::int32_t> suppressedMagnitude(const Gradient& gradient, Norm norm);
+/// The same for cell `k` alone, without a grid.
+[[nodiscard]] std::int32_t suppressedMagnitudeAt(const Gradient& gradient, Norm norm, std::size_t k);
 
 } // namespace edgescan::edges

@@ -2,6 +2,7 @@
 #include "core/edges/gray/gray.h"
 
 #include "core/base/order_statistic.h"
+#include "core/base/portable_math.h"
 #include "core/base/simd.h"
 #include "core/edges/gray/gray_loops.h"
 
@@ -42,9 +43,9 @@ GrayScale logScale(const Scan& scan) {
 // limits[n] is the range at which level n changes to level n + 1.
 std::array<double, 255> logLimits(const GrayScale& scale) {
     std::array<double, 255> limits{};
-    const double ratio = std::log(scale.farMm / scale.nearMm);
+    const double ratio = portable::log(scale.farMm / scale.nearMm);
     for (std::size_t n = 0; n < limits.size(); ++n) {
-        const double range = scale.nearMm * std::exp(ratio * (static_cast<double>(n) + 0.5) / kLevels);
+        const double range = scale.nearMm * portable::exp(ratio * (static_cast<double>(n) + 0.5) / kLevels);
         limits[n] = std::round(range * kFractionsOfMm) / kFractionsOfMm;
     }
     return limits;

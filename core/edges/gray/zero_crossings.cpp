@@ -1,6 +1,8 @@
 // The second-derivative detectors.
 #include "core/edges/gray/zero_crossings.h"
 
+#include "core/base/portable_math.h"
+
 #include "core/edges/gray/neighbours.h"
 #include "core/edges/settings/method_traits.h"
 
@@ -42,7 +44,7 @@ Grid<float> fiveByFive(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t
 std::vector<double> gaussian(double sigma) {
     const int reach = std::max(1, static_cast<int>(std::ceil(kReachInSigmas * sigma)));
     std::vector<double> weights;
-    for (int d = -reach; d <= reach; ++d) weights.push_back(std::exp(-0.5 * d * d / (sigma * sigma)));
+    for (int d = -reach; d <= reach; ++d) weights.push_back(portable::exp(-0.5 * d * d / (sigma * sigma)));
     return weights;
 }
 

@@ -28,7 +28,7 @@ double sizeOf(const Gradient& gradient, std::int32_t magnitude, Norm norm) {
     return (norm == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude) / gradient.scale;
 }
 
-Judgement judgeGradient(const Gradient& gradient, double lower, const Settings& settings, std::size_t k) {
+Judgement judgeGradient(Gradient gradient, double lower, const Settings& settings, std::size_t k) {
     Judgement found;
     found.lower = lower;
     found.upper = settings.ratio * lower;
@@ -51,9 +51,9 @@ Judgement judgeGradient(const Gradient& gradient, double lower, const Settings& 
         const bool outdone = sign > 0 && along.tieSurvives ? found.strength >= other : found.strength > other;
         if (!outdone && other > found.lower) found.suppressedBy = CellStrength{line, beam, other};
     }
-    const Grid<std::int32_t> kept = suppressedMagnitude(gradient, settings.norm);
-    found.linked = Grid<float>(kept.lines, kept.beams);
-    for (std::size_t n = 0; n < kept.size(); ++n) found.linked[n] = static_cast<float>(sizeOf(gradient, kept[n], settings.norm));
+    found.linked = [shared = std::make_shared<const Gradient>(std::move(gradient)), norm = settings.norm](std::size_t n) {
+        return static_cast<float>(sizeOf(*shared, suppressedMagnitudeAt(*shared, norm, n), norm));
+    };
     return found;
 }
 

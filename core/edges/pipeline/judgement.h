@@ -5,6 +5,8 @@
 #include "core/edges/edgescan_plus/cell_probe.h"
 #include "core/edges/settings/settings.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace edgescan::edges {
@@ -22,7 +24,7 @@ struct Judgement {
     std::optional<DepthProbe> depth;          ///< measurements of EdgeScan+ and its parts only
     bool movedFromGap = false;                ///< the response was moved here from a cell without a range next to it
     DepthEdge kind = DepthEdge::None;         ///< class of the strongest response among the requested classes, edge or not
-    Grid<float> linked; ///< lines x beams: suppressed strengths, linked by the thresholds; empty if there is only one threshold
+    std::function<float(std::size_t)> linked; ///< suppressed strength of a cell, linked by the thresholds; empty if there is only one
     /// converts strengths and thresholds to the unit of the settings; null: they already have it
     double (*shown)(double, const Settings&) = nullptr;
 };

@@ -36,7 +36,9 @@ double surfaceThreshold(const Detection& detection, std::size_t k) {
     if ((wants(settings, kClassBorder) && has(responses.border)) ||
         (wants(settings, kClassSilhouette) && has(longSilhouettes(responses, settings.minimumLength))))
         return std::numeric_limits<double>::infinity();
-    return linkedThresholdAt(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength, k);
+    return linkedThresholdAt(
+        responses.jump.lines, responses.jump.beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
+        settings.hysteresisPercent / 100.0, settings.minimumLength, k);
 }
 
 Judgement judgeSurface(const Detection& detection, std::size_t k) {
@@ -46,7 +48,7 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     Judgement found;
     const GapFilling* filling = detection.settings.fillEdges ? detection.filled.get() : nullptr;
     found.takesPart = withoutOwnRange(*detection.scan)[k] == 0 || (filling != nullptr && filling->at(k) != nullptr);
-    found.linked = requestedStrength(responses, settings);
+    found.linked = [&responses, &settings](std::size_t n) { return requestedStrengthAt(responses, settings, n); };
     found.upper = settings.sensitivity;
     found.lower = settings.sensitivity * (settings.hysteresisPercent / 100.0);
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
@@ -57,7 +59,7 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     const auto foldCounts = [&](float response) {
         return wants(settings, response > 0 ? kClassConvex : kClassConcave) ? std::abs(response) : 0.0F;
     };
-    const float strength = found.linked[k];
+    const float strength = found.linked(k);
     const bool decides =
         static_cast<double>(strength) > found.lower || strength >= std::max(jumpCounts(jump.before), foldCounts(crease.before));
     const float kept = decides ? strength : 0.0F;

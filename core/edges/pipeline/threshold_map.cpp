@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <queue>
 #include <unordered_map>
 
 namespace edgescan::edges {
@@ -16,12 +17,9 @@ namespace {
 constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr float kFloatBeyondAll = std::numeric_limits<float>::infinity();
-constexpr double kBeyondAll = 1e9;      // larger than every maximum of the parameter table
-constexpr double kGuessError = 1e-6;    // relative
-constexpr std::size_t kSortedPart = 4;  // share of all cells, a fourth: more are not sorted
-constexpr double kStableShare = 0.8;    // share of the edges that must remain at the end of a plateau
-constexpr double kSmallestShare = 0.05; // share of the edges at the first threshold
-constexpr double kLargestShare = 0.15;  // share of all cells: with more edges the image is full, not stable
+constexpr double kBeyondAll = 1e9;     // larger than every maximum of the parameter table
+constexpr double kGuessError = 1e-6;   // relative
+constexpr std::size_t kSortedPart = 4; // share of all cells, a fourth: more are not sorted
 
 EDGESCAN_INLINE void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
@@ -101,43 +99,48 @@ Sweep logRangeSweep(const Settings& settings) {
             [&](double gradient) { return logRangeStepOfGradient(gradient, settings); }};
 }
 
-/// The smallest box around the cells above 0 that are connected with a cell (8 neighbours); 0 in all others.
-template <class T>
-struct Connected {
-    Grid<T> values;
-    std::size_t cell = 0; ///< index of the cell in the box
-};
-
-template <class T>
-Connected<T> connectedWith(const Grid<T>& values, std::size_t k) {
-    std::vector<std::size_t> cells{k};
-    std::vector<bool> seen(values.size(), false);
-    seen[k] = true;
-    const auto beams = static_cast<std::size_t>(values.beams);
-    int firstLine = values.lines, lastLine = -1, firstBeam = values.beams, lastBeam = -1;
-    for (std::size_t at = 0; at < cells.size(); ++at) {
-        const int line = static_cast<int>(cells[at] / beams), beam = static_cast<int>(cells[at] % beams);
-        firstLine = std::min(firstLine, line);
-        lastLine = std::max(lastLine, line);
-        firstBeam = std::min(firstBeam, beam);
-        lastBeam = std::max(lastBeam, beam);
-        if (!(values[k] > 0)) break;
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, values.lines - 1); ++i) {
-            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, values.beams - 1); ++j) {
-                const std::size_t n = values.index(i, j);
-                if (seen[n] || !(values[n] > 0)) continue;
-                seen[n] = true;
-                cells.push_back(n);
-            }
+/// The highest threshold of cell `k` alone. `limitsOf(cell)` gives its Limits::Pair. The cells around it are taken in descending order of
+/// their weak limits: all taken cells are one chain at the lowest weak limit among them, an edge up to the highest strong one.
+template <class LimitsOf>
+double highestAt(int lines, int beams, std::size_t k, std::size_t minimumLength, LimitsOf limitsOf) {
+    struct Waiting {
+        Limits::Pair limits;
+        std::size_t cell;
+        bool operator<(const Waiting& other) const { return limits.weak < other.limits.weak; }
+    };
+    std::priority_queue<Waiting> waiting;
+    std::vector<bool> seen(static_cast<std::size_t>(lines) * static_cast<std::size_t>(beams), false);
+    const auto look = [&](std::size_t cell) {
+        if (seen[cell]) return;
+        seen[cell] = true;
+        if (const Limits::Pair limits = limitsOf(cell); limits.weak >= 0) waiting.push({limits, cell});
+    };
+    look(k);
+    double level = kAlways, strong = kNever, highest = kNever;
+    for (std::size_t length = 1; !waiting.empty() && highest < level; ++length) {
+        const Waiting next = waiting.top();
+        waiting.pop();
+        level = std::min(level, next.limits.weak);
+        strong = std::max(strong, next.limits.strong);
+        if (length >= minimumLength) highest = std::max(highest, std::min(level, strong));
+        const int line = static_cast<int>(next.cell / static_cast<std::size_t>(beams));
+        const int beam = static_cast<int>(next.cell % static_cast<std::size_t>(beams));
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines - 1); ++i) {
+            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, beams - 1); ++j)
+                look(static_cast<std::size_t>(i) * static_cast<std::size_t>(beams) + static_cast<std::size_t>(j));
         }
     }
-    Connected<T> found{Grid<T>(lastLine - firstLine + 1, lastBeam - firstBeam + 1)};
-    const auto place = [&](std::size_t n) {
-        return found.values.index(static_cast<int>(n / beams) - firstLine, static_cast<int>(n % beams) - firstBeam);
+    return highest;
+}
+
+/// For Canny on a gradient.
+double gradientThresholdAt(const Gradient& gradient, const Settings& settings, Sweep sweep, std::size_t k) {
+    Limits limits(gradient.scale, settings, std::move(sweep));
+    const auto limitsOf = [&](std::size_t cell) {
+        const std::int32_t magnitude = suppressedMagnitudeAt(gradient, settings.norm, cell);
+        return magnitude > 0 ? limits.of(magnitude) : Limits::Pair{};
     };
-    for (const std::size_t n : cells) found.values[place(n)] = values[n];
-    found.cell = place(k);
-    return found;
+    return highestAt(gradient.alongBeams.lines, gradient.alongBeams.beams, k, 1, limitsOf);
 }
 
 } // namespace
@@ -205,15 +208,12 @@ ThresholdMap cannyThresholdMap(const Gradient& gradient, const Settings& setting
 }
 
 double cannyThresholdAt(const Gradient& gradient, const Settings& settings, std::size_t k) {
-    const Connected<std::int32_t> part = connectedWith(suppressedMagnitude(gradient, settings.norm), k);
-    return mapOf(part.values, gradient.scale, settings, cannySweep()).highest[part.cell];
+    return gradientThresholdAt(gradient, settings, cannySweep(), k);
 }
 
 double logRangeThresholdAt(const Scan& scan, const Settings& settings, std::size_t k) {
     if (withoutOwnRange(scan)[k] != 0) return kNever;
-    const Gradient gradient = logRangeGradient(scan, settings);
-    const Connected<std::int32_t> part = connectedWith(suppressedMagnitude(gradient, settings.norm), k);
-    return mapOf(part.values, gradient.scale, settings, logRangeSweep(settings)).highest[part.cell];
+    return gradientThresholdAt(logRangeGradient(scan, settings), settings, logRangeSweep(settings), k);
 }
 
 ThresholdMap logRangeThresholdMap(const Scan& scan, const Settings& settings) {
@@ -319,6 +319,9 @@ double largestLinked(float here, float share) {
     return largestRoundedTo(highest);
 }
 
+// Of a strength above 0.
+Limits::Pair linkedLimits(float strength, float share) { return {largestLinked(strength, share), largestLinked(strength, 1.0F)}; }
+
 } // namespace
 
 ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength) {
@@ -327,8 +330,9 @@ ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, in
     Grid<double> strong = weak;
     for (std::size_t k = 0; k < strength.size(); ++k) {
         if (!(strength[k] > 0)) continue;
-        weak[k] = largestLinked(strength[k], share);
-        strong[k] = std::min(weak[k], largestLinked(strength[k], 1.0F));
+        const Limits::Pair limits = linkedLimits(strength[k], share);
+        weak[k] = limits.weak;
+        strong[k] = std::min(limits.weak, limits.strong);
     }
     ThresholdMap map{reconstructed(std::move(strong), weak)};
     if (minimumLength > 1) {
@@ -338,9 +342,14 @@ ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, in
     return map;
 }
 
-double linkedThresholdAt(const Grid<float>& strength, double lowShare, int minimumLength, std::size_t k) {
-    const Connected<float> part = connectedWith(strength, k);
-    return linkedThresholdMap(part.values, lowShare, minimumLength).highest[part.cell];
+double linkedThresholdAt(int lines, int beams, const std::function<float(std::size_t)>& strengthOf, double lowShare, int minimumLength,
+                         std::size_t k) {
+    const auto share = static_cast<float>(lowShare);
+    const auto limitsOf = [&](std::size_t cell) {
+        const float strength = strengthOf(cell);
+        return strength > 0 ? linkedLimits(strength, share) : Limits::Pair{};
+    };
+    return highestAt(lines, beams, k, static_cast<std::size_t>(std::max(minimumLength, 1)), limitsOf);
 }
 
 ThresholdMap responseThresholdMap(const Grid<float>& response) {
@@ -394,37 +403,6 @@ Grid<std::uint8_t> SweptEdges::at(double threshold) const {
     const auto first = static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), threshold) - values_.begin());
     for (std::size_t n = 0; n < counts_[first]; ++n) mask[cells_[n]] = 255;
     return mask;
-}
-
-EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds) {
-    EdgeCountCurve curve;
-    curve.thresholds = std::move(thresholds);
-    const std::size_t places = curve.thresholds.size();
-    // A cell counts at every threshold up to its highest one: the histogram, summed from its end.
-    curve.edges.assign(places, 0);
-    for (const double highest : map.highest.cells) {
-        const auto above = std::upper_bound(curve.thresholds.begin(), curve.thresholds.end(), highest) - curve.thresholds.begin();
-        if (above > 0) ++curve.edges[static_cast<std::size_t>(above) - 1];
-    }
-    for (std::size_t n = places - 1; n > 0; --n) curve.edges[n - 1] += curve.edges[n];
-
-    curve.stableFrom = curve.stableTo = curve.thresholds.front();
-    double best = 1.0;
-    const double most = kLargestShare * static_cast<double>(map.highest.size());
-    const double fewest = kSmallestShare * std::min(most, static_cast<double>(curve.edges.front()));
-    std::size_t end = 0;
-    for (std::size_t start = 0; start < places; ++start) {
-        const auto here = static_cast<double>(curve.edges[start]);
-        if (curve.thresholds[start] <= 0 || here > most || here < std::max(fewest, 1.0)) continue;
-        end = std::max(end, start);
-        while (end + 1 < places && static_cast<double>(curve.edges[end + 1]) >= kStableShare * here) ++end;
-        const double ratio = curve.thresholds[end] / curve.thresholds[start];
-        if (ratio <= best) continue;
-        best = ratio;
-        curve.stableFrom = curve.thresholds[start];
-        curve.stableTo = curve.thresholds[end];
-    }
-    return curve;
 }
 
 } // namespace edgescan::edges

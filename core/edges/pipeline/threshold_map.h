@@ -34,10 +34,12 @@ struct ThresholdMap {
 [[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength);
 
 /// The value of one cell in these maps. It depends only on the cells that are connected with it, so no map of the scan is made.
+/// `strengthOf`: of a cell of a scan of lines x beams.
 [[nodiscard]] double cannyThresholdAt(const Gradient& gradient, const Settings& settings, std::size_t k);
 [[nodiscard]] double logRangeThresholdAt(const Scan& scan, const Settings& settings, std::size_t k);
 [[nodiscard]] double responseThresholdAt(const Grid<float>& response, std::size_t k);
-[[nodiscard]] double linkedThresholdAt(const Grid<float>& strength, double lowShare, int minimumLength, std::size_t k);
+[[nodiscard]] double linkedThresholdAt(int lines, int beams, const std::function<float(std::size_t)>& strengthOf, double lowShare,
+                                       int minimumLength, std::size_t k);
 
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
@@ -57,19 +59,6 @@ private:
     std::vector<std::size_t> counts_;  // per value: number of cells with this value or a higher one
     std::vector<std::uint32_t> cells_; // cells with the highest value first
 };
-
-/// Number of edge cells at every threshold, and the range of thresholds in which it changes little.
-struct EdgeCountCurve {
-    std::vector<double> thresholds; ///< ascending
-    std::vector<std::size_t> edges; ///< never increasing
-    double stableFrom = 0.0;        ///< the plateau; stableTo == stableFrom if there is none
-    double stableTo = 0.0;
-};
-
-/// The curve at these thresholds (ascending, at least two). The plateau is the longest stretch, as the ratio of its ends, over which at
-/// most a fifth of the edges disappear. Stretches that begin with more than 15 % of all cells do not count. Stretches with less than 5 % of
-/// the edges at the first threshold, or less than 5 % of that many cells, do not count either.
-[[nodiscard]] EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds);
 
 /// The largest threshold at which `holds` is true, to the last bit. `holds` must be true for small thresholds and false for large ones.
 /// Below 0: false for all from 0; infinity: true for all. `guess` should be close.

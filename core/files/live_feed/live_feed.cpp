@@ -12,10 +12,10 @@ constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
 
 } // namespace
 
-LiveFeed::LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
+LiveFeed::LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
                    const LiveLimits& limits)
     : changed_(std::move(changed)), mostLines_(limits.lines), sweepSettings_(sweep), recent_(kKeptNs, limits.keptBytes), feed_(sweep) {
-    scanner::SessionEvents events;
+    scanner::ConnectionEvents events;
     events.stateChanged = [this](const scanner::ConnectionState& state) {
         {
             const std::lock_guard lock(mutex_);
@@ -33,10 +33,10 @@ LiveFeed::LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSetting
     };
     events.frameReceived = [this](const scanner::ColaFrame& frame) { received(frame); };
     events.frameSent = [this](const scanner::ColaFrame& frame) { record(sentMessage(frame, clock_)); };
-    session_ = std::make_unique<scanner::ScannerConnection>(std::move(scanner), std::move(events));
+    connection_ = std::make_unique<scanner::ScannerConnection>(std::move(scanner), std::move(events));
 }
 
-LiveFeed::~LiveFeed() { session_->stop(); }
+LiveFeed::~LiveFeed() { connection_->stop(); }
 
 void LiveFeed::record(RecordingMessagePtr message) {
     const std::lock_guard lock(mutex_);
@@ -83,7 +83,7 @@ scanner::SweepState LiveFeed::sweep() {
 
 LiveStatus LiveFeed::status() const {
     LiveStatus status;
-    status.statistics = session_->statistics();
+    status.statistics = connection_->statistics();
     const std::lock_guard lock(mutex_);
     status.session = state_;
     status.scanner = identity_;
@@ -173,7 +173,7 @@ Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
 }
 
 void LiveFeed::stop() {
-    session_->stop();
+    connection_->stop();
     const std::lock_guard lock(mutex_);
     feed_.assembler().finish();
 }

@@ -38,7 +38,7 @@ class LiveFeed {
 public:
     /// `changed` is called on the scanner's thread after every line and change of state; it must return at once and must not call back
     /// into the feed.
-    LiveFeed(scanner::SessionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
+    LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
              const LiveLimits& limits = {});
     ~LiveFeed();
     LiveFeed(const LiveFeed&) = delete;
@@ -90,8 +90,8 @@ private:
     bool starting_ = false;          // a recorder is being made
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0, linesAfter_ = 0;
-    std::deque<std::int64_t> lineNs_;                     // of the last lines, monotonic
-    std::unique_ptr<scanner::ScannerConnection> session_; // last: its thread uses all of the above
+    std::deque<std::int64_t> lineNs_;                        // of the last lines, monotonic
+    std::unique_ptr<scanner::ScannerConnection> connection_; // last: its thread uses all of the above
 };
 
 } // namespace edgescan::files

@@ -133,7 +133,7 @@ std::vector<SegmentBorder> summedBorders(std::vector<SegmentBorder> parts) {
     // the others.
     constexpr std::uint32_t kEmpty = UINT32_MAX;
     const auto pairOf = [](const SegmentBorder& border) { return (static_cast<std::uint64_t>(border.a) << 32U) | border.b; };
-    const unsigned bits = std::bit_width(2 * parts.size() + 1);
+    const auto bits = static_cast<unsigned>(std::bit_width(2 * parts.size() + 1));
     std::vector<std::uint32_t> table(std::size_t{1} << bits, kEmpty);
     std::uint32_t count = 0;
     for (const SegmentBorder& part : parts) {

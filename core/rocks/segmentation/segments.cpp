@@ -73,7 +73,7 @@ std::vector<SegmentSums> segmentSums(const Inputs& inputs, const std::vector<Seg
         addRun(inputs, points, run, sums[run.segment]);
     }
     for (SegmentSums& sum : sums) {
-        for (const auto [row, column] : {std::pair{1, 0}, {2, 0}, {2, 1}}) sum.sumM2(row, column) = sum.sumM2(column, row);
+        for (const auto& [row, column] : {std::pair{1, 0}, {2, 0}, {2, 1}}) sum.sumM2(row, column) = sum.sumM2(column, row);
     }
     return sums;
 }

@@ -1,6 +1,8 @@
 // Computes bulges over runs of cells.
 #include "core/rocks/selection/bulge.h"
 
+#include "core/base/portable_math.h"
+
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ constexpr double kMostBulge = 0.3;
 constexpr double kSmallAngle = 0.5; // radians; up to this, three terms give the sine to seven digits
 
 double sineOf(double angle) {
-    if (angle > kSmallAngle) return std::sin(angle);
+    if (angle > kSmallAngle) return portable::sin(angle);
     const double square = angle * angle;
     return angle * (1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0)));
 }

@@ -1,6 +1,8 @@
 // Finds the regions at one level and decides which of them are rocks.
 #include "core/rocks/selection/rock_map.h"
 
+#include "core/base/portable_math.h"
+
 #include "core/rocks/selection/bulge.h"
 #include "core/rocks/selection/region_of_interest.h"
 
@@ -95,7 +97,7 @@ void judge(Region& region, const RockSettings& settings) {
                    kScoreOffset;
     region.confidence =
         1.0 /
-        (1.0 + std::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
+        (1.0 + portable::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
     const double awayM = (region.sums.sumM / static_cast<double>(region.sums.cells)).norm();
     region.kind = region.score > 0 && awayM < settings.farthestM ? RegionKind::Rock : RegionKind::NotRock;
 }

@@ -1,6 +1,8 @@
 // Rotation matrices written out: library functions would round differently.
 #include "core/scan/georef/rotations.h"
 
+#include "core/base/portable_math.h"
+
 #include <Eigen/Dense>
 
 #include <cmath>
@@ -11,20 +13,20 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Matrix3d rotationX(double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
     return (Matrix3d() << 1, 0, 0, 0, c, -s, 0, s, c).finished();
 }
 
 Matrix3d rotationY(double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
     return (Matrix3d() << c, 0, s, 0, 1, 0, -s, 0, c).finished();
 }
 
 Matrix3d rotationZ(double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
     return (Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
 }
 
@@ -34,8 +36,8 @@ Matrix3d rotationRpyDeg(const Vector3d& rpyDeg) { return rotationRpy(radians(rpy
 
 Matrix3d rotationAbout(const Vector3d& axis, double angle) {
     const Vector3d n = axis.normalized();
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
     Matrix3d cross;
     cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
     return c * Matrix3d::Identity() + (1 - c) * (n * n.transpose()) + s * cross;

@@ -1,6 +1,7 @@
 // From cell to 3D point.
 #include "core/scan/grid/cartesian.h"
 
+#include "core/base/portable_math.h"
 #include "core/base/simd.h"
 
 #include <cmath>
@@ -16,12 +17,12 @@ constexpr double kMetresPerMm = 0.001;
 double sineDeg(double deg) {
     const double turn = std::remainder(deg, 360.0);
     if (turn == 0.0 || std::abs(turn) == 180.0) return 0.0;
-    return std::sin(turn * std::numbers::pi / 180.0);
+    return portable::sin(turn * std::numbers::pi / 180.0);
 }
 double cosineDeg(double deg) {
     const double turn = std::remainder(deg, 360.0);
     if (std::abs(turn) == 90.0) return 0.0;
-    return std::cos(turn * std::numbers::pi / 180.0);
+    return portable::cos(turn * std::numbers::pi / 180.0);
 }
 
 // Unit direction of a beam, from the cosine and sine of its two angles.

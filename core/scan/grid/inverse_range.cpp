@@ -3,6 +3,7 @@
 
 #include "core/base/bands.h"
 #include "core/base/order_statistic.h"
+#include "core/base/portable_math.h"
 #include "core/base/simd.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/scan/grid/marked_cells.h"
@@ -114,7 +115,7 @@ AngularSteps polarSteps(const PolarGeometry& polar) {
     for (std::size_t j = 0; j < polar.beamDeg.size(); ++j) {
         const double a = polar.beamDeg[j] * kRadPerDeg;
         steps.beam.push_back(static_cast<float>(stepOf(polar.beamDeg, j) * kRadPerDeg));
-        steps.fromAxis.push_back(static_cast<float>(std::max(std::abs(polar.axis == Axis::Sweep ? std::sin(a) : std::cos(a)), 0.02)));
+        steps.fromAxis.push_back(static_cast<float>(std::max(std::abs(polar.axis == Axis::Sweep ? portable::sin(a) : portable::cos(a)), 0.02)));
     }
     for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) steps.line.push_back(static_cast<float>(stepOf(polar.lineDeg, i) * kRadPerDeg));
     return steps;

@@ -10,7 +10,7 @@ namespace edgescan::scanner {
 namespace {
 
 /// A scan is counted before its event is called, so that statistics() inside or after the event includes it.
-ColaLink::Hooks hooksOf(const SessionEvents& events, std::atomic<std::uint64_t>& scans) {
+ColaLink::Hooks hooksOf(const ConnectionEvents& events, std::atomic<std::uint64_t>& scans) {
     const auto received = [&scans, frameReceived = events.frameReceived](const ColaFrame& frame) {
         if (isScanTelegram(frame.payload())) ++scans;
         if (frameReceived) frameReceived(frame);
@@ -27,7 +27,7 @@ const char* connectionPhaseName(ConnectionPhase phase) {
     return kNames[static_cast<std::size_t>(phase)];
 }
 
-ScannerConnection::ScannerConnection(SessionSettings settings, SessionEvents events)
+ScannerConnection::ScannerConnection(ConnectionSettings settings, ConnectionEvents events)
     : settings_(std::move(settings)), events_(std::move(events)), dialect_(settings_.dialect.value_or(Dialect::B)),
       link_(hooksOf(events_, scans_)), thread_([this] { run(); }) {}
 

@@ -35,7 +35,7 @@ struct ConnectionState {
 /// The error for a scanner at `address` that never sent a line.
 [[nodiscard]] Error noLinesError(const ConnectionState& state, const std::string& address);
 
-struct SessionSettings {
+struct ConnectionSettings {
     std::string host; ///< name, IPv4 or IPv6 address
     std::uint16_t port = 2112;
     std::optional<Dialect> dialect; ///< empty: detect it
@@ -43,7 +43,7 @@ struct SessionSettings {
 };
 
 /// All functions are called on the session's thread and delay receiving while they run. They are not called after stop() has returned.
-struct SessionEvents {
+struct ConnectionEvents {
     std::function<void(const ConnectionState&)> stateChanged;
     std::function<void(const ScannerIdentity&)> identified; ///< at every connection
     std::function<void(const ColaFrame&)> frameReceived;    ///< every frame as it was on the wire, before it is parsed
@@ -60,7 +60,7 @@ struct SessionStatistics {
 class ScannerConnection {
 public:
     /// Starts at once.
-    ScannerConnection(SessionSettings settings, SessionEvents events);
+    ScannerConnection(ConnectionSettings settings, ConnectionEvents events);
     ~ScannerConnection();
     ScannerConnection(const ScannerConnection&) = delete;
     ScannerConnection& operator=(const ScannerConnection&) = delete;
@@ -83,8 +83,8 @@ private:
     [[nodiscard]] Clock::duration watchdog() const;
     [[nodiscard]] std::string where() const { return addressText(settings_.host, settings_.port); }
 
-    const SessionSettings settings_;
-    const SessionEvents events_;
+    const ConnectionSettings settings_;
+    const ConnectionEvents events_;
     mutable std::mutex mutex_; ///< protects state_
     ConnectionState state_;
     std::atomic<std::uint64_t> scans_{0}, connections_{0};

@@ -30,8 +30,6 @@ QString Preferences::usualPath() {
     return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/edgescan/viewer.ini";
 }
 
-QString Preferences::place() const { return file_ ? QFileInfo(file_->fileName()).absolutePath() : QString(); }
-
 QByteArray Preferences::bytes(const QString& key) const { return file_ ? file_->value(key).toByteArray() : QByteArray(); }
 void Preferences::keep(const QString& key, const QByteArray& value) {
     if (file_) file_->setValue(key, value);

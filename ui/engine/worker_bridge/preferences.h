@@ -19,9 +19,6 @@ public:
     /// In the user's configuration folder.
     [[nodiscard]] static QString usualPath();
 
-    /// Its folder, where other persistent files belong; empty if settings are not stored.
-    [[nodiscard]] QString place() const;
-
     [[nodiscard]] QByteArray bytes(const QString& key) const;
     void keep(const QString& key, const QByteArray& value);
     [[nodiscard]] QString text(const QString& key, const QString& otherwise = {}) const;

@@ -36,7 +36,7 @@ void ScannerLink::runInThread(std::function<std::function<void()>()> work) {
     inBackground(this, std::move(work), [this](const QString& what) { emit failed(what); });
 }
 
-void ScannerLink::connectTo(const scanner::SessionSettings& scanner, const scanner::SweepSettings& sweep) {
+void ScannerLink::connectTo(const scanner::ConnectionSettings& scanner, const scanner::SweepSettings& sweep) {
     disconnectScanner();
     stream_ = Engine::newStream();
     recordingPath_.clear();

@@ -1,4 +1,4 @@
-// A live scanner on the GUI thread: passes the growing sweep to the session as fast as it can be displayed, and monitors the scanner's
+// A live scanner on the GUI thread: passes the growing sweep to the engine as fast as it can be displayed, and monitors the scanner's
 // health.
 #pragma once
 
@@ -20,14 +20,14 @@ namespace edgescan::ui {
 class ScannerLink : public QObject {
     Q_OBJECT
 public:
-    /// `session` must outlive this.
+    /// `engine` must outlive this.
     explicit ScannerLink(Engine& engine, QObject* parent = nullptr);
     ~ScannerLink() override;
     /// A new picture is on the screen.
     void followPicture();
 
     /// Closes an open connection first. EdgeScan sends only read requests and a subscription.
-    void connectTo(const scanner::SessionSettings& scanner, const scanner::SweepSettings& sweep);
+    void connectTo(const scanner::ConnectionSettings& scanner, const scanner::SweepSettings& sweep);
     /// Ends recording and connection; the sweep stays on the screen.
     void disconnectScanner();
     /// Applies another mounting or other steps from now on, including the current sweep. Returns the number of its lines to which they

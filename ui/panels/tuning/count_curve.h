@@ -1,7 +1,7 @@
 // The edge count at every threshold, drawn under the threshold's slider. Marks the range in which the count changes little.
 #pragma once
 
-#include "core/edges/pipeline/threshold_map.h"
+#include "core/edges/pipeline/edge_count_curve.h"
 
 #include <QWidget>
 

@@ -78,6 +78,11 @@ TEST(LinkedMap, IsWhatChainsOneByOneGive) {
         const float share = turn % 9 == 0 ? 0.0F : static_cast<float>(1 + random() % 1000) / 1000.0F;
         const int minimumLength = 1 + static_cast<int>(random() % 6);
         const ThresholdMap map = linkedThresholdMap(strength, static_cast<double>(share), minimumLength);
+        const auto strengthOf = [&](std::size_t k) { return strength[k]; };
+        for (std::size_t k = 0; k < strength.size(); ++k)
+            ASSERT_EQ(linkedThresholdAt(strength.lines, strength.beams, strengthOf, static_cast<double>(share), minimumLength, k),
+                      map.highest[k])
+                << "turn " << turn << " cell " << k;
         for (int n = 0; n < 12; ++n) {
             const float some = strength[random() % strength.size()];
             const float high = n == 0 ? 0.0F : some > 0 && some < 1e9F ? some : static_cast<float>(n) / 5;

@@ -2,6 +2,7 @@
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/log_range.h"
 #include "core/edges/gray/smooth.h"
+#include "core/edges/pipeline/edge_count_curve.h"
 #include "core/edges/pipeline/threshold_map.h"
 #include "tests/support/detectors.h"
 #include "tests/support/scans.h"
@@ -45,6 +46,15 @@ std::vector<double> thresholdsOf(const ThresholdMap& map, std::uint32_t seed) {
     return all;
 }
 
+void expectTheMapCellByCell(const Gradient& gradient, const Settings& s) {
+    const Grid<std::int32_t> suppressed = suppressedMagnitude(gradient, s.norm);
+    const ThresholdMap map = cannyThresholdMap(gradient, s);
+    for (std::size_t k = 0; k < suppressed.size(); ++k) {
+        ASSERT_EQ(suppressedMagnitudeAt(gradient, s.norm, k), suppressed[k]) << k;
+        ASSERT_EQ(cannyThresholdAt(gradient, s, k), map.highest[k]) << k;
+    }
+}
+
 TEST(ThresholdMap, EqualsCannyAtEveryThreshold) {
     std::size_t edges = 0;
     std::uint32_t seed = 0;
@@ -60,6 +70,8 @@ TEST(ThresholdMap, EqualsCannyAtEveryThreshold) {
                     const Grid<std::uint8_t> missing = holes(lines, beams, seed);
                     const ThresholdMap whole = cannyThresholdMap(sobelGradient(image, nullptr, aperture), s);
                     const ThresholdMap masked = cannyThresholdMap(sobelGradient(image, &missing, aperture), s);
+                    for (const Grid<std::uint8_t>* without : {static_cast<const Grid<std::uint8_t>*>(nullptr), &missing})
+                        expectTheMapCellByCell(sobelGradient(image, without, aperture), s);
                     for (const double threshold : thresholdsOf(whole, seed)) {
                         s.lower = threshold;
                         const Grid<std::uint8_t> mask = canny(image, s);
@@ -84,6 +96,7 @@ TEST(ThresholdMap, EqualsLogRangeCannyAtEveryStep) {
             Settings s;
             s.norm = norm;
             const ThresholdMap map = logRangeThresholdMap(scan, s);
+            for (std::size_t k = 0; k < map.highest.size(); k += 7) ASSERT_EQ(logRangeThresholdAt(scan, s, k), map.highest[k]) << k;
             for (const double threshold : thresholdsOf(map, seed)) {
                 if (threshold > 100) continue;
                 s.stepPercent = threshold;

@@ -147,7 +147,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     const Process mock({"python3", (protocolFolder() / "tools" / "mock_lms511.py").string(), "--port", std::to_string(port), "--rate",
                         "1e9", "--stream", (folder / "stream.bin").string(), "--chunk", "random", "--garbage", "0.02", "--telegram-loss",
                         "0.01", "--drop-after", "3000"});
-    scanner::SessionSettings settings;
+    scanner::ConnectionSettings settings;
     settings.host = "127.0.0.1";
     settings.port = port;
     settings.timeouts = hasty();

@@ -80,7 +80,7 @@ TEST(ScannerLayers, AreLeftOutLive) {
     settings.atEnd = scanner::AtEnd::Stop;
     const auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(layeredTelegrams()), settings);
     ASSERT_TRUE(scanner) << scanner.error().sentence();
-    scanner::SessionSettings session;
+    scanner::ConnectionSettings session;
     session.host = "127.0.0.1";
     session.port = static_cast<std::uint16_t>((*scanner)->port());
     LiveFeed feed(session, scanner::SweepSettings{}, [] {});

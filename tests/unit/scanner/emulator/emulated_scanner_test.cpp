@@ -207,7 +207,7 @@ TEST(EmulatedScanner, AClientThatDoesNotReadIsNotSavedUpFor) {
     const auto scanner = served(countingScan(4, 800), settings);
     Listener listener;
     std::atomic<bool> hold{true};
-    SessionEvents events = listener.events();
+    ConnectionEvents events = listener.events();
     const auto record = events.frameReceived;
     events.frameReceived = [&](const ColaFrame& frame) {
         while (isScanTelegram(frame.payload()) && hold) std::this_thread::sleep_for(1ms);

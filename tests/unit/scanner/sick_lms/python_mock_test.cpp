@@ -13,8 +13,8 @@ namespace {
 class Mock {
 public:
     explicit Mock(std::vector<std::string> faults) : port_(freePort()), process_(words(std::move(faults))) {}
-    [[nodiscard]] SessionSettings settings(const ScannerTimeouts& timeouts = patient()) const {
-        SessionSettings settings;
+    [[nodiscard]] ConnectionSettings settings(const ScannerTimeouts& timeouts = patient()) const {
+        ConnectionSettings settings;
         settings.host = "127.0.0.1";
         settings.port = port_;
         settings.timeouts = timeouts;

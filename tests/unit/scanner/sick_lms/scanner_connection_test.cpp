@@ -19,7 +19,7 @@ std::uint16_t freePort() {
 }
 
 /// Runs a session until the last of `lines` has come: the scanners of these tests never leave that one out.
-void receiveAll(EmulatedScanner& scanner, Listener& listener, const SessionSettings& settings, std::size_t lines,
+void receiveAll(EmulatedScanner& scanner, Listener& listener, const ConnectionSettings& settings, std::size_t lines,
                 SessionStatistics* statistics = nullptr) {
     ScannerConnection session(settings, listener.events());
     const auto last = [&](const Listener&) {
@@ -190,7 +190,7 @@ TEST(ScannerConnection, AComputerThatWasBusyForLongerThanTheTimeoutReadsWhatCame
     settings.linesPerSecond = 200;
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
-    SessionEvents events = listener.events();
+    ConnectionEvents events = listener.events();
     const auto record = events.stateChanged;
     events.stateChanged = [&](const ConnectionState& state) {
         record(state);
@@ -216,7 +216,7 @@ TEST(ScannerConnection, AShortSilenceIsStaleOnly) {
     settings.faults.stallS = 4.2;
     const auto scanner = served(countingScan(30, 20), settings);
     Listener listener;
-    SessionSettings staleInAStall = settingsFor(*scanner);
+    ConnectionSettings staleInAStall = settingsFor(*scanner);
     staleInAStall.timeouts.silence = 6s; // stale after half of it, lost after the whole
     {
         ScannerConnection session(staleInAStall, listener.events());
@@ -254,7 +254,7 @@ TEST(ScannerConnection, StopsAtOnceWhateverItWaitsFor) {
 TEST(ScannerConnection, MayBeStoppedFromWithinAnEvent) {
     const auto scanner = served(countingScan(5, 5), {});
     Listener listener;
-    SessionEvents events = listener.events();
+    ConnectionEvents events = listener.events();
     std::atomic<ScannerConnection*> self{nullptr};
     const auto record = events.frameReceived;
     events.frameReceived = [&](const ColaFrame& frame) {
@@ -273,7 +273,7 @@ TEST(ScannerConnection, SaysWhatIsWrongWhereAndWhatToDo) {
     EmulatedScannerSettings refusing;
     refusing.refusals["LMDscandata"] = 15;
     const auto stubborn = served(countingScan(5, 5), refusing);
-    const auto lostSentence = [](SessionSettings settings) {
+    const auto lostSentence = [](ConnectionSettings settings) {
         Listener listener;
         ScannerConnection session(settings, listener.events());
         EXPECT_TRUE(listener.waitForPhase(ConnectionPhase::Lost));
