@@ -32,6 +32,8 @@ def ply(path):
     if b"format ascii" in head:
         read = numpy.array([line.split() for line in body.decode().split("\n")[:count]], dtype=float)
         return {name: read[:, n] for n, (name, _) in enumerate(layout)}
+    if b"PCL generated" in head and len(body) >= count * (numpy.dtype(layout).itemsize + 1):
+        layout.append(("unnamed", "u1"))  # behind the colours, where its header has three of four bytes
     read = numpy.frombuffer(body, dtype=layout, count=count)
     return {name: read[name] for name, _ in layout}
 

@@ -1,6 +1,18 @@
 # Reads an export of EdgeScan with R, sf or terra, and saves it again: Rscript exchange_read.R LIBRARY FILE OUT [SAVED]. As exchange_read.py.
 given <- commandArgs(TRUE)
 file <- given[2]
+if (startsWith(basename(file), "rocks.")) {
+  if (given[1] == "sf") {
+    shapes <- sf::st_read(file, quiet = TRUE)
+    kinds <- table(as.character(sf::st_geometry_type(shapes)))
+    system <- sf::st_crs(shapes)$Name
+    cat(paste(kinds, names(kinds), collapse = ", "), "; ", if (is.na(system)) "no coordinate system" else system, sep = "")
+  } else {
+    rocks <- read.csv(file)
+    cat(nrow(rocks), " rows, ", ncol(rocks), " columns, ", sum(sapply(rocks[, 5:7], is.numeric)), " of 3 coordinates as numbers", sep = "")
+  }
+  quit()
+}
 text <- grepl("[.](csv|xyz)$", file)
 read <- function() if (grepl("[.]csv$", file)) read.csv(file) else read.table(file)
 class <- function(cloud) if (is.null(cloud[["class"]])) NA else cloud[["class"]]

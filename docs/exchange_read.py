@@ -1,5 +1,6 @@
 """Reads an export of EdgeScan with a library or inside a program, and saves it again: exchange_read.py LIBRARY FILE OUT [SAVED].
 OUT gets one row of eight-byte numbers per point: x y z red green blue class, not a number where the program has none."""
+import collections
 import csv
 import os
 import sys
@@ -39,6 +40,8 @@ def read_open3d(path, saved):
 
 def read_pandas(path, saved):
     import pandas
+    if is_of_rocks(path):
+        return pandas_describes(path)
     table = pandas.read_csv(path) if kind_of(path) == "csv" else pandas.read_csv(path, sep=" ", header=None)
     if saved:
         table.to_csv(saved, index=False) if kind_of(path) == "csv" else table.to_csv(saved, sep=" ", header=False, index=False)
@@ -61,9 +64,50 @@ def read_laspy(path, saved):
     return rows(numpy.array(cloud.xyz), numpy.stack([cloud.red, cloud.green, cloud.blue], axis=1) / 257, numpy.where(classes > 64, classes - 64, 0))
 
 
+def is_of_rocks(path):
+    return os.path.basename(path).startswith("rocks.")
+
+
+def described(layers, system):
+    """What a file of rocks holds, as a sentence: how many shapes of each kind, and the coordinate system."""
+    return ", ".join(f"{count} {kind}" for kind, count in sorted(layers.items())) + (f"; {system}" if system else "; no coordinate system")
+
+
+def gdal_describes(path):
+    from osgeo import ogr
+    source, kinds = ogr.Open(path), collections.Counter()
+    for layer in source:
+        system = layer.GetSpatialRef()
+        for one in layer:
+            shape = one.GetGeometryRef()
+            kinds[(one.GetField("Layer") + " " if kind_of(path) == "dxf" else "") + (shape.GetGeometryName() if shape else "rows")] += 1
+    return described(kinds, system and system.GetName())
+
+
+def qgis_describes(path):
+    from qgis.core import QgsVectorLayer, QgsWkbTypes
+    layer = QgsVectorLayer(path, "rocks", "ogr")
+    kinds = collections.Counter(QgsWkbTypes.displayString(one.geometry().wkbType()) for one in layer.getFeatures())
+    return described(kinds, layer.crs().description())
+
+
+def ezdxf_describes(path):
+    import ezdxf
+    drawing = ezdxf.readfile(path)
+    return described(collections.Counter(f"{one.dxf.layer} {one.dxftype()}" for one in drawing.modelspace()), "")
+
+
+def pandas_describes(path):
+    import pandas
+    table = pandas.read_csv(path)
+    return f"{len(table)} rows, {len(table.columns)} columns, {table.iloc[:, 4:7].dtypes.astype(str).eq('float64').sum()} of 3 coordinates as numbers"
+
+
 def read_gdal(path, saved):
     from osgeo import gdal, ogr
     gdal.UseExceptions()
+    if is_of_rocks(path):
+        return gdal_describes(path)
     if saved:
         gdal.VectorTranslate(saved, path, format="CSV")
     source = ogr.Open(path)
@@ -81,6 +125,8 @@ def read_gdal(path, saved):
 
 def read_ezdxf(path, saved):
     import ezdxf
+    if is_of_rocks(path):
+        return ezdxf_describes(path)
     drawing = ezdxf.readfile(path)
     errors = drawing.audit().errors
     if errors:
@@ -92,8 +138,11 @@ def read_ezdxf(path, saved):
 
 def read_qgis(path, saved):
     from qgis.core import QgsApplication, QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
     application = QgsApplication([], False)
     application.initQgis()
+    if is_of_rocks(path):
+        return qgis_describes(path)
     if kind_of(path) == "csv":
         x, y, z = first_columns(path)
         layer = QgsVectorLayer(f"file://{path}?delimiter=,&xField={x}&yField={y}&zField={z}", "cloud", "delimitedtext")
@@ -152,8 +201,10 @@ if __name__ == "__main__":
     library, file, out = (sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else sys.argv[1:])[:3]
     to_save = sys.argv[-1] if sys.argv[-1] != out else None
     try:
-        globals()[f"read_{library}"](file, to_save).astype("<f8").tofile(out)
+        read = globals()[f"read_{library}"](file, to_save)
+        print(read) if isinstance(read, str) else read.astype("<f8").tofile(out)
     except Exception as problem:
-        print(f"refused: {problem or type(problem).__name__}")
+        print(f"refused: {problem or type(problem).__name__}", flush=True)
         os._exit(1)
+    sys.stdout.flush()
     os._exit(0)  # some programs end with an error after a sound result
