@@ -139,8 +139,8 @@ def stem_of(path):
 
 
 # Commands that print a version.
-def debian(package):
-    return ["dpkg-query", "-W", "-f", "${Version}", package]
+def debian(package, program):
+    return ["sh", "-c", f"command -v {program} >/dev/null && dpkg-query -W -f '${{Version}}' {package}"]
 
 
 def npm(package):
@@ -167,24 +167,24 @@ def programs():
     node = lambda library: script("exchange_read.mjs", library, "node")
     columns = "of CSV: the columns of x, y and z, and the coordinate system"
     return [
-        Program("CloudCompare", debian("cloudcompare"), cloud_compare, ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx"],
+        Program("CloudCompare", debian("cloudcompare", "CloudCompare"), cloud_compare, ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx"],
                 saves={"ply": "ply", "xyz": "asc", "csv": "asc", "obj": "ply"}, refuses=["pcd", "las"],
                 asks="*Global shift/scale*: *Yes*, with the shift that it suggests; saved files have the full coordinates again"),
-        Program("MeshLab", debian("meshlab"), meshlab, ["xyz", "ply", "obj", "ptx"], saves={"ply": "ply", "obj": "obj", "xyz": "xyz"},
+        Program("MeshLab", debian("meshlab", "meshlabserver"), meshlab, ["xyz", "ply", "obj", "ptx"], saves={"ply": "ply", "obj": "obj", "xyz": "xyz"},
                 refuses=["ptx"], four_bytes=True, asks="of XYZ and PTX: the options of the format, which can stay as they are"),
-        Program("PCL tools", debian("pcl-tools"), pcl, ["xyz", "ply", "pcd", "obj"], saves={"pcd": "pcd", "ply": "ply", "xyz": "pcd"}, four_bytes=True),
+        Program("PCL tools", debian("pcl-tools", "pcl_ply2pcd"), pcl, ["xyz", "ply", "pcd", "obj"], saves={"pcd": "pcd", "ply": "ply", "xyz": "pcd"}, four_bytes=True),
         Program("Open3D", importing("open3d"), python("open3d"), ["xyz", "ply", "pcd"], saves={"xyz": "xyz", "ply": "ply", "pcd": "pcd"}),
         Program("ParaView", ["pvpython", "--version"], python("paraview", "pvpython"), ["csv", "ply", "obj"],
                 saves={"csv": "csv", "ply": "ply"}, four_bytes=True,
                 asks="of CSV: *Apply*, then the filter *Table To Points* with the columns of x, y and z"),
         Program("Blender", ["blender", "--version"], blender, ["ply", "obj"], saves={"ply": "ply", "obj": "obj"}, four_bytes=True,
                 asks="the axes: *Forward Y*, *Up Z*, when opening and when saving"),
-        Program("F3D", debian("f3d"), f3d, ["ply", "obj"], four_bytes=True),
+        Program("F3D", debian("f3d", "f3d"), f3d, ["ply", "obj"], four_bytes=True),
         Program("GDAL", importing("osgeo.gdal"), python("gdal"), ["csv", "dxf"], saves={"csv": "csv"}, rocks=ROCK_FILES),
         Program("QGIS", importing("qgis.core", "Qgis.version()"), python("qgis"), ["csv", "dxf"], saves={"csv": "csv"}, rocks=ROCK_FILES,
                 asks=columns + ": that of the mine where it has an EPSG code, else *No CRS*"),
         Program("ezdxf", importing("ezdxf"), python("ezdxf"), ["dxf"], rocks=["rocks.dxf"]),
-        Program("LibreCAD", debian("librecad"), libre_cad, ["dxf"], rocks=["rocks.dxf"], four_bytes=True,
+        Program("LibreCAD", debian("librecad", "librecad"), libre_cad, ["dxf"], rocks=["rocks.dxf"], four_bytes=True,
                 asks="nothing; *Auto Zoom* shows the drawing"),
         Program("LibreOffice", ["soffice", "--version"], libre_office, ["csv", "dxf"], saves={"csv": "csv"}, rocks=["rocks.csv", "rocks.dxf"],
                 asks="*Text Import*: separator comma, language English (USA), so that points are decimal points"),
