@@ -41,7 +41,8 @@ class Scan:
     def __init__(self, cli, folder):
         self.cli, self.folder = cli, folder
         page = open(os.path.join(HERE, "coordinates.md")).read()
-        robot, pose = (json.loads(block) for block in re.findall(r"```json\n(.*?)```", page, re.S)[:2])
+        examples = [json.loads(block) for block in re.findall(r"```json\n(.*?)```", page, re.S)]
+        robot, pose = (next(one for one in examples if one.get("format") == f"edgescan-{kind}/1") for kind in ("calibration", "pose"))
         self.place = []
         for flag, content in (("calibration", robot), ("pose", pose)):
             path = os.path.join(folder, f"{flag}.json")
