@@ -23,7 +23,7 @@ if (given[1] == "R") {
 } else if (given[1] == "sf") {
   library(sf)
   cloud <- if (text) st_as_sf(read(), coords = 1:3, remove = FALSE) else st_read(file, quiet = TRUE)
-  if (!text) cloud <- cloud[cloud$Layer %in% c("CLOUD", "EDGE_POINTS"), ]
+  if (!text) cloud <- cloud[cloud$Layer == "CLOUD" | startsWith(cloud$Layer, "EDGE_POINTS"), ]
   points <- st_coordinates(cloud)[, 1:3]
   save <- function(saved) st_write(st_drop_geometry(cloud), saved, quiet = TRUE)
 } else {

@@ -19,6 +19,10 @@ def rows(points, colours=None, classes=None):
     return made
 
 
+CLASSES = {name: n for n, name in enumerate(["CLOUD", "EDGE_POINTS_JUMP", "EDGE_POINTS_CONVEX", "EDGE_POINTS_CONCAVE", "EDGE_POINTS_BORDER",
+                                             "EDGE_POINTS_SILHOUETTE"])}  # the layers of drawings
+
+
 def kind_of(path):
     return path.rsplit(".", 1)[1]
 
@@ -115,16 +119,18 @@ def read_gdal(path, saved):
         names = first_columns(path)
         found = [[float(one.GetField(n)) for n in names + ["class"]] for one in source.GetLayer(0)]
         return rows([one[:3] for one in found], classes=[one[3] for one in found])
-    points = []
+    points, classes = [], []
     for one in source.GetLayer(0):
         shape = one.GetGeometryRef()
-        if shape.GetGeometryType() in (ogr.wkbPoint, ogr.wkbPoint25D) and one.GetField("Layer") in ("CLOUD", "EDGE_POINTS"):
+        if one.GetField("Layer") in CLASSES:
             points.append((shape.GetX(), shape.GetY(), shape.GetZ()))
-    return rows(points)
+            classes.append(CLASSES[one.GetField("Layer")])
+    return rows(points, classes=classes)
 
 
 def read_ezdxf(path, saved):
     import ezdxf
+    from ezdxf.colors import aci2rgb
     if is_of_rocks(path):
         return ezdxf_describes(path)
     drawing = ezdxf.readfile(path)
@@ -132,8 +138,8 @@ def read_ezdxf(path, saved):
     if errors:
         raise RuntimeError(f"{len(errors)} errors")
     found = list(drawing.modelspace().query("POINT"))
-    colours = [(0, 255, 0) if one.dxf.layer == "EDGE_POINTS" else (128, 128, 128) for one in found]
-    return rows([tuple(one.dxf.location) for one in found], colours)
+    of_layer = {layer.dxf.name: aci2rgb(layer.color) for layer in drawing.layers}
+    return rows([tuple(one.dxf.location) for one in found], [of_layer[one.dxf.layer] for one in found], [CLASSES[one.dxf.layer] for one in found])
 
 
 def read_qgis(path, saved):
@@ -158,7 +164,7 @@ def read_qgis(path, saved):
     for one in layer.getFeatures():
         point = one.geometry().constGet()
         points.append((point.x(), point.y(), point.z()))
-        classes.append(one["class"] if kind_of(path) == "csv" else numpy.nan)
+        classes.append(one["class"] if kind_of(path) == "csv" else CLASSES[one["Layer"]])
     return rows(points, classes=classes)
 
 

@@ -29,7 +29,7 @@ EXPORTS = {
     "las": Export(0.51, True, True),
     "obj": Export(0.1, True),
     "ptx": Export(0.1),
-    "dxf": Export(0.1, True),
+    "dxf": Export(0.1, True, True),
     "foxglove.mcap": Export(0.1, True, True, ["scanner", "mine"]),  # programs add the shift of /tf
     "mcap": Export(0, frames=["scanner"]),
 }
@@ -64,7 +64,6 @@ class Scan:
         self.points = {"scanner": self.grid.points(scanner_frame(self.grid)), "local": points - self.origin, "mine": points}
         self.edges = self.edges_of(self.raw)
         self.classes = exchange_points.read(self.export("csv", "scanner"))[:, 6]
-        self.by_layer = numpy.argsort(self.classes > 0, kind="stable")  # a drawing has the edges on a layer of their own
 
     def export(self, kind, frame):
         return os.path.join(self.folder, frame, f"bell.{kind}")
@@ -76,9 +75,8 @@ class Scan:
         return said.stdout
 
     def farthest(self, rows, frame):
-        """The greatest difference of a coordinate in mm; the points in the order of the cells, or of the layers of a drawing."""
-        expected = self.points[frame]
-        return min(1000 * abs(rows[:, :3] - points).max() for points in (expected, expected[self.by_layer]))
+        """The greatest difference of a coordinate in mm; the points are in the order of the cells."""
+        return 1000 * abs(rows[:, :3] - self.points[frame]).max()
 
     def edges_of(self, path, *reading):
         """The cells of the edges that we find in a file, and the shape of its grid."""
