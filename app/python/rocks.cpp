@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
+#include "core/files/open_save/save_scan.h"
 #include "core/rocks/attributes/rock_columns.h"
 
 #include <nlohmann/json.hpp>
@@ -69,7 +70,7 @@ struct AsPython {
 
 py::list tableOf(const RocksObject& self, const std::string& name) {
     const Scan& scan = *self.study->segmentation->inputs.scan;
-    const CoordinateFrame frame = name == "auto" ? usualFrame(scan) : frameOf(scan, name);
+    const CoordinateFrame frame = name == "auto" ? files::usualFrame(scan) : frameOf(scan, name);
     const rocks::RockRows rows(*self.study, frame);
     py::list table;
     for (const rocks::Rock& rock : self.study->rocks) {

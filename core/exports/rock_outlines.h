@@ -11,8 +11,9 @@
 namespace edgescan::exports {
 
 /// The outlines of the visible surfaces by extension: .dxf (closed polylines in space on the layers ROCKS and ROCKS_DOUBTFUL, and each
-/// rock's number as text on ROCK_NUMBERS) or .geojson (closed lines in the mine grid, with its coordinate system where it is known, otherwise a local one). Error:
-/// another extension, no placement for the frame; for .geojson also every other frame, because programs take its numbers for places.
+/// rock's number as text on ROCK_NUMBERS) or .geojson (closed lines in the mine grid, with its coordinate system where it is known,
+/// otherwise a local one). Error: another extension, no placement for the frame; for .geojson also every other frame, because programs take
+/// its numbers for places.
 Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                  const std::string& record);
 

@@ -262,6 +262,8 @@ class Keywords(unittest.TestCase):
                 call()
         with self.assertRaisesRegex(AttributeError, "edgescan-lab evaluate"):
             edgescan.evaluate
+        with self.assertRaisesRegex(AttributeError, "edgescan.compare"):
+            edgescan.change
 
 
 class Threads(unittest.TestCase):

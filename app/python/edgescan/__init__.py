@@ -154,7 +154,7 @@ def save(what: Union[Scan, Result], path: Path, content: Optional[str] = None, *
 
     content: of a Result 'edges' (the edge points), 'cloud' (all points), 'mask', 'gray', 'range' (PNG) or 'scan' (every cell with its
     state); a Scan is always written whole. Without it .png is the mask, all else the edge points. The extension chooses the format.
-    frame: 'mine', 'local', 'scanner' or 'auto' (the usual one). ascii: PCD and PLY as text. include_attached: of a cloud that was
+    frame: 'mine', 'local', 'scanner', or 'auto': 'mine' if the scan has a place. ascii: PCD and PLY as text. include_attached: of a cloud that was
     projected also the points behind the nearest of their cell. operator, role: who exports, for the record.
 
     Returns the number of points or cells written. The file that the scan was opened from is never written over.
@@ -202,7 +202,7 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
 
     The session ends with stop(), or at the end of a with block. A lost connection is made again by itself.
 
-    >>> with edgescan.connect(address, expected_lines=40) as scanner:
+    >>> with edgescan.connect(address, expected_lines=40, timeout=30) as scanner:
     ...     for sweep in scanner:
     ...         if sweep.finished:
     ...             break
@@ -239,4 +239,6 @@ def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "swe
 def __getattr__(name):
     if name == "evaluate":
         raise AttributeError("edgescan.evaluate: scores are in another program now; use edgescan-lab evaluate MASK.png --truth FOLDER --json -")
+    if name == "change":
+        raise AttributeError("edgescan.change: it is edgescan.compare(before, now)")
     raise AttributeError(f"module 'edgescan' has no attribute {name!r}")

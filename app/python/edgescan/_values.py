@@ -59,9 +59,10 @@ def switch(name, value):
     return bool(value)
 
 
-def word(name, value):
+def word(name, value, choices=()):
+    """A str; the sentence about other types lists the choices. Unknown words are refused with the words that are allowed, by the core."""
     if not isinstance(value, str):
-        raise wrong(name, "a str", value)
+        raise wrong(name, " or ".join(map(repr, choices)) or "a str", value)
     try:
         value.encode()
     except UnicodeEncodeError:
@@ -114,7 +115,7 @@ def typed(name, value, row):
     if row.get("several"):
         return ",".join(word(name, one) for one in each(name, "a str or a list of them", value))
     if choices and not choices[0].isdigit():
-        return word(name, value)
+        return word(name, value, choices)
     return number_text(name, value)
 
 
@@ -132,7 +133,7 @@ def converted(name, hint, value):
     if hint in SIMPLE:
         return SIMPLE[hint](name, value)
     if typing.get_origin(hint) is typing.Literal:
-        return word(name, value)
+        return word(name, value, kinds)
     classes = kinds or (hint,)
     if all(getattr(kind, "__name__", "") in MADE_BY for kind in classes):
         if not isinstance(value, tuple(classes)):

@@ -6,6 +6,7 @@
 #include "core/exports/html/picture_numbers.h"
 #include "core/exports/html/scan_pictures.h"
 #include "core/exports/html/size_drawing.h"
+#include "core/files/open_save/save_scan.h"
 #include "core/rocks/attributes/rock_columns.h"
 
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ std::vector<const rocks::Rock*> listedRocks(const rocks::Study& study) {
 std::string tableOf(const rocks::Study& study) {
     const Scan& scan = *study.segmentation->inputs.scan;
     const std::vector<const rocks::Rock*> longest = listedRocks(study);
-    const rocks::RockRows rows(study, usualFrame(scan));
+    const rocks::RockRows rows(study, files::usualFrame(scan));
     std::string html = "<div class=\"wide\"><table id=\"rocks\">\n<thead><tr>", body;
     for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
         if (column.title != nullptr) html += "<th class=\"number\">" + htmlText(column.title) + "</th>";

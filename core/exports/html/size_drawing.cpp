@@ -11,7 +11,7 @@
 namespace edgescan::exports {
 namespace {
 
-constexpr int kWidth = 700, kHeight = 290; // in units of the drawing
+constexpr int kWidth = 700, kHeight = 290;                       // in units of the drawing
 constexpr int kLeft = 88, kRight = 150, kTop = 30, kBottom = 58; // on the right: room for a label
 
 std::string number(double value) { return fixedText(value, 1); }

@@ -165,8 +165,12 @@ Result<PointTable> dxfPoints(const Source& source) {
 } // namespace
 
 Format dxfFormat() {
-    return {
-        .title = "Drawing with edge lines", .writes = {".dxf"}, .read = readingOf<dxfPoints>, .write = dxfBytes, .keeps = Keeps::Points};
+    return {.title = "Drawing with edge lines",
+            .writes = {".dxf"},
+            .read = readingOf<dxfPoints>,
+            .write = dxfBytes,
+            .keeps = Keeps::Points,
+            .inFloats = {"LibreCAD"}};
 }
 
 } // namespace edgescan::files

@@ -327,6 +327,7 @@ Result<std::string> xyzBytes(CloudColumns cloud, const std::string& where, bool)
     } else {
         makeAll(cloud);
         dropEmptyRows(cloud);
+        cloud.description.clear(); // the sidecar has it
         cloud.columns.erase(cloud.columns.begin() + 3, cloud.columns.end());
     }
     appendRows(text, cloud, ' ');
@@ -343,6 +344,7 @@ Result<std::string> csvBytes(CloudColumns cloud, const std::string& where, bool)
     } else {
         makeAll(cloud);
         dropEmptyRows(cloud);
+        cloud.description.clear(); // the sidecar has it
         dropColumns(cloud, [](std::string_view name) { return name == "state"; });
     }
     appendNames(text, cloud, ',');
@@ -359,6 +361,7 @@ Format pointListFormat() {
             .read = readingOf<readTextPoints>,
             .write = xyzBytes,
             .keeps = Keeps::Sidecar,
+            .inFloats = {"MeshLab", "PCL"},
             .writesByLines = true};
 }
 

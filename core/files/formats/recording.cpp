@@ -24,7 +24,6 @@ Format recordingFormat() {
             .recognises = looksLikeRecording,
             .read = readingOf<readRecording>,
             .writeScan = recordingFile,
-            .keepsPlace = true,
             .placesItself = true};
 }
 

@@ -69,9 +69,4 @@ struct MinePoint {
 /// The names of coordinates in tables: they alone name the frame where a file has no other place for it. "easting_m", "east_m", "x_m" ...
 [[nodiscard]] std::array<const char*, 3> coordinateNames(CoordinateFrame frame);
 
-/// The default frame of an export: Mine if the scan has a placement, otherwise Scanner.
-[[nodiscard]] inline CoordinateFrame usualFrame(const Scan& scan) {
-    return scan.placement ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
-}
-
 } // namespace edgescan
