@@ -1,4 +1,4 @@
-// Reads one of our exports with a JavaScript library: node exchange_read.mjs MODULES LIBRARY FILE OUT. Used by exchange_work.py.
+// Reads one of our exports with a JavaScript library: node exchange_read.mjs MODULES LIBRARY FILE OUT. As exchange_read.py.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -13,18 +13,17 @@ const bytes = readFileSync(file);
 const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
 const kind = file.split('.').pop();
 
-function cloudOf(positions, colours, channels, full) {
-  const points = [];
-  for (let n = 0; n + 2 < positions.length; n += 3) points.push([positions[n], positions[n + 1], positions[n + 2]]);
-  let coloured = null;
-  if (colours) {
-    coloured = 0;
-    for (let n = 0; n < points.length; ++n) {
-      const [r, g, b] = [0, 1, 2].map((c) => colours[n * channels + c] / full);
-      if (Math.max(r, g, b) > 1.05 * Math.min(r, g, b)) ++coloured;
+// A row per point: x y z red green blue class, not a number where there is none.
+function cloudOf(positions, colours, channels, full, classes) {
+  const rows = new Float64Array(positions.length / 3 * 7).fill(NaN);
+  for (let n = 0; n < positions.length / 3; ++n) {
+    for (let c = 0; c < 3; ++c) {
+      rows[7 * n + c] = positions[3 * n + c];
+      if (colours) rows[7 * n + 3 + c] = colours[n * channels + c] * 255 / full;
     }
+    if (classes) rows[7 * n + 6] = classes[n];
   }
-  return { points, coloured };
+  return rows;
 }
 
 async function three() {
@@ -43,7 +42,10 @@ async function loadersGl() {
   const module = await load(`@loaders.gl/${kind}`);
   const loader = module[{ ply: 'PLYLoader', pcd: 'PCDLoader', obj: 'OBJLoader', las: 'LASLoader', csv: 'CSVLoader' }[kind]];
   const read = await parse(kind === 'obj' || kind === 'csv' ? bytes.toString('utf8') : buffer, loader, { worker: false, csv: { header: true, shape: 'array-row-table' }, las: { fp64: true } });
-  if (kind === 'csv') return { points: read.data.map((row) => row.slice(0, 3).map(Number)), coloured: null };
+  if (kind === 'csv') {
+    const at = Object.keys(read.data[0]).length - 1; // class
+    return cloudOf(read.data.flatMap((row) => row.slice(0, 3).map(Number)), null, 0, 0, read.data.map((row) => Number(row[at])));
+  }
   const colours = read.attributes.COLOR_0 ?? read.attributes.COLOR;
   return cloudOf(read.attributes.POSITION.value, colours?.value, colours?.size, 255);
 }
@@ -60,7 +62,8 @@ async function copc() {
     positions.push(get.X(n), get.Y(n), get.Z(n));
     if (colour) colours.push(...colour.map((channel) => channel(n)));
   }
-  return cloudOf(positions, colour ? colours : null, 3, 65535);
+  const classes = Array.from({ length: view.pointCount }, (_, n) => Math.max(view.getter('Classification')(n) - 64, 0));
+  return cloudOf(positions, colour ? colours : null, 3, 65535, classes);
 }
 
 async function mcap() {
@@ -74,8 +77,8 @@ async function mcap() {
   let lines = 0;
   const topics = new Map([...reader.channelsById.values()].map((channel) => [channel.id, channel.topic]));
   for await (const message of reader.readMessages()) lines += topics.get(message.channelId) === '/lidar/cola_rx' ? 1 : 0;
-  if (lines !== 200) throw new Error(`${lines} telegrams instead of 200`);
-  return { points: null, coloured: null };
+  console.log(`${lines} telegrams`);
+  return null;
 }
 
 // As Foxglove and Lichtblick do: the indexed reader, the messages checked against their own schemas, the fields of the packed points.
@@ -90,12 +93,14 @@ async function foxglove() {
   });
   const readers = { 1: ['getUint8', 1], 5: ['getUint32', 4], 7: ['getFloat32', 4], 8: ['getFloat64', 8] };
   let cloud = null;
+  const moves = new Map(); // frame: its parent and the shift to it, where axes are parallel
   for await (const message of reader.readMessages()) {
     const channel = reader.channelsById.get(message.channelId);
     const schema = reader.schemasById.get(channel.schemaId);
     const content = JSON.parse(new TextDecoder().decode(message.data));
     if (!ajv.validate(known[schema.name], content)) throw new Error(`${channel.topic}: ${ajv.errorsText()}`);
     if (channel.topic === '/edgescan/cloud') cloud = content;
+    if (channel.topic === '/tf') moves.set(content.child_frame_id, [content.parent_frame_id, content.translation]);
   }
   const data = Buffer.from(cloud.data, 'base64');
   const view = new DataView(data.buffer, data.byteOffset, data.length);
@@ -104,19 +109,22 @@ async function foxglove() {
     const [method] = readers[field.type];
     return (n) => view[method](n * cloud.point_stride + field.offset, true);
   };
-  const [x, y, z, red, green, blue] = ['x', 'y', 'z', 'red', 'green', 'blue'].map(column);
+  const [x, y, z, red, green, blue, classOf] = ['x', 'y', 'z', 'red', 'green', 'blue', 'class'].map(column);
+  const shift = cloud.frame_id === 'mine_origin' ? moves.get('mine_origin')?.[1] ?? { x: 0, y: 0, z: 0 } : { x: 0, y: 0, z: 0 };
   const positions = [];
   const colours = [];
+  const classes = [];
   for (let n = 0; n < data.length / cloud.point_stride; ++n) {
-    positions.push(x(n), y(n), z(n));
+    positions.push(x(n) + shift.x, y(n) + shift.y, z(n) + shift.z);
     colours.push(red(n), green(n), blue(n));
+    classes.push(classOf(n));
   }
-  return cloudOf(positions, colours, 3, 255);
+  return cloudOf(positions, colours, 3, 255, classes);
 }
 
 try {
   const read = await { foxglove, three, 'loaders.gl': loadersGl, copc, mcap }[library]();
-  writeFileSync(out, JSON.stringify(read));
+  if (read) writeFileSync(out, Buffer.from(read.buffer));
 } catch (problem) {
   console.log(String(problem.message ?? problem));
   process.exit(1);

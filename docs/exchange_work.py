@@ -1,300 +1,274 @@
-"""Opens our exports in other programs and prints a table: points, largest coordinate difference, colours. See docs/make-exchange."""
-import csv
+"""Opens our exports in other programs, and what these save in ours, and prints the tables of docs/exchange.md. See docs/make-exchange."""
+import argparse
+import collections
 import json
-import math
 import os
-import shutil
-import struct
-import subprocess
+import re
 import sys
 import tempfile
 
-CLI, MODULES = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
-HERE = os.path.dirname(os.path.abspath(__file__))
-COLOURED = ["ply", "pcd", "las", "obj", "dxf", "foxglove.mcap"]
-MOST_OFF_MM = {"xyz": 0.01, "csv": 0.01, "ply": 0.01, "pcd": 0.01, "las": 0.501, "obj": 0.01, "ptx": 0.01, "dxf": 0.06, "foxglove.mcap": 0.01}
-# Formats that these programs cannot read: listed in the table, not an error of the file.
-WITHOUT_READER = {("CloudCompare", "pcd"), ("CloudCompare", "las"), ("loaders.gl", "las"), ("MeshLab", "ptx")}
-FORMATS = ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx", "dxf", "mcap", "foxglove.mcap"]
-
-
-def run(command, **more):
-    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=240, **more)
-
-
-def has(program):
-    return shutil.which(program) is not None
-
-
-def shown(command):
-    """Programs with a window need a display."""
-    return (["xvfb-run", "-a"] if has("xvfb-run") else []) + command
-
-
-class Cloud:
-    """The points that a program read, in metres, and the number with the colour of an edge; None: unknown."""
-
-    def __init__(self, points, coloured=None):
-        self.points, self.coloured = points, coloured
-
-
-def is_coloured(r, g, b):
-    """An edge of any class; other points are gray."""
-    return max(r, g, b) > 1.05 * min(r, g, b)
-
-
-def reference(path):
-    """The cells of a raw grid as points, by the formulas of docs/coordinates.md."""
-    grid = json.load(open(path))
-    counts = open(os.path.join(os.path.dirname(path), grid["data"]), "rb").read()
-    ranges = struct.unpack(f"<{len(counts) // 2}H", counts)
-    points = []
-    for k, count in enumerate(ranges):
-        if count in grid["no_return"]:
-            continue
-        r = count * grid["unit_mm"] / 1000
-        a = math.radians(grid["beam_deg"][k % grid["beams"]])
-        p = math.radians(grid["line_deg"][k // grid["beams"]])
-        if grid["axis"] == "spin":
-            points.append((r * math.cos(a) * math.cos(p), r * math.cos(a) * math.sin(p), r * math.sin(a)))
-        else:
-            points.append((r * math.cos(a), -r * math.sin(a) * math.sin(p), r * math.sin(a) * math.cos(p)))
-    return points
-
-
-def read_ply(path):
-    data = open(path, "rb").read()
-    head, body = data.split(b"end_header", 1)
-    body = body[body.index(b"\n") + 1:]
-    kinds = {"float": "f", "double": "d", "uchar": "B", "uint8": "B", "float32": "f", "float64": "d", "int": "i", "uint": "I", "short": "h",
-             "ushort": "H", "char": "b", "int32": "i", "uint32": "I", "uint16": "H", "int16": "h"}
-    names, layout, count, inside = [], "<", 0, False
-    for line in head.decode("latin1").split("\n"):
-        words = line.split()
-        if words[:1] == ["element"]:
-            inside = words[1] == "vertex"
-            count = int(words[2]) if inside else count
-        if words[:1] == ["property"] and inside:
-            names.append(words[2])
-            layout += kinds[words[1]]
-    if b"format ascii" in head:
-        rows = [[float(w) for w in line.split()] for line in body.decode().split("\n")[:count]]
-    else:
-        size = struct.calcsize(layout)
-        rows = [struct.unpack_from(layout, body, n * size) for n in range(count)]
-    at = [names.index(n) for n in "xyz"]
-    coloured = None
-    if "red" in names:
-        colour = [names.index(n) for n in ("red", "green", "blue")]
-        coloured = sum(is_coloured(*(row[c] for c in colour)) for row in rows)
-    return Cloud([tuple(row[c] for c in at) for row in rows], coloured)
-
-
-def read_pcd_text(path):
-    names, points, coloured = [], [], None
-    for line in open(path):
-        words = line.split()
-        if words[0] == "FIELDS":
-            names = words[1:]
-        elif words[0][0] in "-0123456789n":
-            row = words
-            points.append(tuple(float(row[names.index(n)]) for n in "xyz"))
-            if "rgb" in names:
-                text = row[names.index("rgb")]
-                bits = struct.unpack("<I", struct.pack("<f", float(text)))[0] if "." in text or "e" in text else int(text)
-                coloured = (coloured or 0) + is_coloured(bits >> 16 & 255, bits >> 8 & 255, bits & 255)
-    return Cloud(points, coloured)
-
-
-def cloud_compare(path, folder):
-    out = os.path.join(folder, "cc.asc")
-    said = run(shown(["CloudCompare", "-SILENT", "-AUTO_SAVE", "OFF", "-C_EXPORT_FMT", "ASC", "-PREC", "9", "-SEP", "SPACE", "-ADD_HEADER", "-O",
-                      path, "-SAVE_CLOUDS", "FILE", out]), cwd=folder)
-    if not os.path.exists(out):
-        raise RuntimeError("this build has no reader for it" if "unhandled file extension" in said.stdout else "nothing was read")
-    rows = open(out).read().split("\n")
-    names = rows[0].lstrip("/").split()
-    body = [[float(w) for w in row.split()] for row in rows[1:] if row]
-    coloured = None
-    if "R" in names:
-        colour = [names.index(c) for c in "RGB"]
-        coloured = sum(is_coloured(*(row[c] for c in colour)) for row in body)
-    return Cloud([tuple(row[:3]) for row in body], coloured)
-
-
-def meshlab(path, folder):
-    out = os.path.join(folder, "meshlab.ply")
-    said = run(shown(["meshlabserver", "-i", path, "-o", out, "-m", "vc"]), cwd=folder)
-    if not os.path.exists(out):
-        raise RuntimeError("does not open it" if "nable to open" in said.stdout or "rror" in said.stdout else "nothing was read")
-    return read_ply(out)
-
-
-def pcl(path, folder):
-    pcd = os.path.join(folder, "pcl.pcd")
-    kind = path.rsplit(".", 1)[1]
-    first = {"ply": ["pcl_ply2pcd", "-format", "0", path, pcd], "pcd": ["pcl_convert_pcd_ascii_binary", path, pcd, "0"],
-             "obj": ["pcl_obj2pcd", path, pcd], "xyz": ["pcl_xyz2pcd", path, pcd]}[kind]
-    said = run(first)
-    if not os.path.exists(pcd):
-        raise RuntimeError(said.stdout.strip()[-90:] or "nothing was read")
-    text = os.path.join(folder, "pcl_text.pcd")
-    run(["pcl_convert_pcd_ascii_binary", pcd, text, "0"])
-    return read_pcd_text(text)
-
-
-def pandas_reads(path, folder):
-    import pandas
-    table = pandas.read_csv(path) if path.endswith("csv") else pandas.read_csv(path, sep=" ", header=None)
-    return Cloud([tuple(row) for row in table.iloc[:, :3].to_numpy(dtype=float)])
-
-
-def numpy_reads(path, folder):
+try:
     import numpy
-    return Cloud([tuple(row) for row in numpy.loadtxt(path)])
+    import exchange_points
+    import exchange_programs
+    from exchange_chain import Grid, mine_frame, scanner_frame
+except ImportError as problem:
+    print(f"Not run: {problem}")
+    sys.exit(77)
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+FRAMES = ["scanner", "local", "mine"]
+
+# An export: most that its own rounding explains in mm, whether it carries colours and classes, and the frames that it has.
+Export = collections.namedtuple("Export", "rounding_mm coloured classed frames", defaults=[False, False, FRAMES])
+EXPORTS = {
+    "xyz": Export(0.1),
+    "csv": Export(0.1, classed=True),
+    "ply": Export(0.1, True, True),
+    "pcd": Export(0.1, True, True),
+    "las": Export(0.51, True, True),
+    "obj": Export(0.1, True),
+    "ptx": Export(0.1),
+    "dxf": Export(0.1, True, True),
+    "foxglove.mcap": Export(0.1, True, True, ["scanner", "mine"]),  # programs add the shift of /tf
+    "mcap": Export(0, frames=["scanner"]),
+}
 
 
-def gdal_reads(path, folder):
-    from osgeo import ogr
-    ogr.UseExceptions()
-    if path.endswith("csv"):
-        names = next(csv.reader(open(path)))[:3]
-        source = ogr.GetDriverByName("CSV").Open(path)
-        return Cloud([tuple(float(feature.GetField(n)) for n in names) for feature in source.GetLayer(0)])
-    points = []
-    drawing = ogr.Open(path) # its features are destroyed with it
-    for feature in drawing.GetLayer(0):
-        shape = feature.GetGeometryRef()
-        if shape.GetGeometryType() in (ogr.wkbPoint, ogr.wkbPoint25D) and feature.GetField("Layer") in ("CLOUD", "EDGE_POINTS"):
-            points.append((shape.GetX(), shape.GetY(), shape.GetZ()))
-    return Cloud(points)
+class Scan:
+    """The scan in all its exports, what their points must be, and what our own reading of them finds."""
 
+    def __init__(self, cli, folder):
+        self.cli, self.folder = cli, folder
+        page = open(os.path.join(HERE, "coordinates.md")).read()
+        examples = [json.loads(block) for block in re.findall(r"```json\n(.*?)```", page, re.S)]
+        robot, pose = (next(one for one in examples if one.get("format") == f"edgescan-{kind}/1") for kind in ("calibration", "pose"))
+        self.place = []
+        for flag, content in (("calibration", robot), ("pose", pose)):
+            path = os.path.join(folder, f"{flag}.json")
+            json.dump(content, open(path, "w"))
+            self.place += [f"--{flag}", path]
+        self.raw = os.path.join(folder, "bell.json")
+        self.ours("simulate", "-o", self.raw, "--axis", "spin", "--lines", "200", "--beams", "300", "--seed", "7")
+        self.grid = Grid(self.raw)
+        self.in_mine = mine_frame(pose, robot)
+        for frame in FRAMES:
+            os.makedirs(os.path.join(folder, frame))
+            for kind in (one for one, about in EXPORTS.items() if frame in about.frames):
+                path = self.export(kind, frame)
+                content = ["convert", self.raw, path] if kind in ("ptx", "mcap") else ["detect", self.raw, "--cloud", path]
+                self.ours(*content, *([] if kind == "mcap" else [*self.place, "--frame", frame]))
+        record = json.load(open(self.export("csv", "local") + ".provenance.json"))
+        self.origin = numpy.array(record["record"]["coordinates"]["origin_enh_m"])
+        points = self.grid.points(self.in_mine)
+        self.points = {"scanner": self.grid.points(scanner_frame(self.grid)), "local": points - self.origin, "mine": points}
+        self.edges = self.edges_of(self.raw)
+        self.classes = exchange_points.read(self.export("csv", "scanner"))[:, 6]
 
-def ezdxf_reads(path, folder):
-    import ezdxf
-    drawing = ezdxf.readfile(path)
-    problems = drawing.audit()
-    if problems.errors:
-        raise RuntimeError(f"{len(problems.errors)} errors")
-    found = [entity for entity in drawing.modelspace().query("POINT")]
-    coloured = sum(entity.dxf.layer == "EDGE_POINTS" for entity in found)
-    return Cloud([tuple(entity.dxf.location) for entity in found], coloured)
+    def export(self, kind, frame):
+        return os.path.join(self.folder, frame, f"bell.{kind}")
 
-
-def f3d_shows(path, folder):
-    """A picture only: gives colours, not points."""
-    out = os.path.join(folder, "f3d.ppm.png")
-    said = run(shown(["f3d", path, "--output", out, "--resolution", "400,300", "--point-size", "3", "--camera-azimuth-angle", "20"]))
-    if not os.path.exists(out):
-        raise RuntimeError(said.stdout.strip()[-90:] or "no picture")
-    from osgeo import gdal
-    picture = gdal.Open(out).ReadAsArray()[:3].astype(float)
-    if picture.std() == 0:
-        raise RuntimeError("an empty picture")
-    return Cloud(None, int((picture[1] > 1.3 * picture[[0, 2]].max(axis=0)).sum()))
-
-
-def node_reads(library):
-    def reads(path, folder):
-        said = run(["node", os.path.join(HERE, "exchange_read.mjs"), MODULES, library, path, os.path.join(folder, "points.json")])
+    def ours(self, *command):
+        said = exchange_programs.said_by([self.cli, *command])
         if said.returncode != 0:
-            raise RuntimeError(said.stdout.strip().split("\n")[-1][:90])
-        read = json.load(open(os.path.join(folder, "points.json")))
-        return Cloud(None if read["points"] is None else [tuple(p) for p in read["points"]], read.get("coloured"))
-    return reads
+            raise RuntimeError(re.sub(r"^edgescan-cli: (/\S+: )?", "", said.stdout.strip().split("\n")[-1]).split(":")[0])
+        return said.stdout
+
+    def farthest(self, rows, frame):
+        """The greatest difference of a coordinate in mm; the points are in the order of the cells."""
+        return 1000 * abs(rows[:, :3] - self.points[frame]).max()
+
+    def edges_of(self, path, *reading):
+        """The cells of the edges that we find in a file, and the shape of its grid."""
+        with tempfile.TemporaryDirectory() as folder:
+            listed, counted = os.path.join(folder, "edges.csv"), os.path.join(folder, "counts.json")
+            self.ours("detect", path, "--edges", listed, "--json", counted, *reading)
+            columns, counts = exchange_points.table(listed), json.load(open(counted))
+            return set(zip(columns["line"].astype(int), columns["beam"].astype(int))), (counts["lines"], counts["beams"])
+
+    def differing(self, path):
+        """How many cells differ between the edges of the scan and those of a file that another program saved."""
+        edges, shape = self.edges_of(path)
+        return len(edges ^ self.edges[0]) if shape == self.edges[1] else f"another grid, {shape[0]} x {shape[1]}"
+
+    def by_rounding(self, path, frame):
+        """As many cells differ where each gets the range of its rounded point and nothing else happens."""
+        points = exchange_points.read(path)[:, :3]
+        if len(points) != len(self.grid.cells):
+            return "other points"
+        if frame != "scanner" and abs(points).max() < abs(self.origin).max() / 2:
+            points = points + self.origin
+        nothing = Grid(self.raw)
+        nothing.ranges = nothing.ranges * 0
+        sensors = nothing.points(scanner_frame(nothing) if frame == "scanner" else self.in_mine)
+        ranges = 0 * self.grid.ranges
+        ranges.flat[self.grid.cells] = 1000 * numpy.linalg.norm(points - sensors, axis=1)
+        rounded = os.path.join(self.folder, "rounded.npy")
+        numpy.save(rounded, ranges.astype("<f4"))
+        beams, lines = self.grid.beam_deg, self.grid.line_deg
+        edges, _ = self.edges_of(rounded, "--unit", "mm", "--axis", "spin", "--beam-start", str(beams[0]), "--beam-step", str(beams[1] - beams[0]),
+                                 "--line-start", str(lines[0]), "--line-step", str(lines[1] - lines[0]))
+        return len(edges ^ self.edges[0])
 
 
-def module(name):
-    return MODULES != "" and has("node") and os.path.isdir(os.path.join(MODULES, "node_modules", name))
+def compared(scan, kind, frame, rows):
+    """What a program read in one frame: what the table shows, and whether it is right."""
+    if isinstance(rows, str):
+        return rows, not rows.startswith(("not read", "an empty"))
+    if len(rows) != len(scan.grid.cells):
+        return f"{len(rows)} of {len(scan.grid.cells)} points", False
+    worst = scan.farthest(rows, frame)
+    if worst > 1000 and frame == "mine":  # a file whose header has the origin
+        about = scan.farthest(rows, "local")
+        if about < worst:
+            return f"{about:.4f} about the origin", about <= EXPORTS[kind].rounding_mm
+    return f"{worst:.4f}", worst <= EXPORTS[kind].rounding_mm
 
 
-def importable(name):
-    return run([sys.executable, "-c", f"import {name}"]).returncode == 0
+def colours_of(scan, kind, rows):
+    if not EXPORTS[kind].coloured or isinstance(rows, str) or numpy.isnan(rows[:, 3]).all():
+        return "", True
+    colours = rows[:, 3:6]
+    coloured = int((colours.max(axis=1) > 1.05 * colours.min(axis=1)).sum())
+    edges = len(scan.edges[0])
+    return f"{coloured} of {edges}", coloured == edges
 
 
-PROGRAMS = [
-    ("CloudCompare", lambda: has("CloudCompare"), cloud_compare, ["xyz", "csv", "ply", "pcd", "las", "obj", "ptx"]),
-    ("MeshLab", lambda: has("meshlabserver"), meshlab, ["xyz", "ply", "obj", "ptx"]),
-    ("PCL tools", lambda: has("pcl_ply2pcd"), pcl, ["xyz", "ply", "pcd", "obj"]),
-    ("GDAL", lambda: importable("osgeo.ogr"), gdal_reads, ["csv", "dxf"]),
-    ("ezdxf", lambda: importable("ezdxf"), ezdxf_reads, ["dxf"]),
-    ("f3d", lambda: has("f3d") and importable("osgeo.gdal"), f3d_shows, ["ply", "obj"]),
-    ("pandas", lambda: importable("pandas"), pandas_reads, ["xyz", "csv"]),
-    ("numpy", lambda: importable("numpy"), numpy_reads, ["xyz"]),
-    ("three", lambda: module("three"), node_reads("three"), ["xyz", "ply", "pcd", "obj"]),
-    ("loaders.gl", lambda: module("@loaders.gl/core"), node_reads("loaders.gl"), ["csv", "ply", "pcd", "las", "obj"]),
-    ("copc", lambda: module("copc"), node_reads("copc"), ["las"]),
-    ("@mcap/core", lambda: module("@mcap/core"), node_reads("mcap"), ["mcap"]),
-    ("Foxglove's schemas", lambda: module("@mcap/core") and module("@foxglove/schemas") and module("ajv"), node_reads("foxglove"),
-     ["foxglove.mcap"]),
-]
+def classes_of(scan, kind, rows):
+    if not EXPORTS[kind].classed or isinstance(rows, str) or len(rows) != len(scan.classes) or numpy.isnan(rows[:, 6]).all():
+        return "", True
+    same = int((rows[:, 6] == scan.classes)[scan.classes > 0].sum())
+    return f"{same} of {len(scan.edges[0])}", same == len(scan.edges[0])
 
 
-def difference(ours, theirs):
-    """Largest difference of a coordinate, point by point."""
-    return max(max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(ours, theirs))
-
-
-def farthest(ours, theirs, cell=0.001):
-    """The same for points in another order (drawings are ordered by layer): each point is compared with our nearest one within a millimetre."""
-    near = {}
-    for p in ours:
-        near.setdefault(tuple(round(c / cell) for c in p), []).append(p)
-    worst = 0
-    for q in theirs:
-        x, y, z = (round(c / cell) for c in q)
-        around = [p for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1) for p in near.get((x + i, y + j, z + k), [])]
-        worst = max(worst, min((max(abs(a - b) for a, b in zip(p, q)) for p in around), default=math.inf))
-    return worst
-
-
-def row_of(name, path, read, folder, points, edges):
-    kind = os.path.basename(path).split(".", 1)[1]
+def tried(act):
+    """What act gives, or the words of a refusal."""
     try:
-        cloud = read(path, folder)
+        return act()
     except Exception as problem:  # a refusal by another program is a result
-        return f"| {kind} | {name} | not read: {str(problem).strip() or type(problem).__name__} | | |", (name, kind) in WITHOUT_READER
-    told = cloud.coloured is not None and kind in COLOURED
-    colours = "" if not told else f"{cloud.coloured} green pixels" if cloud.points is None else f"{cloud.coloured} of {edges}"
-    if cloud.points is None:
-        return f"| {kind} | {name} | {'200 telegrams' if kind == 'mcap' else 'a picture'} | | {colours} |", True
-    if len(cloud.points) != len(points):
-        return f"| {kind} | {name} | {len(cloud.points)} of {len(points)} | | {colours} |", (name, kind) in WITHOUT_READER
-    worst = 1000 * (farthest(points, cloud.points) if kind == "dxf" else difference(points, cloud.points))
-    sound = worst <= MOST_OFF_MM[kind] and (not told or cloud.coloured == edges)
-    return f"| {kind} | {name} | {len(cloud.points)} | {worst:.4f} | {colours} |", sound
+        return f"not read: {str(problem).strip() or type(problem).__name__}"
 
 
-def main():
+Tried = collections.namedtuple("Tried", "cells right seen saved sound")
+
+
+def read_and_saved(scan, program, kind):
+    """One program with one format in all frames: its row of each table, the frames in which it reads it rightly, and whether all is sound."""
+    cells, right, seen, saved_cells, sound = [], [], None, [], True
+    for frame in FRAMES:
+        if frame not in EXPORTS[kind].frames:
+            cells.append("")
+            saved_cells.append("")
+            continue
+        with tempfile.TemporaryDirectory(dir=scan.folder) as own:
+            saved = os.path.join(own, f"saved.{program.saves[kind]}") if kind in program.saves else None
+            rows = tried(lambda: program.reads(program, scan.export(kind, frame), own, saved))
+            cell, good = compared(scan, kind, frame, rows)
+            cells.append(cell)
+            right += [frame] if good else []
+            expected = kind not in program.refuses and not (program.four_bytes and frame == "mine")
+            sound = sound and (good or not expected)
+            if seen is None and not isinstance(rows, str):
+                seen = [colours_of(scan, kind, rows), classes_of(scan, kind, rows)]
+                sound = sound and all(same for _, same in seen)
+            if saved:
+                differ, by_rounding = opened_again(scan, saved, frame)
+                saved_cells.append(f"{differ}" if not differ else f"{differ} (rounding alone: {by_rounding})")
+                sound = sound and (differ == 0 or not expected or frame != "scanner" or isinstance(differ, int) and isinstance(by_rounding, int) and differ <= by_rounding)
+    return Tried(cells, right, [shown for shown, _ in seen] if seen else ["", ""], saved_cells if kind in program.saves else [], sound)
+
+
+def opened_again(scan, saved, frame):
+    """The cells that differ in a file that another program saved, and those that its rounding alone explains."""
+    if not os.path.exists(saved):
+        return "not saved", "-"
+    differ = tried(lambda: scan.differing(saved))
+    return differ, 0 if differ == 0 else tried(lambda: scan.by_rounding(saved, frame))
+
+
+def choice(kinds_right):
+    """What to choose for a program, of the formats that it reads rightly in each frame."""
+    listed = lambda frame: ", ".join(kind for kind, right in kinds_right.items() if frame in right)
+    if listed("mine"):
+        return f"`--frame mine`: {listed('mine')}"
+    return f"`--frame local`: {listed('local')}" if listed("local") else listed("scanner")
+
+
+def row(*cells):
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def head(title, words, *columns):
+    print(f"\n## {title}\n\n{words}\n")
+    row(*columns)
+    print("|" + "---|" * len(columns))
+
+
+def clouds(scan, programs):
+    """The tables of what programs read and what they save. Gives the formats that each reads rightly with their frames, and whether all is sound."""
+    head("What they read", "Differences in mm.", "format", "program", "scanner", "local", "mine", "colours of edges", "classes of edges")
+    sound, saves, right = True, [], collections.defaultdict(dict)
+    for kind in EXPORTS:
+        for program in (one for one in programs if kind in one.formats):
+            result = read_and_saved(scan, program, kind)
+            row(kind, program.name, *result.cells, *result.seen)
+            saves += [(program.name, kind, program.saves[kind], *result.saved)] if result.saved else []
+            right[program.name][kind] = result.right
+            sound = sound and result.sound
+            if not result.sound:
+                print(f"{program.name}, {kind}: not as it must be", file=sys.stderr)
+    head("What they save", "The program opens our file and saves it; EdgeScan opens that, without a record, and finds the edges: how many of their cells differ "
+         "from those of the scan, and how many differ where each cell gets the range of its saved point and nothing else happens (*rounding alone*).",
+         "program", "format", "saved as", "scanner", "local", "mine")
+    for cells in saves:
+        row(*cells)
+    return right, sound
+
+
+def rocks(scan, programs):
+    """The table of rock tables and drawings."""
+    head("Rocks", "`rocks --csv --outlines` in the mine grid.", "file", "program", "what it reads")
     sound = True
-    with tempfile.TemporaryDirectory() as folder:
-        grid = os.path.join(folder, "bell.json")
-        subprocess.run([CLI, "simulate", "-o", grid, "--lines", "200", "--beams", "300", "--seed", "7"], check=True, capture_output=True)
-        points = reference(grid)
-        edges = 0
-        for kind in FORMATS:
-            path = os.path.join(folder, f"bell.{kind}")
-            command = [CLI, "convert", grid, path] if kind in ("mcap", "ptx") else [CLI, "detect", grid, "--cloud", path, "--json", "-"]
-            said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-            edges = json.loads(said)["edges"] if "--json" in command else edges
-        there = [program for program in PROGRAMS if program[1]()]
-        missing = [name for name, is_there, _, _ in PROGRAMS if not is_there()]
-        print("| format | program | points | largest difference, mm | points with the colour of an edge |\n|---|---|---|---|---|")
-        for kind in FORMATS:
-            for name, _, read, kinds in there:
-                if kind not in kinds:
-                    continue
-                with tempfile.TemporaryDirectory() as own:
-                    row, good = row_of(name, os.path.join(folder, f"bell.{kind}"), read, own, points, edges)
-                print(row, flush=True)
-                sound = sound and good
-        print(f"\nA scan of 200 lines x 300 beams: {len(points)} points, {edges} of them edges.", end="")
-        print(f" Not installed, so not tried: {', '.join(missing)}." if missing else "")
+    table, *drawings = [os.path.join(scan.folder, name) for name in exchange_programs.ROCK_FILES]
+    for path in drawings:
+        scan.ours("rocks", scan.raw, "--outlines", path, *scan.place, "--frame", "mine")
+    scan.ours("rocks", scan.raw, "--csv", table, *scan.place, "--frame", "mine")
+    for path in (table, *drawings):
+        for program in (one for one in programs if os.path.basename(path) in one.rocks):
+            with tempfile.TemporaryDirectory(dir=scan.folder) as own:
+                said = tried(lambda: program.reads(program, path, own, None))
+            row(os.path.basename(path), program.name, said)
+            sound = sound and not said.startswith("not read")
     return sound
 
 
+def main():
+    there = [exchange_programs.found(program, ROOTS) for program in exchange_programs.programs() if program.name in ONLY or not ONLY]
+    programs = [program for program, version in there if version]
+    if not programs:
+        print("Not run: not one of these is installed: " + ", ".join(program.name for program, _ in there))
+        return 77
+    with tempfile.TemporaryDirectory(dir=WORK) as folder:
+        scan = Scan(CLI, folder)
+        print(f"A scan of 200 lines x 300 beams, {len(scan.grid.cells)} points, {len(scan.edges[0])} of them edges, with the pose and the robot of "
+              "coordinates.md: E 498,765 N 5,150,123.")
+        right, sound = clouds(scan, programs)
+        sound = rocks(scan, programs) and sound
+    head("What to choose", "The exports that arrive as they are, and what the program asks when one of mine coordinates is opened by hand.",
+         "program", "version", "choose", "it asks")
+    for program, version in there:
+        row(program.name, version or "not run", choice(right[program.name]), program.asks)
+    return 0 if sound else 1
+
+
 if __name__ == "__main__":
-    if not any(there() for _, there, _, _ in PROGRAMS):
-        print("None of these is installed: " + ", ".join(name for name, _, _, _ in PROGRAMS))
-        sys.exit(77)
-    sys.exit(0 if main() else 1)
+    given = argparse.ArgumentParser()
+    given.add_argument("cli")
+    given.add_argument("--modules", default="", help="folder of the packages of npm")
+    given.add_argument("--root", action="append", default=[], help="a system that has programs; searched in this order, then this machine")
+    given.add_argument("--work", help="folder with exchange_read.* that the roots have under the same path")
+    given.add_argument("--only", default="", help="names of programs, for a trial")
+    given = given.parse_args()
+    CLI, ROOTS, WORK, ONLY = given.cli, given.root, given.work, given.only
+    exchange_programs.WHERE = {"scripts": WORK or HERE, "modules": given.modules}
+    sys.exit(main())

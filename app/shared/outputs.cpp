@@ -4,6 +4,7 @@
 #include "core/base/whole_file.h"
 #include "core/files/open_save/sidecar_grid.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -45,13 +46,18 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
 void WrittenOutputs::add(const std::string& path, const Result<exports::Written>& written) {
     add<exports::Written>(path, written);
     if (!written || !written->coordinates) return;
-    if (coordinates_)
-        coordinates_->add(*written->coordinates);
+    const auto same = std::ranges::find(coordinates_, written->coordinates->frame, &exports::WrittenCoordinates::frame);
+    if (same != coordinates_.end())
+        same->add(*written->coordinates);
     else
-        coordinates_ = written->coordinates;
+        coordinates_.push_back(*written->coordinates);
 }
 
-std::string WrittenOutputs::coordinates() const { return coordinates_ ? exports::coordinatesText(*coordinates_) : std::string(); }
+std::string WrittenOutputs::coordinates() const {
+    std::string text;
+    for (const exports::WrittenCoordinates& each : coordinates_) text += (text.empty() ? "" : " ") + exports::coordinatesText(each);
+    return text;
+}
 
 Result<Done> WrittenOutputs::outcome() const {
     if (!first_) return Done{};

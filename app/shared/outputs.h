@@ -33,13 +33,13 @@ public:
     [[nodiscard]] bool allWritten() const { return !first_; }
     /// Error: the first one, with the names of what was written and of what else was not.
     [[nodiscard]] Result<Done> outcome() const;
-    /// The frame and the extent of all of them: the last line of a command. Empty where none has coordinates.
+    /// The frame and the extent of all of them, by frame: the last line of a command. Empty where there are no coordinates.
     [[nodiscard]] std::string coordinates() const;
 
 private:
     std::optional<Error> first_;
-    std::optional<exports::WrittenCoordinates> coordinates_;
-    std::vector<std::string> written_, missing_; ///< missing: besides the first
+    std::vector<exports::WrittenCoordinates> coordinates_; ///< one per frame
+    std::vector<std::string> written_, missing_;           ///< missing: besides the first
 };
 
 } // namespace edgescan::cli

@@ -101,22 +101,22 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
 }
 
 /// The box of the points; of the cells of all rocks where rocks are written.
-Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, const edges::Detection& detection,
+Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, const edges::Detection& detection, CoordinateFrame frame,
                              const ExportOptions& options) {
     Eigen::AlignedBox3d box;
     if (expected.bounds && expected.count > 0) box = {expected.bounds->leastM, expected.bounds->mostM};
     const ExportKind& kind = exportKind(content);
-    if (kind.counts != ExportKind::Counts::Rocks || kind.holds == ExportKind::Holds::Picture) return box;
+    if (kind.counts != ExportKind::Counts::Rocks) return box;
     const Scan& scan = *detection.scan;
     const CartesianTables tables(scan);
     std::optional<PlacedPoints> placed;
-    if (options.frame != CoordinateFrame::Scanner) placed.emplace(scan);
+    if (frame != CoordinateFrame::Scanner) placed.emplace(scan);
     const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
     for (int line = 0; line < scan.lines(); ++line) {
         for (int beam = 0; beam < scan.beams(); ++beam) {
             if (labels.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) continue;
             const Eigen::Vector3d point = tables.point(line, beam);
-            box.extend(placed ? placed->inFrame(options.frame, line, beam, point) : point);
+            box.extend(placed ? placed->inFrame(frame, line, beam, point) : point);
         }
     }
     return box;
@@ -168,8 +168,9 @@ Result<Written> exportWithProvenance(ExportContent content, const edges::Detecti
     for (const FileBytes& file : *files) {
         if (auto told = checkTold(file, expected); !told) return told.error();
     }
-    const Written done{expected.count,
-                       coordinatesOf(content, *detection.scan, path, options, extentOf(content, expected, detection, options))};
+    Written done{expected.count};
+    if (const auto frame = frameOfFile(content, path, options))
+        done.coordinates = coordinatesOf(content, *detection.scan, path, options, extentOf(content, expected, detection, *frame, options));
     if (isDevice(path)) {
         if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
         if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();

@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kLeastLossM = 0.001; // the least that is worth a sentence
 
-/// Whether a file of this kind and extension holds coordinates.
-bool holdsCoordinates(const ExportKind& kind, const std::filesystem::path& path) {
-    if (kind.holds == ExportKind::Holds::Points || kind.holds == ExportKind::Holds::Scan) return true;
-    const auto file = std::ranges::find(kind.files, asciiLower(path.extension().string()), &ExportFile::extension);
-    return file != kind.files.end() && file->coordinates != ExportFile::Coordinates::None;
-}
-
 /// How far a 4-byte number is from the coordinate at most.
 double lossInFloatsM(const Eigen::AlignedBox3d& box) {
     const double largest = box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -78,11 +71,18 @@ void WrittenCoordinates::add(const WrittenCoordinates& other) {
     addMissing(inFloats, other.inFloats);
 }
 
-std::optional<WrittenCoordinates> coordinatesOf(ExportContent content, const Scan& scan, const std::filesystem::path& path,
-                                                const ExportOptions& options, const Eigen::AlignedBox3d& box) {
-    if (!holdsCoordinates(exportKind(content), path)) return std::nullopt;
+std::optional<CoordinateFrame> frameOfFile(ExportContent content, const std::filesystem::path& path, const ExportOptions& options) {
+    const ExportKind& kind = exportKind(content);
+    if (kind.holds == ExportKind::Holds::Points || kind.holds == ExportKind::Holds::Scan) return options.frame;
+    const auto file = std::ranges::find(kind.files, asciiLower(path.extension().string()), &ExportFile::extension);
+    if (file == kind.files.end() || file->coordinates == ExportFile::Coordinates::None) return std::nullopt;
+    return file->coordinates == ExportFile::Coordinates::MineOnly ? CoordinateFrame::Mine : options.frame;
+}
+
+WrittenCoordinates coordinatesOf(ExportContent content, const Scan& scan, const std::filesystem::path& path, const ExportOptions& options,
+                                 const Eigen::AlignedBox3d& box) {
     WrittenCoordinates written;
-    written.frame = options.frame;
+    written.frame = frameOfFile(content, path, options).value_or(options.frame);
     if (scan.placement) written.originEnhM = scan.placement->originEnhM;
     written.box = box;
     const files::Format* format = files::writtenFormat(path);

@@ -25,9 +25,13 @@ struct WrittenCoordinates {
     void add(const WrittenCoordinates& other);
 };
 
-/// Of one export; empty where it holds no coordinates. `box`: of its points.
-[[nodiscard]] std::optional<WrittenCoordinates> coordinatesOf(ExportContent content, const Scan& scan, const std::filesystem::path& path,
-                                                              const ExportOptions& options, const Eigen::AlignedBox3d& box);
+/// The frame of the coordinates in a file; empty where it holds none. A file of the mine grid alone is not in the frame of the options.
+[[nodiscard]] std::optional<CoordinateFrame> frameOfFile(ExportContent content, const std::filesystem::path& path,
+                                                         const ExportOptions& options);
+
+/// Of one export with coordinates. `box`: of its points, in the frame of the file.
+[[nodiscard]] WrittenCoordinates coordinatesOf(ExportContent content, const Scan& scan, const std::filesystem::path& path,
+                                               const ExportOptions& options, const Eigen::AlignedBox3d& box);
 
 /// "Mine grid: E 498753.21 to 498771.90, ...", as sentences.
 [[nodiscard]] std::string coordinatesText(const WrittenCoordinates& written);

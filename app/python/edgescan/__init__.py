@@ -154,8 +154,9 @@ def save(what: Union[Scan, Result], path: Path, content: Optional[str] = None, *
 
     content: of a Result 'edges' (the edge points), 'cloud' (all points), 'mask', 'gray', 'range' (PNG) or 'scan' (every cell with its
     state); a Scan is always written whole. Without it .png is the mask, all else the edge points. The extension chooses the format.
-    frame: 'mine', 'local', 'scanner', or 'auto': 'mine' if the scan has a place. ascii: PCD and PLY as text. include_attached: of a cloud that was
-    projected also the points behind the nearest of their cell. operator, role: who exports, for the record.
+    frame: 'mine', 'local', 'scanner', or 'auto': 'mine' if the scan has a place, else 'scanner'. ascii: PCD and PLY as text.
+    include_attached: of a cloud that was projected also the points behind the nearest of their cell. operator, role: who exports, for the
+    record.
 
     Returns the number of points or cells written. The file that the scan was opened from is never written over.
 

@@ -39,7 +39,7 @@ std::string DxfText::newHandle() {
 }
 
 void DxfText::header(const Eigen::AlignedBox3d& box) {
-    text_ += "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\n";
+    text_ += "9\n$ACADVER\n1\n";
     text_ += release2000_ ? "AC1015\n" : "AC1009\n";
     if (release2000_) {
         text_ += "9\n$HANDSEED\n5\n";

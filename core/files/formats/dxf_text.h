@@ -46,7 +46,7 @@ private:
     std::string entity(const char* kind, const char* layer, const std::string& owner, const char* subclass);
 
     bool release2000_;
-    std::string text_;
+    std::string text_ = "0\nSECTION\n2\nHEADER\n"; ///< before the comments: LibreOffice knows a drawing by it
     std::uint64_t handles_ = 0x20;
     std::size_t seedAt_ = 0;    ///< where the first free handle is to be written
     std::string model_, paper_; ///< handles of the block records

@@ -32,6 +32,7 @@ struct PlyHeader {
     std::size_t firstByte = 0;
     std::size_t firstLine = 1;
     bool ended = false;
+    bool unnamedByte = false; ///< behind the colours of each vertex
 };
 
 std::optional<Scalar> scalarNamed(std::string_view name) {
@@ -96,15 +97,39 @@ Result<PlyHeader> readPlyHeader(const Source& source) {
     return header;
 }
 
+/// The bytes of the elements behind the vertices; none where lists leave them unknown.
+std::optional<std::uint64_t> bytesBehindVertices(const PlyHeader& header) {
+    std::uint64_t bytes = 0;
+    bool behind = false;
+    for (const Element& element : header.elements) {
+        if (behind && element.hasList && element.count > 0) return std::nullopt;
+        if (behind) bytes += productOf({element.count, element.recordBytes});
+        behind = behind || element.name == "vertex";
+    }
+    return bytes;
+}
+
+/// PCL writes colours that are whole numbers with a fourth byte that its header leaves out. True: that is so here, and the fields are moved.
+bool hasUnnamedColourByte(Element& vertex, const PlyHeader& header, std::uint64_t held) {
+    const auto blue = std::find_if(vertex.fields.begin(), vertex.fields.end(), [](const RecordField& field) { return field.name == "blue"; });
+    const auto behind = bytesBehindVertices(header);
+    if (header.encoding != "binary_little_endian" || blue == vertex.fields.end() || !behind) return false;
+    if (held != productOf({vertex.count, vertex.recordBytes + 1}) + *behind) return false;
+    for (auto field = blue + 1; field != vertex.fields.end(); ++field) ++field->offset;
+    ++vertex.recordBytes;
+    return true;
+}
+
 /// The vertices' place, after elements whose length is known.
 Result<const Element*> vertexElement(PlyHeader& header, const Source& source) {
     for (Element& element : header.elements) {
         if (element.name == "vertex") {
             if (element.hasList)
                 return source.refused("the vertices have lists of numbers, which cannot be read", "export the file without them");
-            for (RecordField& field : element.fields) field.stride = element.recordBytes;
             if (element.count == 0 || element.count > kMostPoints)
                 return source.refused("the header promises " + std::to_string(element.count) + " points", "check the file");
+            header.unnamedByte = hasUnnamedColourByte(element, header, source.bytes.size() - header.firstByte);
+            for (RecordField& field : element.fields) field.stride = element.recordBytes;
             return static_cast<const Element*>(&element);
         }
         if (element.hasList || header.encoding == "ascii") {
@@ -137,9 +162,12 @@ Result<Done> readVertices(PointTable& table, const PlyHeader& header, const Elem
         return source.refused("the format \"" + header.encoding.substr(0, 40) + "\" is none that PLY knows", "export the file again");
     }
     const auto bytes = source.bytes.subspan(header.firstByte);
-    if (last) {
-        if (auto whole = checkRest(table, vertex.count, vertex.recordBytes, bytes, source); !whole) return whole;
+    if (const auto behind = bytesBehindVertices(header); behind && *behind <= bytes.size() - vertex.count * vertex.recordBytes) {
+        const auto vertices = bytes.first(bytes.size() - *behind);
+        if (auto whole = checkRest(table, vertex.count, vertex.recordBytes, vertices, source); !whole) return whole;
     }
+    if (header.unnamedByte)
+        table.remarks.push_back("Each vertex has a byte that the header does not name, as PCL writes it behind colours: it was skipped.");
     if (!readRecords(table, fields, vertex.count, bytes, bigEndian, source)) return source.cancelled();
     return Done{};
 }

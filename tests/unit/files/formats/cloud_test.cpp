@@ -186,6 +186,30 @@ TEST(Pcd, DamagedCompressedPointsAreRefused) {
         EXPECT_NE(sentence(bad).find("the compressed points are damaged"), std::string::npos) << sentence(bad);
 }
 
+// PCL 1.15 and before write colours that are whole numbers with a fourth byte, and three of them into the header.
+TEST(Ply, ColoursAsPclSavesThemWithAByteThatTheHeaderDoesNotName) {
+    const Folder folder;
+    const Scan expected = makeScan({});
+    const auto points = listOf(expected, {});
+    std::string text = "ply\nformat binary_little_endian 1.0\ncomment PCL generated\nelement vertex " + std::to_string(points.size());
+    text += "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty double x\nproperty double y\nproperty double z\n";
+    text += "element face 0\nelement camera 1\nproperty float view_px\nend_header\n";
+    for (const auto& p : points) {
+        append<std::uint32_t>(text, 0x00804020U);
+        for (int a = 0; a < 3; ++a) append(text, p[a]);
+    }
+    append(text, 0.0F);
+    writeText(folder / "cloud.ply", text);
+    const auto scan = openScan(folder / "cloud.ply");
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_EQ(scan->rangeMm, expected.rangeMm);
+    EXPECT_TRUE(std::any_of(scan->warnings.begin(), scan->warnings.end(), [](const std::string& warning) {
+        return warning.find("as PCL writes it behind colours") != std::string::npos;
+    }));
+    writeText(folder / "longer.ply", text + "x");
+    EXPECT_FALSE(openScan(folder / "longer.ply"));
+}
+
 TEST(Ply, EncodingsAndExtraProperties) {
     const Folder folder;
     const Scan expected = makeScan({});

@@ -134,6 +134,7 @@ TEST(Dxf, EdgesArePointsAndPolylines) {
     }
     EXPECT_EQ(points, 20U);
     EXPECT_GT(vertices, 0U);
+    EXPECT_TRUE(bytes->starts_with("0\nSECTION\n")) << "LibreOffice takes no drawing that begins with comments";
     EXPECT_NE(bytes->find("AC1009"), std::string::npos);
     EXPECT_EQ(bytes->find("nan"), std::string::npos);
 }

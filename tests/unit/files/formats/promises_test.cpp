@@ -82,6 +82,9 @@ TEST(Promises, MoreRowsThanAHeaderPromises) {
     expectSaid(replaced(pcd(200, 1, "binary", floats(200), "1 1 1"), "TYPE F F F", "TYPE I I I"), ".pcd", "which is more"); // wrong SIZE
     expectSaid(ply(200, "ascii", rows(400)), ".ply", "the header promises 200 points");
     expectSaid(ply(200, "binary_little_endian", floats(201)), ".ply", "which is more");
+    const std::string camera = "element camera 1\nproperty float view_px\n"; // behind the vertices, of a known length
+    expectSaid(ply(200, "binary_little_endian", floats(200) + "1234", camera), ".ply", "not what follows them: 1 camera");
+    expectSaid(ply(200, "binary_little_endian", floats(201) + "1234", camera), ".ply", "which is more");
     const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
     EXPECT_EQ(saidOf(ply(200, "ascii", rows(200) + "3 0 1 2\n3 1 2 3\n", faces), ".ply").find("promises"), std::string::npos);
 }

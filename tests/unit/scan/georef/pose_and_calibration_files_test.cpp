@@ -159,15 +159,18 @@ TEST(Poses, TheExamplesOfTheDocumentationAreGood) {
         blocks.push_back(text.substr(at + 8, end - at - 8));
         at = end;
     }
-    ASSERT_EQ(blocks.size(), 2U);
-    const auto robot = parseCalibration(blocks[0], "docs");
-    ASSERT_TRUE(robot) << robot.error().sentence();
-    EXPECT_EQ(*robot, exampleCalibration());
-    const auto poses = parsePoses(blocks[1], "docs");
+    ASSERT_EQ(blocks.size(), 3U);
+    const auto spins = parseCalibration(blocks[0], "docs"), sweeps = parseCalibration(blocks[1], "docs");
+    ASSERT_TRUE(spins) << spins.error().sentence();
+    ASSERT_TRUE(sweeps) << sweeps.error().sentence();
+    EXPECT_EQ(*spins, exampleCalibration());
+    const auto poses = parsePoses(blocks[2], "docs");
     ASSERT_TRUE(poses) << poses.error().sentence();
-    const auto placed = placeScan(spinScan(), *robot, *poses);
-    ASSERT_TRUE(placed) << placed.error().sentence();
-    EXPECT_TRUE((*placed)->warnings.empty());
+    for (const auto& [scan, robot] : {std::pair(spinScan(), *spins), std::pair(makeScan({.axis = Axis::Sweep}), *sweeps)}) {
+        const auto placed = placeScan(scan, robot, *poses);
+        ASSERT_TRUE(placed) << placed.error().sentence();
+        EXPECT_TRUE((*placed)->warnings.empty());
+    }
 }
 
 TEST(Poses, TwoFilesPlaceAScanAndAreNamedWithTheirHashes) {
