@@ -83,7 +83,8 @@ def read(path):
     columns = {"ply": ply, "pcd": pcd, "obj": obj, "las": las}.get(kind, table)(path)
     called = {name.lower(): column for name, column in columns.items()}
     found = lambda *names: next((called[name] for name in names if name in called), numpy.nan)
-    places = [found(*names) for names in (("x", "x_m", "easting_m", "east_m"), ("y", "y_m", "northing_m", "north_m"), ("z", "z_m", "elevation_m", "up_m"))]
+    places = [found(*names) for names in (("x", "x_m", "easting_m", "east_m", "points:0"), ("y", "y_m", "northing_m", "north_m", "points:1"),
+                                               ("z", "z_m", "elevation_m", "up_m", "points:2"))]
     rows = numpy.empty((len(places[0]), 7))
     for n, column in enumerate(places + [found("red", "r"), found("green", "g"), found("blue", "b"), found("class", "scalar_class")]):
         rows[:, n] = column

@@ -91,7 +91,7 @@ def gdal_describes(path):
 def qgis_describes(path):
     from qgis.core import QgsVectorLayer, QgsWkbTypes
     layer = QgsVectorLayer(path, "rocks", "ogr")
-    kinds = collections.Counter(QgsWkbTypes.displayString(one.geometry().wkbType()) for one in layer.getFeatures())
+    kinds = collections.Counter(QgsWkbTypes.displayString(one.geometry().wkbType()) if layer.isSpatial() else "rows" for one in layer.getFeatures())
     return described(kinds, layer.crs().description())
 
 

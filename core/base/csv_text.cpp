@@ -15,7 +15,7 @@ std::string withoutFormulas(const std::string& text) {
     for (const char c : text) {
         if (cellBegins && std::string_view("=+-@").find(c) != std::string_view::npos) result += '\'';
         result += c;
-        const bool separates = std::string_view(",;|").find(c) != std::string_view::npos;
+        const bool separates = c == ';' || c == '|'; // a text with a comma is quoted
         const bool isSkipped = c == ' ' || c == '"'; // by some readers, at the beginning of a cell
         cellBegins = separates || (cellBegins && isSkipped);
     }

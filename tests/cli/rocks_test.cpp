@@ -56,7 +56,7 @@ TEST_F(CliRocks, WritesEverythingIntoAFolderAndVerifyMakesItAgain) {
         const std::string name = entry.path().string();
         if (!name.ends_with(".provenance.json")) exports.push_back(name);
     }
-    EXPECT_EQ(exports.size(), 9U);
+    EXPECT_EQ(exports.size(), 8U);
     for (const std::string& name : exports) {
         const auto verify = runCli("verify " + name + " --scans " + folder->path().string());
         EXPECT_EQ(verify.code, 0) << verify.out << verify.err;

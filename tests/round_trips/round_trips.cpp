@@ -33,13 +33,20 @@ Scan thinnedGrid(const Scan& scan, int everyLine, int everyBeam) {
     return half;
 }
 
+/// A scan with a place is written where it is; 4-byte floats hold metres from an origin.
+CoordinateFrame frameOf(const Scan& scan, const std::string& format) {
+    if (!scan.placement) return CoordinateFrame::Scanner;
+    return format == "pcd" ? CoordinateFrame::MineLocal : CoordinateFrame::Mine;
+}
+
 void print(const std::string& name, const Scan& scan, const std::vector<const char*>& formats, const std::vector<int>& decimals,
            const Eigen::Vector3d& sensorM, bool verbose) {
     for (const char* format : formats) {
         for (const int places : decimals) {
             for (const bool shuffled : {false, true}) {
+                if (shuffled && scan.placement) continue; // without an order the axis is not found
                 for (const double thinned : {0.0, 0.05}) {
-                    const CameBack back = roundTrip(scan, {format, places, shuffled, thinned, sensorM});
+                    const CameBack back = roundTrip(scan, {format, places, shuffled, thinned, sensorM, frameOf(scan, format)});
                     std::printf("| %s | %s | %g mm | %s | %g %% | ", name.c_str(), format, 1000 * std::pow(10.0, -places),
                                 shuffled ? "shuffled" : "in order", 100 * thinned);
                     if (!back.problem.empty())
@@ -77,6 +84,7 @@ std::vector<std::string> wordsIn(const std::string& text) {
 
 } // namespace
 
+// Scans with a place are written in the mine grid.
 // round_trips [-v] [--formats xyz,las] [--decimals 3,4] [--half] [--sensor X,Y,Z] SCAN...
 int main(int argc, char** argv) {
     bool verbose = false;

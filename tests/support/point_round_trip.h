@@ -3,6 +3,7 @@
 
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 #include "tests/support/point_files.h"
 
@@ -20,6 +21,7 @@ struct RoundTrip {
     bool shuffled = false;
     double thinned = 0.0; ///< share of points left out
     Eigen::Vector3d sensorM = Eigen::Vector3d::Zero();
+    CoordinateFrame frame = CoordinateFrame::Scanner; ///< another one needs the scan's placement
 };
 
 /// Points of cells, in the order of the file.
@@ -33,13 +35,17 @@ inline WrittenPoints writtenPoints(const Scan& scan, const RoundTrip& trip, unsi
     std::uniform_real_distribution<double> unit(0, 1);
     const CartesianTables tables(scan);
     const double scale = std::pow(10.0, trip.decimals);
+    std::optional<PlacedPoints> placed;
+    if (trip.frame != CoordinateFrame::Scanner) placed.emplace(scan);
     WrittenPoints written;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] == CellState::Valid && unit(random) >= trip.thinned) written.cell.push_back(static_cast<std::uint32_t>(k));
     }
     if (trip.shuffled) std::shuffle(written.cell.begin(), written.cell.end(), random);
     for (const std::uint32_t k : written.cell) {
-        Eigen::Vector3d p = tables.point(k) + trip.sensorM;
+        const int line = static_cast<int>(k) / scan.beams(), beam = static_cast<int>(k) % scan.beams();
+        Eigen::Vector3d p =
+            placed ? placed->inFrame(trip.frame, line, beam, tables.point(k)) : Eigen::Vector3d(tables.point(k) + trip.sensorM);
         for (int axis = 0; axis < 3; ++axis) p[axis] = std::round(p[axis] * scale) / scale;
         written.points.push_back(p);
     }
@@ -169,8 +175,15 @@ inline std::vector<bool> unclearCells(const Scan& scan, const WrittenPoints& wri
 
 /// The scan with the ranges of its rounded points, each in its own cell.
 inline Scan withRoundedRanges(Scan scan, const WrittenPoints& written, const RoundTrip& trip) {
-    for (std::size_t n = 0; n < written.cell.size(); ++n)
-        scan.rangeMm[written.cell[n]] = static_cast<float>(1000 * (written.points[n] - trip.sensorM).norm());
+    std::optional<PlacedPoints> placed;
+    if (trip.frame != CoordinateFrame::Scanner) placed.emplace(scan);
+    for (std::size_t n = 0; n < written.cell.size(); ++n) {
+        Eigen::Vector3d p = written.points[n] - trip.sensorM;
+        const int line = static_cast<int>(written.cell[n]) / scan.beams(), beam = static_cast<int>(written.cell[n]) % scan.beams();
+        if (trip.frame == CoordinateFrame::Mine) p -= placed->originEnhM();
+        if (placed) p = placed->scanner(line, beam, p);
+        scan.rangeMm[written.cell[n]] = static_cast<float>(1000 * p.norm());
+    }
     return scan;
 }
 

@@ -11,8 +11,8 @@
 namespace edgescan::exports {
 namespace {
 
-constexpr int kWidth = 700, kHeight = 280;                       // in units of the drawing
-constexpr int kLeft = 88, kRight = 150, kTop = 30, kBottom = 52; // on the right: room for a label
+constexpr int kWidth = 700, kHeight = 290;                       // in units of the drawing
+constexpr int kLeft = 88, kRight = 150, kTop = 30, kBottom = 58; // on the right: room for a label
 
 std::string number(double value) { return fixedText(value, 1); }
 std::string metresOf(double m) { return fixedText(m, 2) + " m"; }
@@ -49,7 +49,7 @@ private:
         const double step = rightM_ > 6 ? 2 : rightM_ > 3 ? 1 : 0.5;
         for (int n = 0; n * step <= rightM_; ++n)
             html += line(x(n * step), y(0), x(n * step), y(0) + 5, "stroke=\"#5b6268\"") +
-                    text(x(n * step), y(0) + 19, "middle", fixedText(n * step, 1));
+                    text(x(n * step), y(0) + 25, "middle", fixedText(n * step, 1));
         const double middle = (y(0) + y(1)) / 2;
         return html + text((x(0) + x(rightM_)) / 2, kHeight - 8, "middle", "visible width b [m]") +
                text(16, middle, "middle", "rocks that are not wider", " transform=\"rotate(-90 16 " + number(middle) + ")\"");

@@ -264,8 +264,13 @@ Result<PointTable> readPcdPoints(const Source& source) {
         return enough.error();
     if (auto read = readPoints(table, *header, *layout, source); !read) return read.error();
     if (header->originM) {
-        for (Eigen::Vector3d& p : table.points) p += *header->originM;
-        table.sensor = header->sensorM.value_or(*header->originM);
+        double largest = 0; // the sums have more digits than were written
+        for (Eigen::Vector3d& p : table.points) {
+            if (isReturn(p)) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+            p += *header->originM;
+        }
+        table.precision.absolute = std::max(table.precision.absolute, kFloatError / 2 * largest);
+        table.sensor = header->sensorM.value_or(header->sensor + *header->originM);
     }
     return table;
 }

@@ -7,9 +7,10 @@
 
 namespace edgescan::files {
 
-/// Three numbers follow these in a comment of our own PCD files with metres from the origin of a mine grid: what is to be added to
-/// x y z, and the place of the sensor, because VIEWPOINT holds the origin there.
+/// Three numbers follow this in a comment of our own PCD files with metres from the origin of a mine grid: what is to be added to x y z and
+/// to the sensor's place in VIEWPOINT.
 inline constexpr const char* kPcdOrigin = "edgescan-origin ";
+/// The same for the sensor's place where VIEWPOINT holds the origin, as in files of the first versions.
 inline constexpr const char* kPcdSensor = "edgescan-sensor ";
 
 /// Binary, or text. Error: not enough memory.

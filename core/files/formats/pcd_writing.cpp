@@ -67,13 +67,10 @@ Result<std::string> pcdBytes(CloudColumns cloud, const std::string& where, bool 
     // PCL and Open3D read coordinates of 4 bytes only.
     if (cloud.frame == CoordinateFrame::Mine && !cloud.choices.doubles) {
         subtractOrigin(cloud);
-        viewpoint = cloud.originM;
+        viewpoint -= cloud.originM;
         text += std::string("# ") + kPcdOrigin;
         appendThree(text, cloud.originM);
-        text += " m Easting Northing Elevation: add it to x y z; it stands in VIEWPOINT too\n# ";
-        text += kPcdSensor;
-        appendThree(text, cloud.sensorM);
-        text += '\n';
+        text += " m Easting Northing Elevation: add it to x y z and to VIEWPOINT\n";
     }
     if (cloud.frame != CoordinateFrame::Scanner) text += "# " + frameText(cloud) + "\n";
     appendComments(text, cloud, "# ");

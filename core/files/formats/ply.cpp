@@ -109,9 +109,11 @@ std::optional<std::uint64_t> bytesBehindVertices(const PlyHeader& header) {
     return bytes;
 }
 
-/// PCL writes colours that are whole numbers with a fourth byte that its header leaves out. True: that is so here, and the fields are moved.
+/// PCL writes colours that are whole numbers with a fourth byte that its header leaves out. True: that is so here, and the fields are
+/// moved.
 bool hasUnnamedColourByte(Element& vertex, const PlyHeader& header, std::uint64_t held) {
-    const auto blue = std::find_if(vertex.fields.begin(), vertex.fields.end(), [](const RecordField& field) { return field.name == "blue"; });
+    const auto blue =
+        std::find_if(vertex.fields.begin(), vertex.fields.end(), [](const RecordField& field) { return field.name == "blue"; });
     const auto behind = bytesBehindVertices(header);
     if (header.encoding != "binary_little_endian" || blue == vertex.fields.end() || !behind) return false;
     if (held != productOf({vertex.count, vertex.recordBytes + 1}) + *behind) return false;

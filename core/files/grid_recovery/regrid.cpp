@@ -25,7 +25,6 @@ constexpr double kLeastClosed = 0.55; // as many neighbours are filled where poi
 constexpr double kLeastFill = 0.01;
 constexpr double kMostCells = 3e8;
 constexpr std::uint64_t kBytesPerCell = 48; // until the cells are a scan: their points alone take 24
-constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
 
 std::string number(double value) { return significantText(value, 3); }
 

@@ -17,6 +17,9 @@
 
 namespace edgescan::files {
 
+/// What to do about a cloud whose sensor's place is not known.
+inline constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
+
 /// A cloud without a grid and where it is looked at from.
 struct LooseCloud {
     std::span<const Eigen::Vector3d> points;                          ///< any unit; not finite or (0, 0, 0) = no return

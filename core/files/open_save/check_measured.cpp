@@ -4,7 +4,10 @@
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/base/simd.h"
+#include "core/scan/grid/cartesian.h"
 #include "core/scan/grid/placement.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -50,6 +53,29 @@ Result<Done> checkPolar(const PolarGeometry& polar, const std::string& where) {
     return Error{"all " + std::to_string(polar.beamDeg.size()) + " beams look the same way", where, "give the step from beam to beam"};
 }
 
+/// Points of no size, seen from far beyond the reach of a scanner, were measured from elsewhere.
+Result<Done> checkDistance(const Scan& scan, const std::string& where) {
+    constexpr float kFarMm = 1e6F;         // the nearest point
+    constexpr double kTimesTheirSize = 50; // within about a degree
+    constexpr std::size_t kFewest = 12;
+    const RangeLimits limits = rangeLimits(scan);
+    if (limits.minMm < kFarMm) return Done{};
+    const CartesianTables tables(scan);
+    Eigen::AlignedBox3d box;
+    std::size_t points = 0;
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        box.extend(tables.point(k));
+        ++points;
+    }
+    if (points < kFewest) return Done{};
+    const double size = box.diagonal().norm(), away = static_cast<double>(limits.minMm) / 1000.0;
+    if (away < kTimesTheirSize * size) return Done{};
+    return Error{"all points are within " + significantText(size, 3) + " m of each other and at least " + significantText(away, 6) +
+                     " m away from the scanner, which no scanner measures",
+                 where, "give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit"};
+}
+
 Result<Done> checkPlace(const Placement& placement, const std::string& where) {
     for (int axis = 0; axis < 3; ++axis) {
         const PhysicalLimit& limit = axis < 2 ? physical::kPlaceM : physical::kElevationM;
@@ -76,6 +102,7 @@ Result<Done> checkMeasured(const Scan& scan, const std::string& where) {
     if (const auto* polar = std::get_if<PolarGeometry>(&scan.geometry)) {
         if (auto sound = checkPolar(*polar, where); !sound) return sound;
     }
+    if (auto near = checkDistance(scan, where); !near) return near;
     return scan.placement ? checkPlace(*scan.placement, where) : Done{};
 }
 

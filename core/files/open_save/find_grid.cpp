@@ -44,6 +44,19 @@ bool isOfAnotherShape(const RecoveredGrid& grid, const PointTable& table) {
            grid.unplaced > 0 || grid.doubled > 0 || grid.copied > 0;
 }
 
+/// The angles of a scanner's fan, where the beams that were measured are all of it.
+void takeFan(PolarGeometry& geometry, double fanDeg) {
+    constexpr double kSameBeam = 0.01; // of the step
+    if (fanDeg == 0.0 || geometry.beamDeg.size() < 2) return;
+    const double step = fanDeg / static_cast<double>(geometry.beamDeg.size() - 1);
+    std::vector<double> beams;
+    for (std::size_t j = 0; j < geometry.beamDeg.size(); ++j) {
+        beams.push_back(90.0 - fanDeg / 2 + static_cast<double>(j) * step);
+        if (std::abs(beams.back() - geometry.beamDeg[j]) > kSameBeam * step) return;
+    }
+    geometry.beamDeg = std::move(beams);
+}
+
 /// Lines for beams and beams for lines.
 void exchangeLinesAndBeams(PointTable& table, std::vector<AttachedPoint>& behind) {
     const auto exchanged = [&](const auto& cells) {
@@ -62,11 +75,34 @@ void exchangeLinesAndBeams(PointTable& table, std::vector<AttachedPoint>& behind
 
 } // namespace
 
+FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool organised) {
+    if (table.leftHanded) return {Error{"left-handed points", "", ""}};
+    PointList list{table.points, precisionAnywhere(table), organised ? table.width : 0, source.options->axis, secondHalf(source)};
+    auto moved = findFreeAxis(list);
+    if (!moved) return {moved.error()};
+    list.points = moved->points;
+    list.precision = moved->precision;
+    list.axis = moved->axis;
+    FoundGrid found{recoverGrid(list)};
+    found.inFrameOfFile = static_cast<bool>(found.grid);
+    if (found.grid) {
+        takeFan(found.grid->geometry, moved->fanDeg);
+        found.moved = std::move(*moved);
+    } else if (!found.cancelled()) {
+        found.grid = Error{"about the axis of their scan lines they are on no common beams", "", found.grid.error().hint};
+    }
+    return found;
+}
+
 FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named) {
     FoundGrid found{recoverInFileFrame(table, source, organised ? table.width : 0)};
     if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
     found.inFrameOfFile = static_cast<bool>(found.grid);
-    if (found.inFrameOfFile || found.cancelled() || !named || table.gridIsGiven) return found;
+    if (found.inFrameOfFile || found.cancelled()) return found;
+    FoundGrid elsewhere = findMovedGrid(table, source, organised);
+    if (elsewhere.cancelled() || (elsewhere.grid && !(named && isOfAnotherShape(*elsewhere.grid, table)))) return elsewhere;
+    if (!elsewhere.grid) found.grid = Error{found.grid.error().what + ", and " + elsewhere.grid.error().what, "", found.grid.error().hint};
+    if (!named || table.gridIsGiven) return found;
     auto turned = recoverTurned(table, source);
     if ((!turned && turned.error().what == "cancelled") || (turned && !isOfAnotherShape(*turned, table))) found.grid = std::move(turned);
     return found;

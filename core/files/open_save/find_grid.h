@@ -1,6 +1,7 @@
 // Finds the grid of a table's points by the directions in which they lie from the sensor.
 #pragma once
 
+#include "core/files/grid_recovery/free_axis.h"
 #include "core/files/point_tables/point_table.h"
 
 #include <vector>
@@ -9,13 +10,17 @@ namespace edgescan::files {
 
 struct FoundGrid {
     Result<RecoveredGrid> grid;
-    bool inFrameOfFile = false; ///< the lines turn about an axis of the file's own frame, else about any axis
+    bool inFrameOfFile = false;         ///< the lines turn about an axis of the file's own frame, else about any axis
+    std::optional<FreeAxis> moved = {}; ///< how the points are to be taken into the scanner's frame first, which then is the file's
     [[nodiscard]] bool cancelled() const { return !grid && grid.error().what == "cancelled"; }
 };
 
 /// `organised`: the points come in rows of `table.width`. `named`: the file gives each point its line and beam, so a grid of another shape
 /// is wrong.
 [[nodiscard]] FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named);
+
+/// The grid of points that were turned and moved as a whole, as a mine grid does it: their lines turn about any axis anywhere.
+[[nodiscard]] FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool organised);
 
 /// As findGrid() for points with line and beam. If the rows do not make fans about one axis but the columns do, the lines and beams of
 /// `table` and of `behind` are exchanged.

@@ -12,6 +12,8 @@
 #include "core/files/open_save/column_grid.h"
 #include "core/files/open_save/find_grid.h"
 #include "core/files/open_save/table_numbers.h"
+#include "core/files/open_save/written_place.h"
+#include "core/scan/georef/rotations.h"
 #include "core/scan/grid/cartesian.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@
 namespace edgescan::files {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 200; // while the grid is being found
+constexpr std::uint64_t kBytesPerPoint = 320; // while the grid is being found
 
 void takeStatusCodes(Scan& scan) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
@@ -52,19 +54,31 @@ bool endsInMidLine(const Grid<std::uint32_t>& pointOf) {
     return firstEmpty < pointOf.size() && !elsewhere && pointOf.size() - firstEmpty < static_cast<std::size_t>(pointOf.beams);
 }
 
+/// From the ideal scanner's axes to those in which the numbers were rounded, for one line.
+Eigen::Matrix3d axesOfNumbers(const FreeAxis* moved, const PolarGeometry& polar, int line) {
+    if (moved == nullptr) return Eigen::Matrix3d::Identity();
+    const double angle = radians(polar.lineDeg[static_cast<std::size_t>(line)] * polar.lineDirection);
+    const Eigen::Matrix3d turn = polar.axis == Axis::Sweep ? rotationX(angle) : rotationZ(angle);
+    return moved->turn.transpose() * turn * moved->tilt * turn.transpose();
+}
+
 /// Coordinates that were rounded more coarsely than the scanner measures: their ranges as whole millimetres, where that is what they were.
-void takeWholeRanges(Scan& scan, const PointTable& table, const RecoveredGrid& grid, const RangeUnit& unit) {
+/// `moved`: null, or how the points were taken into the scanner's frame.
+void takeWholeRanges(Scan& scan, const PointTable& table, const RecoveredGrid& grid, const RangeUnit& unit, const FreeAxis* moved) {
     DirectedPoints rounded;
     std::vector<std::size_t> cells;
     const CartesianTables tables(scan);
-    const auto beams = static_cast<std::size_t>(scan.beams());
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (scan.state[k] != CellState::Valid) continue;
-        Eigen::Vector3d p = grid.turn * ((table.points[grid.pointOf[k]] - table.sensor) * unit.mmPerUnit);
-        if (table.leftHanded) p.y() = -p.y();
-        cells.push_back(k);
-        rounded.pointMm.push_back(p);
-        rounded.direction.push_back(tables.direction(static_cast<int>(k / beams), static_cast<int>(k % beams)));
+    for (int line = 0; line < scan.lines(); ++line) {
+        const Eigen::Matrix3d axes = axesOfNumbers(moved, grid.geometry, line);
+        for (int beam = 0; beam < scan.beams(); ++beam) {
+            const std::size_t k = scan.state.index(line, beam);
+            if (scan.state[k] != CellState::Valid) continue;
+            Eigen::Vector3d p = grid.turn * ((table.points[grid.pointOf[k]] - table.sensor) * unit.mmPerUnit);
+            if (table.leftHanded) p.y() = -p.y();
+            cells.push_back(k);
+            rounded.pointMm.push_back(axes * p);
+            rounded.direction.push_back(axes * tables.direction(line, beam));
+        }
     }
     rounded.precision = {table.precision.absolute * unit.mmPerUnit, table.precision.relative};
     const std::vector<float> whole = wholeRangesMm(rounded);
@@ -75,7 +89,8 @@ void takeWholeRanges(Scan& scan, const PointTable& table, const RecoveredGrid& g
 }
 
 /// `inFrameOfFile`: the lines turn about an axis of the file's frame; else the points stay where they are, as they do about another sensor.
-Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& source, bool inFrameOfFile) {
+/// `moved`: null, or how the points were taken into that frame.
+Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& source, bool inFrameOfFile, const FreeAxis* moved) {
     Scan scan;
     scan.format = table.format;
     const std::vector<double> ranges = rangesOf(table);
@@ -87,7 +102,7 @@ Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& so
         scan.warnings.emplace_back("The file's coordinates are left-handed and were turned right-handed: y is mirrored.");
     }
     scan.geometry = grid.geometry;
-    if (!unit.wholeMm && table.rangeMm.empty()) takeWholeRanges(scan, table, grid, unit);
+    if (!unit.wholeMm && table.rangeMm.empty()) takeWholeRanges(scan, table, grid, unit, moved);
     if (inFrameOfFile && table.sensor.isZero(0.0)) {
         if (unit.wholeMm && table.state.empty()) takeStatusCodes(scan);
     } else {
@@ -101,6 +116,7 @@ Scan recoveredScan(const PointTable& table, RecoveredGrid grid, const Source& so
         scan.warnings.push_back(std::to_string(empty) + " of " + std::to_string(scan.cells()) +
                                 " cells of the grid that was found have no point and count as no return.");
     }
+    if (moved != nullptr) placeAsFound(scan, *moved, unit.mmPerUnit * kMetresPerMm);
     return scan;
 }
 
@@ -147,6 +163,10 @@ void reportProjection(Scan& scan, const Regridded& grid, const std::string& abou
     text += significantText(grid.beamStepDeg, 4);
     text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
     scan.warnings.push_back(text += grid.fan ? ", along lines that stand out in the cloud." : ".");
+    if (gridLookedFor)
+        scan.warnings.emplace_back(
+            "Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, "
+            "or with its record, has the grid of the scan.");
 }
 
 /// A cloud without a grid, as seen from its sensor.
@@ -180,6 +200,21 @@ Result<Scan> projectedScan(PointTable& table, const Source& source, const Error&
     return scan;
 }
 
+/// What the file or the user says of the sensor's place, against what the scan lines show.
+void compareWithSensor(const FreeAxis& moved, PointTable& table) {
+    if (table.sensor.isZero(0.0)) return;
+    const double apart = (table.sensor - moved.place).norm();
+    table.remarks.push_back("The axis of the scan lines is " + significantText(apart, 3) +
+                            " (in the numbers of the file) from the sensor position that was known.");
+}
+
+/// The points in the frame of the scanner, as if it were mounted without any error; their numbers are as precise as before.
+void takePointsOf(FreeAxis& moved, PointTable& table) {
+    table.precision = moved.precision;
+    table.points = std::move(moved.points);
+    table.sensor = Eigen::Vector3d::Zero();
+}
+
 /// Points behind the nearest of their cell, where the file says the cell.
 void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTable& table, const Source& source) {
     if (behind.empty()) return;
@@ -189,6 +224,7 @@ void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTab
 
 Result<Scan> scanOf(PointTable& table, const Source& source) {
     const Projection projection = source.options->projection;
+    const bool sensorUnknown = dropImpossibleSensor(table, source);
     if (projection == Projection::Always) return projectedScan(table, source, {});
     std::vector<AttachedPoint> behind;
     const bool laidOut = !table.line.empty() && layOutByColumns(table, source.options->sensorM.has_value(), behind);
@@ -198,9 +234,12 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     }
     const bool organised = table.height > 1 || laidOut;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
-    if (auto afar = organised ? seenFromAfar(table, source) : std::nullopt) return std::move(*afar);
-    FoundGrid found = laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind) : findGrid(table, source, organised, false);
+    const auto afar = organised ? seenFromAfar(table, source) : std::nullopt;
+    FoundGrid found = afar                           ? findMovedGrid(table, source, organised)
+                      : laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind)
+                                                     : findGrid(table, source, organised, false);
     auto& grid = found.grid;
+    if (afar && !grid && !found.cancelled()) return *afar;
     const bool text = table.format == "point list";
     if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
@@ -208,7 +247,12 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     if (found.cancelled()) return source.cancelled();
     if (grid || organised) {
         const bool returnsOnly = !organised && std::ranges::all_of(table.points, isReturn);
-        Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile) : organisedScan(table, source);
+        if (found.moved) {
+            compareWithSensor(*found.moved, table);
+            takePointsOf(*found.moved, table);
+        }
+        const FreeAxis* moved = found.moved ? &*found.moved : nullptr;
+        Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile, moved) : organisedScan(table, source);
         attach(scan, behind, table, source);
         if (laidOut)
             scan.warnings.push_back("The grid has as many lines and beams as the points name, " + std::to_string(scan.lines()) + " x " +
@@ -219,7 +263,8 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     }
     // An operator who names the axis expects a grid; to project the points then would hide that it was not found.
     const bool gridExpected = source.options->axis && !source.options->sensorM && !source.options->gridStepDeg;
-    if (projection == Projection::Never || gridExpected) return source.refused(withCoarseStep(grid.error().what, table), grid.error().hint);
+    if (projection == Projection::Never || gridExpected || sensorUnknown)
+        return source.refused(withCoarseStep(grid.error().what, table), sensorUnknown ? kGiveSensor : grid.error().hint);
     return projectedScan(table, source, grid.error());
 }
 

@@ -4,7 +4,9 @@
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/files/formats/formats.h"
+#include "core/scan/georef/placed_points.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -74,6 +76,20 @@ Result<std::vector<FileBytes>> scanFiles(const Scan& scan, const std::filesystem
     return oneFile(path, bytesOf(std::move(columns), *format, path, options));
 }
 
+namespace {
+
+/// How far the place from which beams start is from that of the first line at most, metres: a lever arm turns it with the stepper, a moving
+/// base carries it on.
+double scannerMovesM(const Scan& scan) {
+    const PlacedPoints placed(scan);
+    const auto start = [&](int line) { return placed.local(line, 0, Eigen::Vector3d::Zero()); };
+    double most = 0;
+    for (int line = 1; line < scan.lines(); ++line) most = std::max(most, (start(line) - start(0)).norm());
+    return most;
+}
+
+} // namespace
+
 std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::path& path, const SaveOptions& options) {
     std::vector<std::string> lost;
     const Format* format = writtenFormat(path);
@@ -105,6 +121,13 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
         !(bySidecar && options.choices.comments))
         lost.emplace_back(
             "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");
+    constexpr double kMovesM = 0.0005;
+    if (format->keeps == Keeps::NoReturns && scan.placement && options.frame != CoordinateFrame::Scanner) {
+        if (const double moves = scannerMovesM(scan); moves > kMovesM)
+            lost.push_back("The file has room for one place of the scanner, and this scanner moved by up to " +
+                           significantText(moves * 1000, 2) + " mm: without " + path.filename().string() +
+                           ".provenance.json its ranges are as much off; its points are exact.");
+    }
     return lost;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/cells_of_points.h"
 
 #include <Eigen/Geometry>
@@ -97,6 +98,35 @@ Precision precisionAboutSensor(const PointTable& table) {
     return precision;
 }
 
+Precision precisionAnywhere(const PointTable& table) {
+    Precision precision = precisionAboutSensor(table);
+    Eigen::AlignedBox3d box;
+    bool floats = true;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (!isReturn(p)) continue;
+        box.extend(p);
+        floats = floats && p.cast<float>().cast<double>() == p;
+    }
+    if (floats || box.isEmpty()) return precision;
+    return {precision.absolute + precision.relative * box.diagonal().norm() / 2, 1e-15};
+}
+
+bool dropImpossibleSensor(PointTable& table, const Source& source) {
+    constexpr double kTimesTheirSize = 50; // within about a degree
+    if (source.options->sensorM || table.sensor.isZero(0.0)) return false;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : table.points) {
+        if (isReturn(p)) box.extend(p);
+    }
+    const double size = box.diagonal().norm(), away = box.exteriorDistance(table.sensor);
+    if (!(size > 0) || away < kTimesTheirSize * size) return false;
+    table.remarks.push_back("The file puts the sensor " + significantText(away, 4) + " away from its points, which are all within " +
+                            significantText(size, 3) +
+                            " of each other (in its own numbers): no scanner measures so, and the place was not used.");
+    table.sensor = Eigen::Vector3d::Zero();
+    return true;
+}
+
 std::optional<Error> seenFromAfar(const PointTable& table, const Source& source) {
     constexpr double kNarrowRad = 0.0175, kNarrowCellRad = 3.5e-5; // a degree, and two thousandths of one
     if (source.options->sensorM || !table.sensor.isZero(0.0)) return std::nullopt;
@@ -121,7 +151,7 @@ std::optional<Error> seenFromAfar(const PointTable& table, const Source& source)
     return source.refused("the " + std::to_string(returns) + " points of its grid lie in one direction from the origin, within " +
                               significantText(degrees(widest), 3) + " degrees and up to " + significantText(farthest, 6) +
                               " away: the scanner stood elsewhere",
-                          "give --sensor X,Y,Z, the place in metres that the scan was taken from");
+                          kGiveSensor);
 }
 
 void takeGivenSensor(PointTable& table, const Source& source) {

@@ -27,9 +27,16 @@ namespace edgescan::files {
 /// Large numbers in 4-byte floats are coarse wherever the sensor is; printed ones are as fine as their decimals.
 [[nodiscard]] Precision precisionAboutSensor(const PointTable& table);
 
+/// The same where the sensor's place is not known: numbers with more digits than a 4-byte float are as fine as their spread.
+[[nodiscard]] Precision precisionAnywhere(const PointTable& table);
+
 /// The sensor's place that the user gave in metres, in the file's own numbers. Where these do not say their unit, each one puts the
 /// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
 void takeGivenSensor(PointTable& table, const Source& source);
+
+/// Takes the origin in place of a sensor's place of the file that cannot be: so far away that no scanner distinguishes the points from
+/// there. A remark says so. True where it did.
+[[nodiscard]] bool dropImpossibleSensor(PointTable& table, const Source& source);
 
 /// An organised cloud whose points all lie one way from the origin was not taken from there: coordinates of a mine, and it is unknown where
 /// the scanner was. Empty: nothing speaks against the origin, or a sensor's place is known.

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kMostOffRotation = 1e-3; // of an element of a matrix that is printed with few digits
 
+constexpr double kUnexplained = 3.0; // times the rounding
+
 bool moves(const Eigen::Matrix3d& turn, const Eigen::Vector3d& place) { return !place.isZero(0.0) || !turn.isIdentity(0.0); }
 
 /// Empty when the matrix is not a rotation.
@@ -55,6 +57,35 @@ void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& sourc
     placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
     placement->warnings = {"The place is the one written in the " + format +
                            " file: whether that is the mine grid, who registered it knows."};
+    scan.placement = std::move(placement);
+}
+
+void placeAsFound(Scan& scan, const FreeAxis& found, double metres) {
+    const Eigen::Vector3d placeM = found.place * metres;
+    const std::string misfit = significantText(found.misfit * metres * 1000.0, 2) + " mm";
+    const std::string lever = significantText(found.lever.norm() * metres * 1000.0, 3) + " mm";
+    std::string text = "The points are in another frame than the scanner's. Their scan lines turn about one axis, at " +
+                       significantText(placeM.x(), 10) + ", " + significantText(placeM.y(), 10) + ", " + significantText(placeM.z(), 10) +
+                       " m, and the mirror is " + lever + " off the axis";
+    if (found.scale != 1.0) text += "; the grid has the scale " + significantText(found.scale, 7);
+    scan.warnings.push_back(text + ". The points fit lines and beams within " + misfit + ".");
+    if (found.misfit > kUnexplained * found.precision.absolute)
+        scan.warnings.push_back(
+            "That is more than the rounding of the numbers explains, " + significantText(found.precision.absolute * metres * 1000.0, 2) +
+            " mm: ranges may be off, and edges may differ from those of the scan. The record beside the file, or the scan "
+            "as it was measured, has them exactly.");
+    auto placement = std::make_shared<Placement>();
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    placement->mount.axis = polar != nullptr && polar->axis == Axis::Sweep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+    placement->mount.sensorInMover = {found.tilt, found.lever * metres};
+    placement->originEnhM = chooseOrigin(placeM);
+    placement->poses = {{found.turn.transpose(), placeM - placement->originEnhM}};
+    placement->gridScale = found.scale;
+    placement->grid = "as the " + scan.format + " file has it";
+    placement->source = "the scan lines of the points";
+    placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
+    placement->warnings = {
+        "The place was found from the scan lines of the points: whether their frame is the mine grid, the file does not say."};
     scan.placement = std::move(placement);
 }
 

@@ -27,7 +27,7 @@ inline constexpr std::array<WritingChoice, 6> kWritingChoices{{
      "XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over",
      &WritingChoices::comments},
     {"doubles",
-     "PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in VIEWPOINT",
+     "PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment",
      &WritingChoices::doubles},
     {"dxf-2000", "DXF of release 2000 instead of release 12", &WritingChoices::dxf2000},
     {"short-lines", "DXF: also the edge lines of two points only", &WritingChoices::shortLines},

@@ -115,7 +115,8 @@ AngularSteps polarSteps(const PolarGeometry& polar) {
     for (std::size_t j = 0; j < polar.beamDeg.size(); ++j) {
         const double a = polar.beamDeg[j] * kRadPerDeg;
         steps.beam.push_back(static_cast<float>(stepOf(polar.beamDeg, j) * kRadPerDeg));
-        steps.fromAxis.push_back(static_cast<float>(std::max(std::abs(polar.axis == Axis::Sweep ? portable::sin(a) : portable::cos(a)), 0.02)));
+        steps.fromAxis.push_back(
+            static_cast<float>(std::max(std::abs(polar.axis == Axis::Sweep ? portable::sin(a) : portable::cos(a)), 0.02)));
     }
     for (std::size_t i = 0; i < polar.lineDeg.size(); ++i) steps.line.push_back(static_cast<float>(stepOf(polar.lineDeg, i) * kRadPerDeg));
     return steps;

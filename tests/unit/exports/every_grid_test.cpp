@@ -5,6 +5,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/placement_json.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
@@ -198,6 +199,15 @@ void expectSameScan(const Scan& saved, const Scan& opened, const ExportOptions& 
     }
 }
 
+bool beamsStartApart(const Scan& scan) {
+    const PlacedPoints placed(scan);
+    const Eigen::Vector3d first = placed.local(0, 0, Eigen::Vector3d::Zero());
+    for (int line = 0; line < scan.lines(); ++line) {
+        if ((placed.local(line, 0, Eigen::Vector3d::Zero()) - first).norm() > 0.0005) return true;
+    }
+    return false;
+}
+
 bool speaksOfGrid(const std::vector<std::string>& warnings) {
     return std::ranges::any_of(warnings, [](const std::string& text) {
         return text.find("grid") != std::string::npos || text.find("projected") != std::string::npos ||
@@ -222,8 +232,14 @@ void saveAndOpen(const Scan& scan, const std::filesystem::path& path, const Expo
     const bool exact =
         options.frame == CoordinateFrame::Scanner && path.extension() != ".las" && path.extension() != ".ptx" && path.extension() != ".obj";
     for (const bool record : {true, false}) {
-        // PTX alone holds one place of the scanner for all lines.
-        if (!record && path.extension() == ".ptx" && options.frame != CoordinateFrame::Scanner) continue;
+        // PTX alone holds one place of the scanner for all lines, and says so when it is written.
+        if (!record && path.extension() == ".ptx" && options.frame != CoordinateFrame::Scanner) {
+            const auto lost = files::lostOnSaving(scan, path, {.frame = options.frame, .includeAttached = options.includeAttached});
+            EXPECT_EQ(
+                std::ranges::any_of(lost, [](const std::string& s) { return s.find("one place of the scanner") != std::string::npos; }),
+                scan.placement && beamsStartApart(scan));
+            continue;
+        }
         SCOPED_TRACE(record ? "with its record" : "without its record");
         if (!record) std::filesystem::remove(files::sidecarPath(path));
         const auto opened = files::openScan(path);

@@ -157,12 +157,13 @@ TEST(Dxf, CloudsSeparateLayersAndLeaveOutWhatIsNoPoint) {
 }
 
 TEST(Dxf, EachClassOfEdgesHasItsLayers) {
-    const Scan scan = makeScan({.noReturns = 0});
+    Scan scan = makeScan({.noReturns = 0});
     Grid<std::uint8_t> mask(scan.lines(), scan.beams());
     Grid<edges::DepthEdge> classes(scan.lines(), scan.beams());
     std::map<std::string, std::size_t> expected;
     for (int j = 3; j < 24; ++j) {
         mask.at(10, j) = 255;
+        scan.rangeMm.at(10, j) = 5000;
         classes.at(10, j) = j < 10 ? edges::DepthEdge::Jump : j < 17 ? edges::DepthEdge::Convex : edges::DepthEdge::Concave;
         ++expected[j < 10 ? "EDGE_POINTS_JUMP" : j < 17 ? "EDGE_POINTS_CONVEX" : "EDGE_POINTS_CONCAVE"];
     }
