@@ -11,12 +11,12 @@
 namespace edgescan::exports {
 namespace {
 
-constexpr double kLeastLossM = 0.001; // the least that is worth a sentence
+constexpr double kLeastStepM = 0.001; // the least that is worth a sentence
 
-/// How far a 4-byte number is from the coordinate at most.
-double lossInFloatsM(const Eigen::AlignedBox3d& box) {
+/// The step from a 4-byte number to the next, of the largest coordinate.
+double stepOfFloatsM(const Eigen::AlignedBox3d& box) {
     const double largest = box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    return largest > 0 ? std::ldexp(0.5, std::ilogb(largest) - 23) : 0;
+    return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0;
 }
 
 std::string originText(const Eigen::Vector3d& enhM) {
@@ -101,10 +101,10 @@ std::string coordinatesText(const WrittenCoordinates& written) {
     if (written.frame != CoordinateFrame::Mine) return text;
     if (!written.aboutOrigin.empty())
         text += " " + listed(written.aboutOrigin) + ": 4-byte metres from " + originText(*written.originEnhM) + ".";
-    const double loss = lossInFloatsM(written.box);
-    if (!written.inFloats.empty() && loss >= kLeastLossM)
-        text += " For " + listed(written.inFloats) + " use the local frame (--frame local): 4-byte numbers are up to " +
-                fixedText(loss * 1000, 0) + " mm off here.";
+    const double step = stepOfFloatsM(written.box);
+    if (!written.inFloats.empty() && step >= kLeastStepM)
+        text += " For " + listed(written.inFloats) + " use the local frame (--frame local): their 4-byte numbers step by " +
+                fixedText(step * 1000, 0) + " mm here.";
     return text;
 }
 

@@ -151,11 +151,9 @@ TEST_F(CliPlace, EveryFormatIsInTheMineGridIfThereIsAPoseAndOpensAsTheSameScan) 
 
 TEST_F(CliPlace, TheLastLineOfEveryExportNamesWhatNeedsTheLocalFrame) {
     const auto ply = runCli("convert " + placed() + " " + path("w.ply"));
-    EXPECT_NE(
-        lastLine(ply.err).find("For MeshLab, ParaView and Blender use the local frame (--frame local): 4-byte numbers are up to 250 mm "
-                               "off here."),
-        std::string::npos)
+    EXPECT_NE(lastLine(ply.err).find("use the local frame (--frame local): their 4-byte numbers step by 500 mm here."), std::string::npos)
         << ply.err;
+    EXPECT_NE(lastLine(ply.err).find("For MeshLab, "), std::string::npos) << ply.err;
     const auto pcd = runCli("convert " + placed() + " " + path("w.pcd"));
     EXPECT_NE(lastLine(pcd.err).find(".pcd: 4-byte metres from E 620700, N 6200100, elevation 280."), std::string::npos) << pcd.err;
     const auto local = runCli("convert " + placed() + " " + path("w.obj") + " --frame local");
@@ -166,6 +164,9 @@ TEST_F(CliPlace, TheLastLineOfEveryExportNamesWhatNeedsTheLocalFrame) {
     EXPECT_NE(lastLine(detect.err).find(path("all") + ": Mine grid: E 6207"), std::string::npos) << detect.err;
     const auto rocks = runCli("rocks " + placed() + " --frame scanner --csv " + path("r.csv"));
     EXPECT_NE(lastLine(rocks.err).find("r.csv: Scanner frame: x "), std::string::npos) << rocks.err;
+    const auto two = runCli("rocks " + placed() + " --frame scanner --csv " + path("s.csv") + " --outlines " + path("m.geojson"));
+    EXPECT_NE(lastLine(two.err).find("Scanner frame: x "), std::string::npos) << two.err;
+    EXPECT_NE(lastLine(two.err).find("Mine grid: E 6207"), std::string::npos) << "outlines for GIS are in the mine grid: " << two.err;
     EXPECT_EQ(runCli("detect " + path("boxes.json") + " --mask " + path("m.png")).err, "") << "a picture has no coordinates";
 }
 

@@ -153,7 +153,7 @@ Format objFormat() {
             .read = readingOf<readObjPoints>,
             .write = objBytes,
             .keeps = Keeps::Points,
-            .inFloats = {"MeshLab", "ParaView", "Blender", "PCL"}};
+            .inFloats = {"MeshLab", "PCL", "Blender", "three.js", "loaders.gl"}};
 }
 
 } // namespace edgescan::files

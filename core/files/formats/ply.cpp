@@ -224,7 +224,7 @@ Format plyFormat() {
             .read = readingOf<readPlyPoints>,
             .write = plyBytes,
             .keepsIntensity = true,
-            .inFloats = {"MeshLab", "ParaView", "Blender"},
+            .inFloats = {"MeshLab", "PCL", "ParaView", "Blender", "loaders.gl"},
             .writesByLines = true};
 }
 

@@ -361,7 +361,7 @@ Format pointListFormat() {
             .read = readingOf<readTextPoints>,
             .write = xyzBytes,
             .keeps = Keeps::Sidecar,
-            .inFloats = {"MeshLab", "PCL"},
+            .inFloats = {"MeshLab", "PCL", "three.js"},
             .writesByLines = true};
 }
 
