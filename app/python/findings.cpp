@@ -1,6 +1,7 @@
 // What else is found from results: why a cell is an edge, what changed between two scans, and the report as a page.
 #include "app/python/result.h"
 
+#include "core/base/bounded_json.h"
 #include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
 #include "core/base/utc_time.h"
@@ -86,7 +87,7 @@ std::size_t report(const ResultObject& result, const std::string& path, const st
         exports::PageNotes notes{nullptr, nullptr, nullptr, {}};
         std::optional<rocks::Study> study;
         if (withRocks) {
-            const auto settings = taken(rocks::rockSettingsFromJson(nlohmann::json::parse(rockSettings), "rocks"));
+            const auto settings = taken(rocks::rockSettingsFromJson(taken(parseJson(rockSettings, "rocks")), "rocks"));
             notes.rocks = &study.emplace(rocks::studyRocks(rocks::rockInputs(*detection), settings));
             more += " --rocks";
             if (const std::string flags = rocks::rockSettingsFlags(settings); !flags.empty()) more += " " + flags;

@@ -1,6 +1,8 @@
 // Scans and results as bytes, for pickle: every member, so that another process of the same program has the same scan and the same mask.
 #include "app/python/result.h"
 
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
@@ -235,7 +237,7 @@ ScanObject scanOf(const std::string& bytes) {
 /// Settings, mask and times; all else is computed from scan and settings when it is asked for.
 py::bytes bytesOfResult(const ResultObject& result) {
     const edges::Detection& d = *result.detection;
-    return bytesOf(edges::settingsToJson(d.settings).dump(), *d.mask, d.classes, d.timings, d.totalMs);
+    return bytesOf(jsonText(edges::settingsToJson(d.settings)), *d.mask, d.classes, d.timings, d.totalMs);
 }
 
 ResultObject resultOf(const ScanObject& scan, const std::string& bytes) {
@@ -243,7 +245,7 @@ ResultObject resultOf(const ScanObject& scan, const std::string& bytes) {
         Reader reader = readerOf(bytes);
         auto detection = std::make_shared<edges::Detection>();
         detection->scan = scan.scan;
-        const auto settings = nlohmann::json::parse(reader.taken<std::string>());
+        const auto settings = taken(parseJson(reader.taken<std::string>(), "pickle"));
         detection->settings = taken(edges::settingsFromJson(settings, {}, "pickle"));
         auto mask = std::make_shared<Grid<std::uint8_t>>();
         reader.take(*mask);

@@ -93,11 +93,13 @@ std::vector<std::string> headingsCited(const std::string& text, std::size_t at) 
     return cited;
 }
 
-// The file with this name in a text: relative to the root or, in documents, to their own folder. Empty if it does not exist.
+// The file with this name in a text: relative to the root or, in documents and in the commands that make them, to their own folder. Empty
+// if it does not exist.
 fs::path documentNamed(const std::string& name, const fs::path& citing) {
     if (fs::is_regular_file(kRoot / name)) return kRoot / name;
     const fs::path sibling = citing.parent_path() / name;
-    return citing.extension() == kMark && fs::is_regular_file(sibling) ? sibling : fs::path();
+    const bool isOfDocument = citing.extension() == kMark || citing.parent_path() == kRoot / "docs";
+    return isOfDocument && fs::is_regular_file(sibling) ? sibling : fs::path();
 }
 
 void checkCitations(const fs::path& file) {

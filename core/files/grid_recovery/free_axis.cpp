@@ -22,7 +22,7 @@ using recognition::kPi;
 constexpr std::size_t kFewestMoved = 200;
 constexpr std::size_t kFewestLines = 4;
 constexpr int kPasses = 3;
-constexpr std::size_t kFewOfLine = 12; // returns: fewer are no line by themselves, and two cuts so near are one
+constexpr std::size_t kFewOfLine = 12; // returns: fewer are not a line by themselves, and two cuts so near are one
 // Fans of scanners are even about their middle. A fan as wide as one of these is one, and what its middle is off is how it is mounted.
 constexpr std::array<double, 4> kFansDeg{100.0, 180.0, 190.0, 270.0};
 constexpr double kSameFanDeg = 0.02;
@@ -30,7 +30,7 @@ constexpr double kMostMountingDeg = 3.0;
 constexpr double kExplained = 0.65; // of the rounding: a larger misfit has another reason
 constexpr double kMostScale = 5e-3; // off 1
 constexpr double kClearlyBetter = 0.9;
-constexpr const char* kWayOut = "open the scan in the scanner's frame, or keep the record beside the file";
+constexpr const char* kWayOut = "open the scan as the scanner stored it, or with its record";
 
 struct Returns {
     std::vector<Eigen::Vector3d> points; ///< about the middle

@@ -5,6 +5,8 @@
 #include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/table_numbers.h"
 
+#include <algorithm>
+
 namespace edgescan::files {
 namespace {
 
@@ -57,6 +59,14 @@ void takeFan(PolarGeometry& geometry, double fanDeg) {
     geometry.beamDeg = std::move(beams);
 }
 
+/// The points are in a scanner's frame already: its axes are those of the file.
+bool isAtOrigin(const FreeAxis& moved) {
+    constexpr double kSamePlace = 1e-3; // of the farthest point
+    double farthest = 0;
+    for (const Eigen::Vector3d& p : moved.points) farthest = isReturn(p) ? std::max(farthest, p.norm()) : farthest;
+    return moved.place.norm() < kSamePlace * farthest;
+}
+
 /// Lines for beams and beams for lines.
 void exchangeLinesAndBeams(PointTable& table, std::vector<AttachedPoint>& behind) {
     const auto exchanged = [&](const auto& cells) {
@@ -75,15 +85,17 @@ void exchangeLinesAndBeams(PointTable& table, std::vector<AttachedPoint>& behind
 
 } // namespace
 
-FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool organised) {
+FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool organised, bool named) {
     if (table.leftHanded) return {Error{"left-handed points", "", ""}};
     PointList list{table.points, precisionAnywhere(table), organised ? table.width : 0, source.options->axis, secondHalf(source)};
     auto moved = findFreeAxis(list);
     if (!moved) return {moved.error()};
+    if (source.options->axis && isAtOrigin(*moved)) return {Error{"their scan lines turn about another axis than --axis says", "", ""}};
     list.points = moved->points;
     list.precision = moved->precision;
     list.axis = moved->axis;
     FoundGrid found{recoverGrid(list)};
+    if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
     found.inFrameOfFile = static_cast<bool>(found.grid);
     if (found.grid) {
         takeFan(found.grid->geometry, moved->fanDeg);
@@ -99,20 +111,21 @@ FoundGrid findGrid(const PointTable& table, const Source& source, bool organised
     if (found.grid && named && isOfAnotherShape(*found.grid, table)) found.grid = Error{"another grid", "", ""};
     found.inFrameOfFile = static_cast<bool>(found.grid);
     if (found.inFrameOfFile || found.cancelled()) return found;
-    FoundGrid elsewhere = findMovedGrid(table, source, organised);
-    if (elsewhere.cancelled() || (elsewhere.grid && !(named && isOfAnotherShape(*elsewhere.grid, table)))) return elsewhere;
-    if (!elsewhere.grid) found.grid = Error{found.grid.error().what + ", and " + elsewhere.grid.error().what, "", found.grid.error().hint};
+    FoundGrid elsewhere = findMovedGrid(table, source, organised, named);
+    if (elsewhere.cancelled() || elsewhere.grid) return elsewhere;
+    found.grid = Error{found.grid.error().what + ", and " + elsewhere.grid.error().what, "", found.grid.error().hint};
     if (!named || table.gridIsGiven) return found;
     auto turned = recoverTurned(table, source);
     if ((!turned && turned.error().what == "cancelled") || (turned && !isOfAnotherShape(*turned, table))) found.grid = std::move(turned);
     return found;
 }
 
-FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind) {
-    FoundGrid found = findGrid(table, source, true, true);
+FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind, bool fromAfar) {
+    const auto find = [&] { return fromAfar ? findMovedGrid(table, source, true, true) : findGrid(table, source, true, true); };
+    FoundGrid found = find();
     if (found.grid || found.cancelled() || !table.mayBeTurned || table.height < 2 || table.width < 2) return found;
     exchangeLinesAndBeams(table, behind);
-    FoundGrid other = findGrid(table, source, true, true);
+    FoundGrid other = find();
     if (other.grid) table.remarks.emplace_back("Lines and beams were exchanged: only that way the lines make fans about one axis.");
     if (other.grid || other.cancelled()) return other;
     exchangeLinesAndBeams(table, behind);

@@ -20,10 +20,10 @@ struct FoundGrid {
 [[nodiscard]] FoundGrid findGrid(const PointTable& table, const Source& source, bool organised, bool named);
 
 /// The grid of points that were turned and moved as a whole, as a mine grid does it: their lines turn about any axis anywhere.
-[[nodiscard]] FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool organised);
+[[nodiscard]] FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool organised, bool named);
 
 /// As findGrid() for points with line and beam. If the rows do not make fans about one axis but the columns do, the lines and beams of
-/// `table` and of `behind` are exchanged.
-[[nodiscard]] FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind);
+/// `table` and of `behind` are exchanged. `fromAfar`: as findMovedGrid() instead, because the points were not measured from the origin.
+[[nodiscard]] FoundGrid findGridEitherWay(PointTable& table, const Source& source, std::vector<AttachedPoint>& behind, bool fromAfar);
 
 } // namespace edgescan::files

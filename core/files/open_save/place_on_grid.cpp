@@ -43,8 +43,12 @@ Result<Scan> placeOnGrid(Reading reading, const Source& source) {
     if (auto* table = std::get_if<PointTable>(&reading.content)) {
         takeFilledOut(*table);
         if (auto scan = scanOfSidecar(*table, reading.place, source)) return std::move(*scan);
-        auto scan = table->description.empty() ? scanOfPoints(std::move(*table), source) : ownScan(std::move(*table), source);
+        const bool own = !table->description.empty();
+        auto scan = own ? ownScan(std::move(*table), source) : scanOfPoints(std::move(*table), source);
         if (!scan) return scan;
+        if (!own && scan->placement && reading.place && (!reading.place->place.isZero(0.0) || !reading.place->turn.isIdentity(0.0)))
+            scan->warnings.push_back(std::string("The matrix of the ") + reading.place->format +
+                                     " file was not used: its points are in another frame than the scanner's.");
         reading.content = std::move(*scan);
     }
     Scan& scan = std::get<Scan>(reading.content);

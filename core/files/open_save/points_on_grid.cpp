@@ -235,11 +235,11 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
     const bool organised = table.height > 1 || laidOut;
     if (table.leftHanded && (organised || !table.sensor.isZero(0.0))) mirror(table);
     const auto afar = organised ? seenFromAfar(table, source) : std::nullopt;
-    FoundGrid found = afar                           ? findMovedGrid(table, source, organised)
-                      : laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind)
-                                                     : findGrid(table, source, organised, false);
+    FoundGrid found = laidOut || table.gridIsGiven ? findGridEitherWay(table, source, behind, afar.has_value())
+                      : afar                       ? findMovedGrid(table, source, organised, false)
+                                                   : findGrid(table, source, organised, false);
     auto& grid = found.grid;
-    if (afar && !grid && !found.cancelled()) return *afar;
+    if (afar && !grid && !found.cancelled()) return Error{afar->what + ", and " + grid.error().what, afar->where, afar->hint};
     const bool text = table.format == "point list";
     if (grid && text && !laidOut && !source.text().ends_with('\n') && endsInMidLine(grid->pointOf)) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");

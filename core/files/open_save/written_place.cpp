@@ -70,10 +70,10 @@ void placeAsFound(Scan& scan, const FreeAxis& found, double metres) {
     if (found.scale != 1.0) text += "; the grid has the scale " + significantText(found.scale, 7);
     scan.warnings.push_back(text + ". The points fit lines and beams within " + misfit + ".");
     if (found.misfit > kUnexplained * found.precision.absolute)
-        scan.warnings.push_back(
-            "That is more than the rounding of the numbers explains, " + significantText(found.precision.absolute * metres * 1000.0, 2) +
-            " mm: ranges may be off, and edges may differ from those of the scan. The record beside the file, or the scan "
-            "as it was measured, has them exactly.");
+        scan.warnings.push_back("That is more than the rounding of the numbers explains, " +
+                                significantText(found.precision.absolute * metres * 1000.0, 2) +
+                                " mm: ranges may be off, and edges may differ from those of the scan. The record of the file, or the scan "
+                                "as it was measured, has them exactly.");
     auto placement = std::make_shared<Placement>();
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     placement->mount.axis = polar != nullptr && polar->axis == Axis::Sweep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();

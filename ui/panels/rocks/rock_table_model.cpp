@@ -2,6 +2,7 @@
 #include "ui/panels/rocks/rock_table_model.h"
 
 #include "core/rocks/attributes/rock_columns.h"
+#include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_colours.h"
 
 #include <QPainter>
@@ -53,7 +54,7 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     if (!picture_ || !index.isValid()) return {};
     const rocks::Rock& rock = picture_->study.rocks[static_cast<std::size_t>(index.row())];
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(index.column())];
-    if (role == Qt::DisplayRole) return QString::fromStdString(column.text({&rock}));
+    if (role == Qt::DisplayRole) return shownText(column.text({&rock}));
     if (role == kNumberRole) return rocks::sortingNumber(column.value({&rock}));
     if (role == Qt::TextAlignmentRole) return static_cast<int>(index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
     if (role == Qt::DecorationRole && index.column() == 0) return rockSwatch(*picture_, rock, kSwatch);

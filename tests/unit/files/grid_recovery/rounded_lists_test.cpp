@@ -185,11 +185,9 @@ TEST(RoundedLists, ColumnsOfAnotherFrameGiveTheSameMask) {
     EXPECT_EQ(found->rangeMm, scan.rangeMm);
     EXPECT_EQ(found->state, scan.state);
     EXPECT_EQ(*maskOf(*found), *maskOf(scan));
-    const auto* points = std::get_if<PointGeometry>(&found->geometry);
-    ASSERT_NE(points, nullptr);
-    EXPECT_LT((points->sensorM - place).norm(), 0.005);
-    const CartesianTables tables(scan), foundTables(*found);
-    EXPECT_LT((turn * tables.point(20, 20) + place - foundTables.point(20, 20)).norm(), 0.001);
+    ASSERT_TRUE(found->placement);
+    EXPECT_LT((found->placement->originEnhM + found->placement->poses.front().translationM - place).norm(), 0.005);
+    EXPECT_LT((turn * CartesianTables(scan).point(20, 20) + place - minePoint(*found, scan.rangeMm.index(20, 20)).enhM).norm(), 0.001);
 }
 
 TEST(RoundedLists, NamesOfCoordinatesAreTakenInTheirOrder) {

@@ -1,4 +1,4 @@
-// Points in mine coordinates without a record: their lines turn about an axis of any direction, and the mirror is beside it.
+// Points in mine coordinates without a record: their lines turn about an axis of any direction, and the mirror is off it.
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
