@@ -164,9 +164,6 @@ TEST_F(CliPlace, TheLastLineOfEveryExportNamesWhatNeedsTheLocalFrame) {
     EXPECT_NE(lastLine(detect.err).find(path("all") + ": Mine grid: E 6207"), std::string::npos) << detect.err;
     const auto rocks = runCli("rocks " + placed() + " --frame scanner --csv " + path("r.csv"));
     EXPECT_NE(lastLine(rocks.err).find("r.csv: Scanner frame: x "), std::string::npos) << rocks.err;
-    const auto two = runCli("rocks " + placed() + " --frame scanner --csv " + path("s.csv") + " --outlines " + path("m.geojson"));
-    EXPECT_NE(lastLine(two.err).find("Scanner frame: x "), std::string::npos) << two.err;
-    EXPECT_NE(lastLine(two.err).find("Mine grid: E 6207"), std::string::npos) << "outlines for GIS are in the mine grid: " << two.err;
     EXPECT_EQ(runCli("detect " + path("boxes.json") + " --mask " + path("m.png")).err, "") << "a picture has no coordinates";
 }
 
