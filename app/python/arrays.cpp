@@ -78,7 +78,8 @@ void takeCells(Scan& scan, const Arrays& arrays) {
     std::size_t rounded = 0;
     std::set<std::uint32_t> codes;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        const double mm = values[k] * arrays.unitMm;
+        const bool isCode = states != nullptr && states[k] == static_cast<std::uint8_t>(CellState::DeviceStatus);
+        const double mm = values[k] * (isCode ? scan.unitMm : arrays.unitMm); // a code has no unit
         if (states != nullptr)
             takeCell(scan, k, values[k], mm, states[k]);
         else

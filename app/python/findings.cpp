@@ -79,7 +79,9 @@ std::size_t report(const ResultObject& result, const std::string& path, const st
     return unlocked([&] {
         const BindInputs inputs;
         const ScanPtr scan = result.detection->scan;
-        if (!scan->path.empty()) claimInput(scan->path);
+        for (const ScanPtr& input : {scan, before != nullptr ? before->scan : ScanPtr()}) {
+            if (input && !input->path.empty()) claimInput(input->path);
+        }
         const bool withRocks = !rockSettings.empty();
         taken(edges::checkMemoryFor(withRocks ? edges::Work::Rocks : edges::Work::Detect, *scan));
         const auto detection = withRocks ? edges::detectEdges(scan, result.detection->settings, edges::KeepFor::Rocks) : whole(result);

@@ -139,7 +139,10 @@ private:
 class Reader {
 public:
     explicit Reader(std::string_view bytes) : rest_(bytes) {}
-    [[nodiscard]] bool atEnd() const { return rest_.empty(); }
+    void end() const { check(rest_.empty()); }
+    static void check(bool right) {
+        if (!right) throw Refused{{"these bytes are not a whole pickle", "pickle", "make it again"}};
+    }
 
     template <class T>
     void take(T& value) {
@@ -182,9 +185,6 @@ public:
     }
 
 private:
-    static void check(bool right) {
-        if (!right) throw Refused{{"these bytes are not a whole pickle", "pickle", "make it again"}};
-    }
     template <class T>
     void takeFlat(T* values, std::size_t count) {
         check(count <= rest_.size() / sizeof(T));
@@ -194,7 +194,10 @@ private:
     template <class Row>
     void takeRow(Row& row) {
         const auto count = taken<std::size_t>();
-        check(count <= rest_.size());
+        if constexpr (kIsFlat<typename Row::value_type>)
+            check(count <= rest_.size() / sizeof(typename Row::value_type));
+        else
+            check(count <= rest_.size());
         row.resize(count);
         if constexpr (kIsFlat<typename Row::value_type>)
             takeFlat(row.data(), count);
@@ -230,6 +233,9 @@ ScanObject scanOf(const std::string& bytes) {
         Reader reader = readerOf(bytes);
         auto scan = std::make_shared<Scan>();
         reader.take(*scan);
+        reader.end();
+        const auto fits = [&](const auto& grid) { return grid.lines == scan->lines() && grid.beams == scan->beams(); };
+        Reader::check(fits(scan->state) && (scan->intensity.size() == 0 || fits(scan->intensity)));
         return {std::move(scan)};
     });
 }
@@ -252,6 +258,8 @@ ResultObject resultOf(const ScanObject& scan, const std::string& bytes) {
         reader.take(detection->classes);
         reader.take(detection->timings);
         reader.take(detection->totalMs);
+        reader.end();
+        Reader::check(mask->lines == scan.scan->lines() && mask->beams == scan.scan->beams());
         auto edges = std::make_shared<std::vector<std::uint32_t>>();
         for (std::size_t k = 0; k < mask->size(); ++k) {
             if ((*mask)[k] != 0) edges->push_back(static_cast<std::uint32_t>(k));

@@ -52,6 +52,6 @@ def benchmark(what: Union[Path, Scan], *, truth: Optional[Path] = None, pictures
     if not isinstance(what, Scan):
         return run(program, path_of("benchmark(): what", what), flags)
     with tempfile.TemporaryDirectory(prefix="edgescan-") as folder:
-        file = os.path.join(os.fsencode(folder), b"scan.json")
-        save_scan(what, file, {})
+        file = os.path.join(os.fsencode(folder), b"scan.pcd") # holds every kind of scan, with every range as it is
+        save_scan(what, file, {"frame": "scanner"})
         return run(program, file, flags)

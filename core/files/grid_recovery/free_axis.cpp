@@ -139,6 +139,10 @@ std::vector<double> steadyAngles(const Model& model, const Returns& returns) {
     const auto isLine = [&](std::size_t i) { return model.lines[i].to - model.lines[i].from >= kFewOfLine; };
     std::vector<double> angles;
     for (const ScanLine& line : model.lines) angles.push_back(line.angle);
+    constexpr std::size_t kNoLine = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> lineBefore(angles.size(), kNoLine), lineAfter = lineBefore; // the nearest ones with enough returns
+    for (std::size_t i = 1; i < angles.size(); ++i) lineBefore[i] = isLine(i - 1) ? i - 1 : lineBefore[i - 1];
+    for (std::size_t i = angles.size() - 1; i-- > 0;) lineAfter[i] = isLine(i + 1) ? i + 1 : lineAfter[i + 1];
     for (std::size_t i = 0; i < angles.size(); ++i) {
         if (isLine(i)) continue;
         double least = std::numeric_limits<double>::infinity();
@@ -152,15 +156,8 @@ std::vector<double> steadyAngles(const Model& model, const Returns& returns) {
             least = off;
             angles[i] = model.lines[other].angle;
         };
-        for (std::size_t before = i; before-- > 0;) {
-            if (!isLine(before)) continue;
-            tryLine(before);
-            break;
-        }
-        for (std::size_t after = i + 1; after < angles.size(); ++after) {
-            if (!isLine(after)) continue;
-            tryLine(after);
-            break;
+        for (const std::size_t other : {lineBefore[i], lineAfter[i]}) {
+            if (other != kNoLine) tryLine(other);
         }
     }
     return angles;

@@ -91,6 +91,8 @@ FoundGrid findMovedGrid(const PointTable& table, const Source& source, bool orga
     auto moved = findFreeAxis(list);
     if (!moved) return {moved.error()};
     if (source.options->axis && isAtOrigin(*moved)) return {Error{"their scan lines turn about another axis than --axis says", "", ""}};
+    if (organised && isAtOrigin(*moved))
+        return {Error{"their scan lines turn about an axis through the origin", "", ""}}; // recoverTurned()
     list.points = moved->points;
     list.precision = moved->precision;
     list.axis = moved->axis;

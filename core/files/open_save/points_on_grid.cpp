@@ -245,6 +245,10 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         return source.refused("the last scan line is not complete and the last row has no line end: the file was cut off", "copy it again");
     }
     if (found.cancelled()) return source.cancelled();
+    if (found.moved && !behind.empty()) // which point of a cell is the nearest depends on the scanner's place
+        return source.refused("the file is in another frame than the scanner's, and " + std::to_string(behind.size()) +
+                                  " of its points share their line and beam with another",
+                              kGiveSensor);
     if (grid || organised) {
         const bool returnsOnly = !organised && std::ranges::all_of(table.points, isReturn);
         if (found.moved) {
