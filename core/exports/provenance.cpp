@@ -9,6 +9,7 @@
 #include "core/base/whole_file.h"
 #include "core/containers/png/png.h"
 #include "core/exports/cell_columns.h"
+#include "core/exports/frame_points.h"
 #include "core/exports/record_parts.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
@@ -108,16 +109,10 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
     const ExportKind& kind = exportKind(content);
     if (kind.counts != ExportKind::Counts::Rocks) return box;
     const Scan& scan = *detection.scan;
-    const CartesianTables tables(scan);
-    std::optional<PlacedPoints> placed;
-    if (frame != CoordinateFrame::Scanner) placed.emplace(scan);
+    const FramePoints points(scan, frame);
     const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
-    for (int line = 0; line < scan.lines(); ++line) {
-        for (int beam = 0; beam < scan.beams(); ++beam) {
-            if (labels.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) continue;
-            const Eigen::Vector3d point = tables.point(line, beam);
-            box.extend(placed ? placed->inFrame(frame, line, beam, point) : point);
-        }
+    for (std::uint32_t k = 0; k < scan.cells(); ++k) {
+        if (labels[k] != 0 && scan.state[k] == CellState::Valid) box.extend(points.at(k));
     }
     return box;
 }
