@@ -72,7 +72,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
+<message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>Working out why …</source><translation>Buscando la razón …</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
@@ -96,7 +96,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
+<message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
@@ -114,12 +114,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>beam index</source><translation>índice de los haces</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
 <message><source>stays</source><translation>sin cambio</translation></message>
-<message><source>not told</source><translation>no se determina</translation></message>
+<message><source>not measured</source><translation>no se determina</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
+<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
 <message><source>After: %1 % do</source><translation>Después: %1 %</translation></message>
 <message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
@@ -164,7 +164,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>call of a rock</source><translation>clasificación como roca</translation></message>
@@ -179,7 +179,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
@@ -188,7 +188,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
@@ -196,7 +196,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
 <message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>Save session</source><translation>Guardar sesión</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
+<message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
 <message><source>Open session</source><translation>Abrir sesión</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
 <message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: el escaneo de esta sesión no está allí: se movió, o su disco no está aquí. Los ajustes y la vista han vuelto; el resto vendrá con el escaneo.</translation></message>
@@ -238,7 +238,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
 <message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>There is no cell: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
@@ -246,8 +246,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
 <message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
 <message><source>Select</source><translation>Seleccionar</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
+<message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
+<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Aislar</translation></message>
@@ -300,7 +300,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -339,12 +339,12 @@ mantenga \ para verla</translation></message>
 <message><source>Calibrate the Assembly</source><translation>Calibrar el montaje</translation></message>
 <message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
+<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
 <message><source>Scans of one assembly:</source><translation>Escaneos de un montaje:</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
 <message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
+<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
 <message><source>error of the assembly</source><translation>error del montaje</translation></message>
 <message><source>value</source><translation>valor</translation></message>
 <message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
@@ -368,7 +368,7 @@ mantenga \ para verla</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
+<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
 <message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
@@ -401,7 +401,7 @@ mantenga \ para verla</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
 <message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
 <message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
 <message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
@@ -417,7 +417,7 @@ mantenga \ para verla</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
+<message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
@@ -447,7 +447,7 @@ mantenga \ para verla</translation></message>
 <message><source>Following</source><translation>Siguiendo</translation></message>
 <message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
-<message><source>Stands while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
@@ -465,7 +465,7 @@ mantenga \ para verla</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
-<message><source>something that is no rock</source><translation>algo que no es una roca</translation></message>
+<message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
 <message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
@@ -575,7 +575,7 @@ mantenga \ para verla</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
@@ -598,7 +598,7 @@ mantenga \ para verla</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
+<message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -809,7 +809,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>Hoja de con&amp;tactos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Borrar las mar&amp;cas</translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
+<message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
@@ -888,7 +888,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), y el lado cercano de un vacío con algo más lejos detrás; y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and where the data end, which is not an edge of a rock.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), y el lado cercano de un vacío con algo más lejos detrás; y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
 <message><source>% of high</source><translation>% del alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Las celdas más débiles, de esta fuerza, son bordes donde continúan una fuerte.</translation></message>
@@ -904,7 +904,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>Las celdas rellenadas participan en la búsqueda de bordes, y pueden ser bordes que nadie midió.</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Las celdas rellenadas participan en la búsqueda de bordes, y pueden ser bordes que nadie midió.</translation></message>
 <message><source>Lower threshold</source><translation>Umbral inferior</translation></message>
 <message><source>levels</source><translation>niveles</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Una celda con un gradiente superior a este es un borde: con Canny si una cadena de tales celdas lleva a una fuerte, con los detectores de un umbral siempre.</translation></message>
@@ -931,7 +931,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Gradient norm</source><translation>Norma del gradiente</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Cómo las dos componentes del gradiente se convierten en una magnitud.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara del laplaciano</translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
+<message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
 <message><source>jump</source><translation>salto</translation></message>
 <message><source>convex</source><translation>convexo</translation></message>
 <message><source>concave</source><translation>cóncavo</translation></message>
@@ -971,11 +971,11 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>
 <message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
 <message><source>Farthest rock</source><translation>Roca más lejana</translation></message>
-<message><source>What lies farther away is no rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
+<message><source>A region farther away is not a rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
 <message><source>Largest size expected</source><translation>Mayor tamaño esperado</translation></message>
 <message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Los trozos más grandes necesitan mejores señales de ser una roca y no una pared.</translation></message>
 <message><source>Oversize</source><translation>Sobretamaño</translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
+<message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Ángulo de un haz al siguiente [grados]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Ángulo de la primera línea [grados]</translation></message>
@@ -1059,10 +1059,10 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total; %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Las paredes se curvan con los ángulos de línea que se tomaron: %1 de %2 trozos planos están en tres planos, otros pasos dan más.</translation></message>
-<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
+<message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>al revés: izquierda y derecha intercambiadas</translation></message>
-<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
-<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
+<message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>celdas de %1 grados</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>

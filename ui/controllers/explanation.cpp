@@ -71,7 +71,7 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
-        menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
+        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, cell] { explain(cell); });
     });
 }
 

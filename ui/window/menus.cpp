@@ -268,7 +268,7 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),
-            command("&Why Is This Cell an Edge, or None?", "W", [&v] { v.explanation.explainMarked(); }),
+            command("&Why Is This Cell an Edge or Not?", "W", [&v] { v.explanation.explainMarked(); }),
             confidenceCommand(v.confidence),
             command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
             command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),

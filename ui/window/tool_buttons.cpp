@@ -33,7 +33,7 @@ constexpr std::array kBefore{
     ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin")},
 };
 constexpr std::array kBehind{
-    ToolRow{"Edges/Why Is This Cell an Edge, or None?", "why", QT_TRANSLATE_NOOP("QObject", "Why")},
+    ToolRow{"Edges/Why Is This Cell an Edge or Not?", "why", QT_TRANSLATE_NOOP("QObject", "Why")},
     ToolRow{},
     ToolRow{"View/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner")},
     ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit")},

@@ -81,7 +81,7 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
         if (count > 0) health.remarks.push_back(std::to_string(count) + what);
     };
     tell(static_cast<std::uint64_t>(status.undecodable), " scan telegrams since the start could not be decoded: their lines are lost.");
-    tell(status.statistics.stream.skipped, " bytes since the start were no telegram and were skipped.");
+    tell(status.statistics.stream.skipped, " bytes since the start were not a telegram and were skipped.");
     if (health.remarks.empty()) return;
     health.telegrams = Condition::OutOfSpec;
     const std::size_t count = health.remarks.size();

@@ -31,9 +31,9 @@ EDGESCAN_INLINE bool isAnyOutside(const float* rangeMm, const CellState* states,
 
 Error outside(const PhysicalLimit& limit, double value, const std::string& place, const std::string& where) {
     const std::string unit = *limit.unit == '\0' ? "" : std::string(" ") + limit.unit;
-    const std::string text = significantText(value, 6) + unit + (place.empty() ? "" : " at ") + place + " is no " + limit.what +
-                             " that is measured: " + significantText(limit.limits.least, 6) + " to " +
-                             significantText(limit.limits.most, 6) + unit;
+    const std::string text = significantText(value, 6) + unit + (place.empty() ? "" : " at ") + place + " cannot be a measured " +
+                             limit.what + ": " + significantText(limit.limits.least, 6) + " to " + significantText(limit.limits.most, 6) +
+                             unit;
     return {text, where, "check the unit and the numbers of the file"};
 }
 

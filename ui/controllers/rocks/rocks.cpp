@@ -167,7 +167,7 @@ QString Rocks::remark() const {
     if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
         words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
     if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
-    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being worked out anew");
+    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
     return words.join(" · ");
 }

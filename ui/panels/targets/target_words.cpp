@@ -96,7 +96,7 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
     TargetRow row{
         QObject::tr(kConfidenceRow), QStringLiteral("…"),
         QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
-                    "It tells how much the edge depends on the settings, not whether a rock is there")};
+                    "It shows how much the edge depends on the settings, not whether a rock is there")};
     row.known = confidence.state == State::Known;
     if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(confidence.percent).arg(confidence.settings);
     if (confidence.state == State::Growing) row.value = QObject::tr("when the sweep has ended");

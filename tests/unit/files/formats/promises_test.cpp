@@ -164,7 +164,7 @@ TEST(Promises, RawGridsOfNumbersThatNobodyMeasures) {
     expectSaid(grid(angles), ".json", "opened");
     expectSaid(grid(angles + R"(,"unit_mm":1e300)"), ".json", "\"unit_mm\" holds a number out of all reason");
     for (const char* unit : {"1e-300", "1e-7", "1e7"}) expectSaid(grid(angles + R"(,"unit_mm":)" + unit), ".json", "\"unit_mm\" is");
-    expectSaid(grid(angles + R"(,"unit_mm":1e6)"), ".json", "3.2639e+10 mm at line 0, beam 0 is no range that is measured"); // 0x7f7f km
+    expectSaid(grid(angles + R"(,"unit_mm":1e6)"), ".json", "3.2639e+10 mm at line 0, beam 0 cannot be a measured range"); // 0x7f7f km
     for (const char* step : {"0", "1e-300", "1e-9"})
         expectSaid(grid(R"("beam_deg":{"start":0,"step":)" + std::string(step) + R"(},"line_deg":[0,1],"axis":"spin")"), ".json",
                    "all 3 beams look the same way");

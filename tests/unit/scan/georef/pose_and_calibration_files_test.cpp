@@ -96,7 +96,7 @@ TEST(Calibration, SaysWhatIsWrong) {
     object["inclinometer"]["viewing"] = "matrix";
     expectSentence(parseCalibration(object.dump(), "robot.json"), "\"inclinometer.matrix\" is missing");
     object["inclinometer"]["matrix"] = {{1, 0, 0}, {0, 1, 0}, {0, 0.1, 1}};
-    expectSentence(parseCalibration(object.dump(), "robot.json"), "is no rotation");
+    expectSentence(parseCalibration(object.dump(), "robot.json"), "is not a rotation");
     object["inclinometer"]["matrix"] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     expectSentence(parseCalibration(object.dump(), "robot.json"), "mirrors instead of turning");
     expectSentence(parseCalibration("{\"format\": ", "robot.json"), "robot.json: byte");
