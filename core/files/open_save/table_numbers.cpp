@@ -112,14 +112,13 @@ Precision precisionAnywhere(const PointTable& table) {
 }
 
 bool dropImpossibleSensor(PointTable& table, const Source& source) {
-    constexpr double kTimesTheirSize = 50; // within about a degree
     if (source.options->sensorM || table.sensor.isZero(0.0)) return false;
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : table.points) {
         if (isReturn(p)) box.extend(p);
     }
     const double size = box.diagonal().norm(), away = box.exteriorDistance(table.sensor);
-    if (!(size > 0) || away < kTimesTheirSize * size) return false;
+    if (!(size > 0) || away < kMostTimesTheirSize * size) return false;
     table.remarks.push_back("The file puts the sensor " + significantText(away, 4) + " away from its points, which are all within " +
                             significantText(size, 3) +
                             " of each other (in its own numbers): no scanner measures so, and the place was not used.");
