@@ -33,7 +33,7 @@ struct Record {
 };
 
 void showStatus(const files::LiveStatus& status) {
-    std::string line = scanner::connectionPhaseName(status.session.phase);
+    std::string line = scanner::connectionPhaseName(status.connection.phase);
     line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
             std::to_string(status.statistics.reconnects) + " reconnects";
     if (const auto remarks = status.sweep.irregular.sentences(); !remarks.empty())
@@ -45,7 +45,7 @@ void showStatus(const files::LiveStatus& status) {
 
 // True if the recording has the requested sweeps or lines, or can no longer get them.
 bool finished(const Record& record, const files::LiveStatus& status, std::chrono::steady_clock::time_point start) {
-    if (interrupted() || status.session.phase == scanner::ConnectionPhase::Stopped) return true;
+    if (interrupted() || status.connection.phase == scanner::ConnectionPhase::Stopped) return true;
     if (status.recording && status.recording->ended) return true;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
@@ -161,7 +161,7 @@ int run(const Record& record) {
         return kRefused;
     }
     if (status.lines == 0) {
-        Error none = scanner::noLinesError(status.session, record.address);
+        Error none = scanner::noLinesError(status.connection, record.address);
         if (status.statistics.stream.bytes > 0) none.hint += "; what did arrive is in " + record.out;
         printError(none);
         return kRefused;

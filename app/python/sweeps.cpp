@@ -167,14 +167,14 @@ public:
 
     [[nodiscard]] std::string text() const {
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
-        return "<edgescan.Connection to " + printable(address_) + ": " + scanner::connectionPhaseName(status.session.phase) + ", " +
+        return "<edgescan.Connection to " + printable(address_) + ": " + scanner::connectionPhaseName(status.connection.phase) + ", " +
                std::to_string(status.lines) + " lines>";
     }
     [[nodiscard]] py::dict status() const {
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
         py::dict dict;
-        dict["phase"] = scanner::connectionPhaseName(status.session.phase);
-        dict["sentence"] = nameOf(status.session.sentence);
+        dict["phase"] = scanner::connectionPhaseName(status.connection.phase);
+        dict["sentence"] = nameOf(status.connection.sentence);
         dict["scanner"] = status.scanner ? py::object(nameOf(status.scanner->words())) : py::object(py::none());
         dict["lines"] = status.lines;
         dict["undecodable"] = status.undecodable;
@@ -190,7 +190,7 @@ private:
     }
     /// Waits for a change, and logs each new problem of the connection. Error: `end` has passed.
     void waitUntil(Clock::time_point end) {
-        const scanner::ConnectionState session = feed_->status().session;
+        const scanner::ConnectionState session = feed_->status().connection;
         if (Clock::now() >= end) throw Refused{scanner::noLinesError(session, address_)};
         if (const std::string problem = session.problem ? session.problem->sentence() : std::string(); problem != logged_) {
             logged_ = problem;

@@ -23,7 +23,7 @@ std::optional<double> ageOf(const LiveStatus& status, const scanner::SweepProgre
 }
 
 Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
-    const scanner::ConnectionPhase phase = status.session.phase;
+    const scanner::ConnectionPhase phase = status.connection.phase;
     if (phase == scanner::ConnectionPhase::Stopped) return Liveness::Stopped;
     if (!ageSeconds) return phase == scanner::ConnectionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
     if (phase == scanner::ConnectionPhase::Lost || phase == scanner::ConnectionPhase::Connecting) return Liveness::Lost;
@@ -113,7 +113,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     LiveHealth health;
     health.liveness = livenessOf(status, age);
     health.badge = badgeOf(health.liveness, age);
-    health.sentence = status.session.sentence;
+    health.sentence = status.connection.sentence;
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
         health.lines = lines.text();
