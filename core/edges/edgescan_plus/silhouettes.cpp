@@ -61,6 +61,11 @@ End endAt(const Way& way, int n, int awayFromVoid, const DepthLimits& limits) {
     return end;
 }
 
+// The least distance in mm from the near to the far end of a void of `cells` at an outline.
+float leastBehindMm(float farMm, int cells, float angle, const DepthLimits& limits) {
+    return kSure * limits.jumpAt(farMm) + kBend * static_cast<float>(cells + 1) * angle * farMm;
+}
+
 // Whether the surface of `near` ends before the void of `cells` and the other surface is behind it.
 bool isOutline(const End& near, const End& far, int cells, float angle, const DepthLimits& limits) {
     if (!near.known || !far.known || std::abs(near.slope) > kGrazing * near.u * angle) return false;
@@ -69,7 +74,7 @@ bool isOutline(const End& near, const End& far, int cells, float angle, const De
     const float backwards = far.u + steps * far.slope;   // next to the near end
     if (continued <= 0) return false;
     const float farMm = 1000 / far.u;
-    const float least = kSure * limits.jumpAt(farMm) + kBend * steps * angle * farMm;
+    const float least = leastBehindMm(farMm, cells, angle, limits);
     const bool behind = farMm - 1000 / near.u > least && farMm - 1000 / continued > least;
     return behind && (backwards <= 0 || 1000 / backwards - 1000 / near.u > least);
 }
@@ -79,8 +84,12 @@ void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits
     const bool first = way.u(before) >= way.u(after);
     const int at = first ? before : after;
     if (way.inverse.support[way.cell(at)] != Support::Measured) return;
+    // Most gaps are on one surface: what isOutline() asks of the two ranges alone comes before the lines are fitted.
+    const int behind = first ? after : before;
+    const float farMm = 1000 / way.u(behind);
+    if (!(farMm - 1000 / way.u(at) > leastBehindMm(farMm, after - before - 1, way.angle(at), limits))) return;
     const End near = endAt(way, at, first ? -1 : 1, limits);
-    const End far = endAt(way, first ? after : before, first ? 1 : -1, limits);
+    const End far = endAt(way, behind, first ? 1 : -1, limits);
     if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
 }
 

@@ -126,7 +126,7 @@ TEST(Promises, PointsOutOfReachAreReported) {
 TEST(Promises, APlaceIsOnEarth) {
     const std::string whole = rows(600, " 0.5");
     for (const char* place : {"1e300 1e300 1e300", "1e9 0 0", "0 0 1e6", "0 -2e8 0"}) {
-        expectSaid(ptx(20, 30, whole, place), ".ptx", "no place on earth");
+        expectSaid(ptx(20, 30, whole, place), ".ptx", "not a place on earth");
         EXPECT_EQ(readBytes(ptx(20, 30, whole, place), ".ptx")->placement, nullptr);
     }
     const auto placed = readBytes(ptx(20, 30, whole, "698700 5150000 300"), ".ptx");
