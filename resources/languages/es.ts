@@ -888,7 +888,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), y el lado cercano de un vacío con algo más lejos detrás; y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and, which is no edge, where the data end.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), el lado cercano de un vacío con algo más lejos detrás y el borde de un vacío abierto; y, lo que no es un borde, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
 <message><source>% of high</source><translation>% del alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Las celdas más débiles, de esta fuerza, son bordes donde continúan una fuerte.</translation></message>
@@ -937,6 +937,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>concave</source><translation>cóncavo</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
+<message><source>void rim</source><translation>borde de un vacío</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
@@ -966,6 +967,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>

@@ -888,7 +888,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), et le côté proche d'un vide derrière lequel il y a quelque chose de plus loin ; et, ce qui n'est pas l'arête d'un bloc, là où finissent les données.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and, which is no edge, where the data end.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), le côté proche d'un vide derrière lequel il y a quelque chose de plus loin, et le bord d'un vide ouvert ; et, ce qui n'est pas une arête, là où finissent les données.</translation></message>
 <message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>
 <message><source>% of high</source><translation>% du haut</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Les cellules plus faibles, de cette force, sont des arêtes là où elles en prolongent une forte.</translation></message>
@@ -937,6 +937,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>concave</source><translation>concave</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
+<message><source>void rim</source><translation>bord d'un vide</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
@@ -966,6 +967,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
 <message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>

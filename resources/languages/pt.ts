@@ -888,7 +888,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), e o lado próximo de um vazio com algo mais longe atrás; e, o que não é borda de uma rocha, onde os dados terminam.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and, which is no edge, where the data end.</source><translation>Que arestas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contactos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a borda de um vazio aberto; e, o que não é aresta, onde terminam os dados.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
@@ -937,6 +937,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>concave</source><translation>côncavo</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
+<message><source>void rim</source><translation>borda de um vazio</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
@@ -966,6 +967,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more.</source><translation>As definições predefinidas da versão 3: sem bordas de vazios abertos, cadeias de cinco células ou mais.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de que indício dois pedaços são duas rochas: mais baixo corta mais, mais alto une mais.</translation></message>
 <message><source>Smallest rock</source><translation>Menor rocha</translation></message>

@@ -7,6 +7,7 @@
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 #include "core/edges/edgescan_plus/surface_lines.h"
+#include "core/edges/edgescan_plus/void_rim.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/marked_cells.h"
 #include "core/scan/grid/spikes.h"
@@ -146,7 +147,7 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 } // namespace
 
 DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
-    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}};
+    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}, withheldCells(scan)};
     surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
     runParts(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
@@ -200,7 +201,8 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     const int bands = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));
     const auto clear = [&support](Grid<float>& grid) { grid = Grid<float>(support.lines, support.beams); };
     DepthResponses result{
-        {}, {}, limits.noise, static_cast<double>(limits.jumpMm), surface.scales, limits.foldNoise, surface.memory.windowMm > 0, {}, {}};
+        {}, {}, limits.noise, static_cast<double>(limits.jumpMm), surface.scales, limits.foldNoise, surface.memory.windowMm > 0, {},
+        {}, {}};
     runParts(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
     if (cracks != nullptr) {
         for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
@@ -215,6 +217,7 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
         });
     parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
     parts.emplace_back([&] { result.border = borderCells(support); });
+    parts.emplace_back([&] { result.rim = voidRimCells(surface.inverse, surface.steps, limits, surface.withheld); });
     runParts(bands, parts);
     moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
     return result;

@@ -24,8 +24,8 @@ bool isDepth(const Why& why) { return why.depth.has_value(); }
 std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
 
 const char* kindName(DepthEdge kind) {
-    static constexpr std::array<const char*, kDepthEdges> kNames{"edge",         "jump",        "convex fold",
-                                                                 "concave fold", "data border", "outline before a void"};
+    static constexpr std::array<const char*, kDepthEdges> kNames{
+        "edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -83,6 +83,7 @@ std::string reason(const Why& why, const Settings& settings, Naming naming) {
     if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
     if (why.probe.kind == DepthEdge::Silhouette)
         return "the surface ends here before missing data, and what lies behind them is farther away";
+    if (why.probe.kind == DepthEdge::VoidRim) return "the surface ends here at an open void, from which nothing came back";
     if (why.level == StrengthLevel::Above) return strength + " is above " + thresholds.upper;
     if (why.chain.size() > 1)
         return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +

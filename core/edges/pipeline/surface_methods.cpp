@@ -21,21 +21,17 @@ ThresholdMap surfaceThresholds(const Detection& detection) {
     const DepthResponses& responses = *detection.responses;
     ThresholdMap map =
         linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength);
-    const auto always = [&map](const std::vector<std::uint32_t>& cells) {
-        for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
-    };
-    if (wants(settings, kClassBorder)) always(responses.border);
-    if (wants(settings, kClassSilhouette)) always(longSilhouettes(responses, settings.minimumLength));
+    for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
+        for (const std::uint32_t k : edges.cells) map.highest[k] = std::numeric_limits<double>::infinity();
+    }
     return map;
 }
 
 double surfaceThreshold(const Detection& detection, std::size_t k) {
     const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
-    const auto has = [k](const std::vector<std::uint32_t>& cells) { return std::ranges::find(cells, k) != cells.end(); };
-    if ((wants(settings, kClassBorder) && has(responses.border)) ||
-        (wants(settings, kClassSilhouette) && has(longSilhouettes(responses, settings.minimumLength))))
-        return std::numeric_limits<double>::infinity();
+    const auto has = [k](const ClassCells& edges) { return std::ranges::binary_search(edges.cells, k); };
+    if (std::ranges::any_of(edgesAtVoids(responses, settings), has)) return std::numeric_limits<double>::infinity();
     return linkedThresholdAt(
         responses.jump.lines, responses.jump.beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
         settings.hysteresisPercent / 100.0, settings.minimumLength, k);

@@ -18,7 +18,8 @@ const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassConvex, "convex", "convex"},
                                    {kClassConcave, "concave", "concave"},
                                    {kClassBorder, "border", "data border"},
-                                   {kClassSilhouette, "silhouette", "outline before a void"}};
+                                   {kClassSilhouette, "silhouette", "outline before a void"},
+                                   {kClassVoidRim, "rim", "void rim"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
     {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
@@ -73,8 +74,8 @@ const std::vector<Parameter>& table() {
          15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
          1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
-        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.",
-         0, 31, 1, 0, EDGESCAN_NUMBER(Settings, classes), 31, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and, which is no edge, where the data end.",
+         0, 63, 1, 0, EDGESCAN_NUMBER(Settings, classes), 63, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
          30, 100, 1, 0, EDGESCAN_NUMBER(Settings, hysteresisPercent), 100, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
