@@ -3,6 +3,7 @@
 
 #include "core/edges/edgescan_plus/noise_memory.h"
 #include "core/edges/edgescan_plus/range_field.h"
+#include "core/edges/edgescan_plus/roughness.h"
 #include "core/edges/settings/settings.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -11,11 +12,11 @@
 namespace edgescan::edges {
 
 /// The strength of jumps and creases per cell, before the decision. 1 = at the threshold; 0 where a neighbour is stronger or the cell was
-/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm and straighten; if another setting changes, only
-/// decideDepthEdges() runs again.
+/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm, straighten and roughScans; if another setting changes,
+/// only decideDepthEdges() runs again.
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
-    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
+    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave; weighed if the scan is rough
     RangeNoise noise;                  ///< measured or typed, mm
     double jumpMm = 0;                 ///< J0, automatic or typed, mm
     NoiseScales scales;                ///< of the measured noise
@@ -24,6 +25,8 @@ struct DepthResponses {
     std::vector<std::uint32_t> border; ///< measured cells next to a void of more than 4 cells, ascending
     /// those of `border` and beyond that are near sides of an outline (core/edges/edgescan_plus/silhouettes.h), ascending
     std::vector<std::uint32_t> silhouettes;
+    Roughness roughness;            ///< nothing if the settings do not ask for it
+    Grid<float> unweighed;          ///< `crease` before it was weighed; empty unless the scan is rough
     std::vector<std::uint32_t> rim; ///< those of `border` at an open void (core/edges/edgescan_plus/void_rim.h), ascending
 };
 

@@ -113,6 +113,12 @@ std::string foldText(const Why& why, const FoldAtCell& fold) {
     return text + ": strength " + number(fold.strength) + ".";
 }
 
+std::string roughText(const Judgement::RoughAround& rough) {
+    std::string text = "Rough scan: " + whole(100 * rough.share) + " % of what is within 15 degrees folds";
+    return text +
+           (rough.factor > 1 ? ", so a fold must be " + number(rough.factor) + " times as strong here." : "; a fold counts as elsewhere.");
+}
+
 // The measurements of the surface at the cell, one per line.
 std::string depthText(const Why& why) {
     const DepthProbe& depth = *why.depth;
@@ -127,8 +133,10 @@ std::string depthText(const Why& why) {
     const DepthStepAtCell* decisive = stepOfNeighbour(why);
     if (!depth.steps.empty()) text += "\n" + stepText(why, decisive != nullptr ? *decisive : depth.steps.front());
     if (!depth.folds.empty()) text += "\n" + foldText(why, depth.folds.front());
-    if (depth.folds.size() > 1 && std::abs(depth.crease.before) > 1.005F * static_cast<float>(depth.folds.front().strength))
-        text += " Together with the other way " + number(static_cast<double>(std::abs(depth.crease.before))) + ".";
+    const double together = static_cast<double>(std::abs(depth.crease.before)) * (why.rough ? why.rough->factor : 1.0);
+    if (depth.folds.size() > 1 && together > 1.005 * depth.folds.front().strength)
+        text += " Together with the other way " + number(together) + ".";
+    if (why.rough && !depth.folds.empty()) text += "\n" + roughText(*why.rough);
     if (depth.support != Support::Void) {
         text += "\nRange noise used: sigma " + number(depth.noiseMm) + " mm here, " + number(depth.noiseAt5mMm) + " mm at 5 m.";
         if (depth.foldNoiseMm != depth.noiseMm)

@@ -48,6 +48,15 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     found.upper = settings.sensitivity;
     found.lower = settings.sensitivity * (settings.hysteresisPercent / 100.0);
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
+    if (const Roughness& roughness = responses.roughness; roughness.rough && found.takesPart) {
+        const int line = static_cast<int>(k / beams), beam = static_cast<int>(k % beams);
+        const float factor = roughness.factorAt(line, beam);
+        found.rough = {static_cast<double>(roughness.aroundAt(line, beam)), static_cast<double>(factor)};
+        found.depth->crease.before /= factor;
+        found.depth->crease.after /= factor;
+        if (auto& stronger = found.depth->crease.stronger)
+            stronger->strength /= static_cast<double>(roughness.factorAt(stronger->line, stronger->beam));
+    }
     const ThinnedStrength& jump = found.depth->jump;
     const ThinnedStrength& crease = found.depth->crease;
     // The response after suppression decides if it is strong enough; otherwise the larger of the responses before suppression.

@@ -86,6 +86,8 @@ const std::vector<Parameter>& table() {
          1, 30, 0.25, 2, EDGESCAN_NUMBER(Settings, noiseMm), 30, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",
          0, 2, 1, 0, EDGESCAN_NUMBER(Settings, noiseKind), 2, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, surface, Stage::Surface},
+        {"rough-scans", "Rough scans", "", "Where half of the folds lie on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, roughScans), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
          0, 20, 1, 0, EDGESCAN_NUMBER(Settings, fillCells), 20, kNoAuto, kAdvanced, {}, !kSeveral, always, Stage::Surface},
         {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that nobody measured.",

@@ -34,6 +34,7 @@ Settings defaultSettings(int version) {
     if (version >= 4) return settings;
     settings.classes = kClassRock;
     settings.minimumLength = 5;
+    settings.roughScans = false;
     return settings;
 }
 
@@ -68,7 +69,10 @@ std::span<const Preset> builtInPresets() {
          {}},
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
-        {"default-3", "The default settings of version 3: no rims of open voids, chains of five cells and more.", defaultSettings(3), {}},
+        {"default-3",
+         "The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.",
+         defaultSettings(3),
+         {}},
     };
     return presets;
 }
