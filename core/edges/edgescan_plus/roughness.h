@@ -1,5 +1,5 @@
 // How rough the surfaces of a scan are: where nearly half of the cells fold, a fold is no edge unless it exceeds its surroundings
-// (docs/method.md, "Rough scans").
+// (docs/method/edges.md, "Rough scans").
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"

@@ -1,4 +1,4 @@
-// The rim of an open void: a chimney, a brow, the end of a wall (docs/method.md, "The rim of an open void").
+// The rim of an open void: a chimney, a brow, the end of a wall (docs/method/edges.md, "The rim of an open void").
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"
@@ -14,7 +14,7 @@ namespace edgescan::edges {
 
 /// Measured cells beside a void of at least 30 connected cells (4 neighbours), ascending. A cell is left out where its surface slants by
 /// more than 70 degrees towards the void: there ranges fade out, and nothing ends. `withheld` cells are no part of a void: missing data has
-/// no rim (docs/operator.md, "S3").
+/// no rim (docs/reference/rules.md, "S3").
 [[nodiscard]] std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,
                                                       const std::vector<std::uint32_t>& withheld);
 

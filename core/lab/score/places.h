@@ -1,4 +1,4 @@
-// Where detections are: how near to the true edges, and how far across them (docs/method.md, "Truth and score").
+// Where detections are: how near to the true edges, and how far across them (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/sim/truth/truth_files.h"
