@@ -131,13 +131,18 @@ void compareResults(const Json& record, const edges::Detection& detection, Verif
     if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
 }
 
+/// The settings in the words of today.
+nlohmann::json settingsOf(const Json& record) {
+    const Json version = at(record, "/default_settings/version");
+    return edges::settingsOfRecord(nlohmann::json(at(record, "/settings")), version.is_number_integer() ? version.get<int>() : 0);
+}
+
 /// The scan and its edges; without edges if only the scan was exported.
 Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, const ExportKind& kind,
                                                             const std::optional<fs::path>& scansFolder, Verification& v) {
     const bool method = kind.needs != ExportKind::Needs::Scan;
-    const auto settings =
-        method ? edges::settingsFromJson(nlohmann::json(at(record, "/settings")), edges::cannySettings(), v.exported.string())
-               : Result<edges::Settings>(edges::Settings{});
+    const auto settings = method ? edges::settingsFromJson(settingsOf(record), edges::cannySettings(), v.exported.string())
+                                 : Result<edges::Settings>(edges::Settings{});
     if (!settings) return settings.error();
     const auto scan = scanOf(record, scansFolder, v);
     if (!scan) return scan.error();
@@ -163,12 +168,11 @@ Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const ed
     return std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
 }
 
-/// Adds values that an older record does not contain: settings with their defaults, classes without cells.
-void takeLater(Json& then, const Json& now) {
+/// Adds the classes without cells that an older record does not contain.
+void takeLaterClasses(Json& then, const Json& now) {
     if (!then.is_object()) return;
-    const Json usual = edges::settingsToJson(edges::Settings{});
     for (const auto& [key, value] : now.items()) {
-        if (!then.contains(key) && (value == 0 || (usual.contains(key) && usual[key] == value))) then[key] = value;
+        if (!then.contains(key) && value == 0) then[key] = value;
     }
 }
 
@@ -178,10 +182,10 @@ void compareRecord(const Json& record, const Json& again, Verification& v) {
         if (key == "program" || key == "operator" || key == "role" || key == "record_sha256" || !record.contains(key)) continue;
         Json then = record[key], now = value;
         if (key == "scan") then.erase("input"), now.erase("input"); // the file may have been renamed
-        if (key == "settings") takeLater(then, now);
+        if (key == "settings") then = Json(settingsOf(record));
         // another set of defaults; the settings themselves were compared
         if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue;
-        if (key == "classes" && then.is_object()) takeLater(then, now);
+        if (key == "classes") takeLaterClasses(then, now);
         if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
     }
 }

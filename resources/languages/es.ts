@@ -623,6 +623,7 @@ mantenga \ para verla</translation></message>
 <message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -888,7 +889,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and where the data end, which is not an edge of a rock.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), y el lado cercano de un vacío con algo más lejos detrás; y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), el lado cercano de un vacío con algo más lejos detrás y el borde de un vacío abierto; y, lo que no es un borde, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
 <message><source>% of high</source><translation>% del alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Las celdas más débiles, de esta fuerza, son bordes donde continúan una fuerte.</translation></message>
@@ -901,6 +902,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruido de celda a celda</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si cada celda yerra por sí misma, como con un láser, o si las vecinas yerran juntas, como con una cámara de profundidad cuya profundidad viene en escalones: los pliegues deben entonces superar lo que parecen tales escalones.</translation></message>
+<message><source>Rough scans</source><translation>Escaneos rugosos</translation></message>
+<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Cuando la mitad de los pliegues está en superficies plegadas por todas partes, como montones de bolos pequeños, un pliegue solo cuenta si supera su entorno.</translation></message>
 <message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
@@ -937,6 +940,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>concave</source><translation>cóncavo</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
+<message><source>void rim</source><translation>borde de un vacío</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
@@ -966,6 +970,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, escaneos rugosos como los demás.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>

@@ -623,6 +623,7 @@ tenez \ pour la voir</translation></message>
 <message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 à %2 %3</translation></message>
@@ -888,7 +889,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and where the data end, which is not an edge of a rock.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), et le côté proche d'un vide derrière lequel il y a quelque chose de plus loin ; et, ce qui n'est pas l'arête d'un bloc, là où finissent les données.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), le côté proche d'un vide derrière lequel il y a quelque chose de plus loin, et le bord d'un vide ouvert ; et, ce qui n'est pas une arête, là où finissent les données.</translation></message>
 <message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>
 <message><source>% of high</source><translation>% du haut</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Les cellules plus faibles, de cette force, sont des arêtes là où elles en prolongent une forte.</translation></message>
@@ -901,6 +902,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Bruit de cellule à cellule</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si chaque cellule se trompe pour elle-même, comme avec un laser, ou si les voisines se trompent ensemble, comme avec une caméra de profondeur dont la profondeur vient par paliers : les plis doivent alors dépasser ce à quoi ressemblent ces paliers.</translation></message>
+<message><source>Rough scans</source><translation>Scans rugueux</translation></message>
+<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quand la moitié des plis se trouvent sur des surfaces plissées partout, comme des tas de petits blocs, un pli ne compte que s'il dépasse son entourage.</translation></message>
 <message><source>Fill gaps</source><translation>Combler les vides</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
 <message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
@@ -937,6 +940,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>concave</source><translation>concave</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
+<message><source>void rim</source><translation>bord d'un vide</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
@@ -966,6 +970,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, scans rugueux comme les autres.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
 <message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>

@@ -623,6 +623,7 @@ segure \ para vê-la</translation></message>
 <message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -888,7 +889,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and where the data end, which is not an edge of a rock.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), e o lado próximo de um vazio com algo mais longe atrás; e, o que não é borda de uma rocha, onde os dados terminam.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Que arestas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contactos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a borda de um vazio aberto; e, o que não é aresta, onde terminam os dados.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
@@ -901,6 +902,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruído de célula a célula</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Se cada célula erra por si, como com um laser, ou se as vizinhas erram juntas, como com uma câmara de profundidade cuja profundidade vem em degraus: as dobras têm então de exceder o que tais degraus parecem.</translation></message>
+<message><source>Rough scans</source><translation>Varreduras rugosas</translation></message>
+<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quando metade das dobras está em superfícies dobradas por toda a parte, como montes de blocos pequenos, uma dobra só conta se exceder o que a rodeia.</translation></message>
 <message><source>Fill gaps</source><translation>Preencher lacunas</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordas em lacunas</translation></message>
@@ -937,6 +940,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>concave</source><translation>côncavo</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
+<message><source>void rim</source><translation>borda de um vazio</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
@@ -966,6 +970,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>As definições predefinidas da versão 3: sem bordas de vazios abertos, cadeias de cinco células ou mais, varreduras rugosas como as outras.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de que indício dois pedaços são duas rochas: mais baixo corta mais, mais alto une mais.</translation></message>
 <message><source>Smallest rock</source><translation>Menor rocha</translation></message>

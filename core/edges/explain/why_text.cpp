@@ -24,8 +24,8 @@ bool isDepth(const Why& why) { return why.depth.has_value(); }
 std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
 
 const char* kindName(DepthEdge kind) {
-    static constexpr std::array<const char*, kDepthEdges> kNames{"edge",         "jump",        "convex fold",
-                                                                 "concave fold", "data border", "outline before a void"};
+    static constexpr std::array<const char*, kDepthEdges> kNames{
+        "edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -83,6 +83,7 @@ std::string reason(const Why& why, const Settings& settings, Naming naming) {
     if (why.probe.kind == DepthEdge::Border) return "it is next to missing data, and such borders are a class that was chosen";
     if (why.probe.kind == DepthEdge::Silhouette)
         return "the surface ends here before missing data, and what is behind them is farther away";
+    if (why.probe.kind == DepthEdge::VoidRim) return "the surface ends here at an open void, from which nothing came back";
     if (why.level == StrengthLevel::Above) return strength + " is above " + thresholds.upper;
     if (why.chain.size() > 1)
         return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +
@@ -112,6 +113,12 @@ std::string foldText(const Why& why, const FoldAtCell& fold) {
     return text + ": strength " + number(fold.strength) + ".";
 }
 
+std::string roughText(const Judgement::RoughAround& rough) {
+    std::string text = "Rough scan: " + whole(100 * rough.share) + " % of what is within 15 degrees folds";
+    return text +
+           (rough.factor > 1 ? ", so a fold must be " + number(rough.factor) + " times as strong here." : "; a fold counts as elsewhere.");
+}
+
 // The measurements of the surface at the cell, one per line.
 std::string depthText(const Why& why) {
     const DepthProbe& depth = *why.depth;
@@ -126,8 +133,10 @@ std::string depthText(const Why& why) {
     const DepthStepAtCell* decisive = stepOfNeighbour(why);
     if (!depth.steps.empty()) text += "\n" + stepText(why, decisive != nullptr ? *decisive : depth.steps.front());
     if (!depth.folds.empty()) text += "\n" + foldText(why, depth.folds.front());
-    if (depth.folds.size() > 1 && std::abs(depth.crease.before) > 1.005F * static_cast<float>(depth.folds.front().strength))
-        text += " Together with the other way " + number(static_cast<double>(std::abs(depth.crease.before))) + ".";
+    const double together = static_cast<double>(std::abs(depth.crease.before)) * (why.rough ? why.rough->factor : 1.0);
+    if (depth.folds.size() > 1 && together > 1.005 * depth.folds.front().strength)
+        text += " Together with the other way " + number(together) + ".";
+    if (why.rough && !depth.folds.empty()) text += "\n" + roughText(*why.rough);
     if (depth.support != Support::Void) {
         text += "\nRange noise used: sigma " + number(depth.noiseMm) + " mm here, " + number(depth.noiseAt5mMm) + " mm at 5 m.";
         if (depth.foldNoiseMm != depth.noiseMm)

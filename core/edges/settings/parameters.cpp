@@ -18,7 +18,8 @@ const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassConvex, "convex", "convex"},
                                    {kClassConcave, "concave", "concave"},
                                    {kClassBorder, "border", "data border"},
-                                   {kClassSilhouette, "silhouette", "outline before a void"}};
+                                   {kClassSilhouette, "silhouette", "outline before a void"},
+                                   {kClassVoidRim, "rim", "void rim"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
     {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
@@ -73,8 +74,8 @@ const std::vector<Parameter>& table() {
          15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
          1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
-        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and where the data end, which is not an edge of a rock.",
-         0, 31, 1, 0, EDGESCAN_NUMBER(Settings, classes), 31, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.",
+         0, 63, 1, 0, EDGESCAN_NUMBER(Settings, classes), 63, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
          30, 100, 1, 0, EDGESCAN_NUMBER(Settings, hysteresisPercent), 100, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
@@ -85,6 +86,8 @@ const std::vector<Parameter>& table() {
          1, 30, 0.25, 2, EDGESCAN_NUMBER(Settings, noiseMm), 30, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",
          0, 2, 1, 0, EDGESCAN_NUMBER(Settings, noiseKind), 2, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, surface, Stage::Surface},
+        {"rough-scans", "Rough scans", "", "Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, roughScans), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
          0, 20, 1, 0, EDGESCAN_NUMBER(Settings, fillCells), 20, kNoAuto, kAdvanced, {}, !kSeveral, always, Stage::Surface},
         {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that no beam measured.",

@@ -21,18 +21,20 @@ constexpr std::uint64_t kBytesPerPoint = 260;
 
 constexpr DxfLayer kCloudLayer{"CLOUD", "8"};
 /// Layers of points and of lines, by the number in the column "class"; 0: an edge of a method without classes.
-constexpr std::array<DxfLayer, 6> kPointLayers{{{"EDGE_POINTS", "3"},
+constexpr std::array<DxfLayer, 7> kPointLayers{{{"EDGE_POINTS", "3"},
                                                 {"EDGE_POINTS_JUMP", "3"},
                                                 {"EDGE_POINTS_CONVEX", "4"},
                                                 {"EDGE_POINTS_CONCAVE", "6"},
                                                 {"EDGE_POINTS_BORDER", "30"},
-                                                {"EDGE_POINTS_SILHOUETTE", "2"}}};
-constexpr std::array<DxfLayer, 6> kLineLayers{{{"EDGE_LINES", "3"},
+                                                {"EDGE_POINTS_SILHOUETTE", "2"},
+                                                {"EDGE_POINTS_RIM", "151"}}};
+constexpr std::array<DxfLayer, 7> kLineLayers{{{"EDGE_LINES", "3"},
                                                {"EDGE_LINES_JUMP", "3"},
                                                {"EDGE_LINES_CONVEX", "4"},
                                                {"EDGE_LINES_CONCAVE", "6"},
                                                {"EDGE_LINES_BORDER", "30"},
-                                               {"EDGE_LINES_SILHOUETTE", "2"}}};
+                                               {"EDGE_LINES_SILHOUETTE", "2"},
+                                               {"EDGE_LINES_RIM", "151"}}};
 
 /// The class of a row's edge: an index of the layers above.
 std::size_t classOf(const CloudColumn* classes, std::size_t row) {
