@@ -26,6 +26,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <cmath>
+
 namespace edgescan::ui {
 namespace {
 
@@ -66,17 +68,20 @@ void CabMode::connectHead() {
         if (live.isVisible()) live.askAddress();
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.viewer().warnings, &QToolButton::click);
-    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.viewer().engine.cancel(); });
+    connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
     connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.locked(), &HoldButton::releasedEarly, this,
             [this] { window_.viewer().notice.showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
-    connect(&cancelSoon_, &QTimer::timeout, head.cancel(), &QWidget::show);
-    connect(&window_.viewer().engine, &Engine::workStarted, this, [this] { cancelSoon_.start(); });
-    connect(&window_.viewer().engine, &Engine::workEnded, this, [this, cancel = head.cancel()] {
-        cancelSoon_.stop();
-        cancel->hide();
+    connect(&cancelSoon_, &QTimer::timeout, this, &CabMode::showWork);
+    connect(&window_.viewer().engine.works(), &Works::changed, this, [this] {
+        const bool none = window_.viewer().engine.works().newest() == nullptr;
+        if (none) cancelSoon_.stop();
+        if (none || frame_->head().working())
+            showWork();
+        else if (!cancelSoon_.isActive())
+            cancelSoon_.start();
     });
 }
 
@@ -120,6 +125,7 @@ void CabMode::set(bool on) {
     lockDocks(on);
     window_.viewer().legend.setBrief(on);
     window_.viewer().notice.setBrief(on);
+    window_.viewer().live.panel().setBrief(on);
     frame_->setCab(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
@@ -143,10 +149,18 @@ void CabMode::lockDocks(bool on) {
     window_.lockDocks(on);
 }
 
+/// Stage and progress instead of the facts of the scan, and Cancel.
+void CabMode::showWork() {
+    const Works::Running* work = window_.viewer().engine.works().newest();
+    if (work == nullptr) return frame_->head().showWork(QString());
+    const QString stage = work->stage.isEmpty() ? QString() : ": " + work->stage;
+    frame_->head().showWork(tr("%1%2, %3 %").arg(work->title, stage).arg(std::lround(100.0 * work->fraction)));
+}
+
 void CabMode::showScan() {
     if (!on_) return;
     const Picture* picture = window_.viewer().engine.picture().get();
-    const PictureOrigin origin = originOf(picture, window_.viewer().live.scanner());
+    const PictureOrigin origin = originOf(window_.viewer().engine, window_.viewer().live.scanner());
     badge_->showState(origin.sign, origin.badge);
     badge_->setToolTip(origin.more);
     const QStringList warnings = window_.viewer().warnings.warnings();

@@ -162,6 +162,7 @@ void LinkedViews::applyScene() {
     for (ImageView* view : images_) {
         view->setFaces(scene_.faces, scene_.facesFaded);
         view->setTitle(scene_.caption);
+        view->setLost(scene_.picture->lost);
     }
     if (cloud_.edgeColours() != scene_.colours) cloud_.setEdgeColours(scene_.colours);
     if (cloud_.edgesByClass() != scene_.byClass) cloud_.setEdgesByClass(scene_.byClass);

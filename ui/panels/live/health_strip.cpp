@@ -1,10 +1,11 @@
 // The health of a live scan in one row.
 #include "ui/panels/live/health_strip.h"
 
+#include "ui/base/elided_label.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/state_badge.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 
 namespace edgescan::ui {
@@ -12,20 +13,19 @@ namespace edgescan::ui {
 HealthStrip::HealthStrip(QWidget* parent)
     : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), lost_(new QLabel), noReturn_(new QLabel), remark_(new StateBadge),
       window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel), recording_(new StateBadge),
-      sentence_(new QLabel) {
+      sentence_(new ElidedLabel) {
     badge_->setObjectName("live-badge");
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
     remark_->setObjectName("live-remark");
     sentence_->setObjectName("live-sentence");
-    auto* row = new QHBoxLayout(this);
+    auto* row = new FlowLayout(this);
     row->setContentsMargins(6, 2, 6, 2);
     row->setSpacing(10);
     for (QWidget* each :
          std::initializer_list<QWidget*>{badge_, lines_, lost_, noReturn_, remark_, window_, device_, pose_, end_, recording_})
         row->addWidget(each);
-    row->addWidget(sentence_, 1);
-    row->addStretch(0);
+    row->addWidget(sentence_);
     // A long sentence must not widen the window; the tool tip shows all of it.
     sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_, sentence_}) label->setTextFormat(Qt::PlainText);
@@ -42,6 +42,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     };
     const auto badge = [](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
         each->showState(sign, shownText(text));
+        each->setToolTip(shownText(text)); // a narrow strip cuts its end off
         each->setVisible(!text.empty());
     };
     // Green is only for data that arrives now. A fault of the scanner has priority.

@@ -2,10 +2,10 @@
 #include "ui/panels/live/live_panel.h"
 
 #include "ui/base/elided_label.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/sweep_form.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -47,16 +47,18 @@ LivePanel::LivePanel(QWidget* parent)
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
     scanner_->setObjectName("live-scanner");
 
-    auto* row = new QHBoxLayout;
+    auto* head = new QWidget;
+    auto* row = new FlowLayout(head);
     row->setContentsMargins(6, 2, 6, 0);
-    row->addWidget(new QLabel(tr("Scanner")));
+    title_ = new QLabel(tr("Scanner"));
+    row->addWidget(title_);
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_, sweepButton_, connect_, record_, keep_, follow_})
         row->addWidget(each);
-    row->addWidget(scanner_, 1);
+    row->addWidget(scanner_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(row);
+    column->addWidget(head);
     column->addWidget(strip_);
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
@@ -112,7 +114,28 @@ void LivePanel::setConnected(bool connected) {
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
     if (!connected) setRecording(false);
+    showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
+}
+
+void LivePanel::forgetScanner() {
+    strip_->showHealth({});
+    strip_->hide();
+    scanner_->setText(QString());
+    scanner_->setToolTip(QString());
+    hide();
+}
+
+void LivePanel::setBrief(bool on) {
+    brief_ = on;
+    showFields();
+}
+
+/// With gloves on, only what a connected scanner needs.
+void LivePanel::showFields() {
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, scanner_})
+        each->setHidden(brief_ && connected_);
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setHidden(brief_ && !connected_);
 }
 
 void LivePanel::setRecording(bool recording) {

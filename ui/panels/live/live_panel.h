@@ -32,8 +32,13 @@ public:
 
     void setConnected(bool connected);
     void setRecording(bool recording);
+    /// Fewer fields, for cab mode.
+    void setBrief(bool on);
     void setFollowing(bool following);
     void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture);
+
+    /// Hides the panel with all that it says about the last scanner.
+    void forgetScanner();
 
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
@@ -49,6 +54,7 @@ signals:
 
 private:
     void addSweepMenu();
+    void showFields();
 
     QLineEdit* host_;
     QSpinBox* port_;
@@ -59,8 +65,9 @@ private:
     QPushButton* keep_;
     QPushButton* follow_;
     QLabel* scanner_;
+    QLabel* title_ = nullptr;
     HealthStrip* strip_;
-    bool connected_ = false;
+    bool connected_ = false, brief_ = false;
 };
 
 } // namespace edgescan::ui
