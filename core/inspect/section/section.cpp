@@ -1,6 +1,7 @@
 // Cuts triangles of neighbouring cells by a plane and joins the pieces.
 #include "core/inspect/section/section.h"
 
+#include "core/base/angles.h"
 #include "core/inspect/measure/jumps_along.h"
 #include "core/rocks/attributes/attributes.h"
 #include "core/scan/grid/cartesian.h"
@@ -168,7 +169,7 @@ Result<SectionPlane> planeThroughRock(const Scan& scan, const std::vector<std::u
     double widest = 0.0, leftEnd = 0.0;
     Eigen::Vector3d along = first;
     for (int degree = 0; degree < 180; ++degree) {
-        const double angle = degree * EIGEN_PI / 180.0;
+        const double angle = radians(degree);
         const Eigen::Vector3d direction = std::cos(angle) * first + std::sin(angle) * second;
         double least = HUGE_VAL, most = -HUGE_VAL;
         for (const Eigen::Vector3d& point : points) {
