@@ -8,11 +8,12 @@
 namespace edgescan::inspect {
 namespace {
 
-constexpr double kLeastM = 0.030; // at the scanner; that of EdgeScan+ for an LMS511
-constexpr double kGrowth = 0.010; // of the range
-constexpr double kGrazing = 0.10; // of the slope of a slanted surface, per cell
-constexpr int kMixedCells = 2;    // at most, between two surfaces
-constexpr double kLeastU = 1e-3;  // 1/m: a continued surface is at most this far
+constexpr double kLeastM = 0.030;   // at the scanner; that of EdgeScan+ for an LMS511
+constexpr double kGrowth = 0.010;   // of the range
+constexpr double kGrazing = 0.10;   // of the slope of a slanted surface, per cell
+constexpr int kMixedCells = 2;      // at most, between two surfaces
+constexpr double kMixedApart = 2.0; // limits: two surfaces with mixed pixels between them are this far apart
+constexpr double kLeastU = 1e-3;    // 1/m: a continued surface is at most this far
 
 class Row {
 public:
@@ -23,19 +24,34 @@ public:
     [[nodiscard]] bool has(int n) const { return range(n) > 0.0; }
 
     /// The step from one surface to the other; 0: there is no jump.
-    [[nodiscard]] double stepBetween(int a, int b) const {
+    [[nodiscard]] double stepBetween(int a, int b, double ofLimit) const {
         const auto before = slope(a, -1), behind = slope(b, 1);
+        const bool anyBetween = isAnyBetween(a, b);
+        if (anyBetween && (!before || !behind)) return 0.0; // a single cell does not say how its surface goes on
         const double slopeA = before.value_or(behind.value_or(0.0)), slopeB = behind.value_or(before.value_or(0.0));
-        const double cells = b - a;
-        const double atB = range(b) - 1.0 / std::max(kLeastU, 1.0 / range(a) + slopeA * cells);
-        const double atA = 1.0 / std::max(kLeastU, 1.0 / range(b) - slopeB * cells) - range(a);
+        const auto lineA = [&](int n) { return 1.0 / std::max(kLeastU, 1.0 / range(a) + slopeA * (n - a)); };
+        const auto lineB = [&](int n) { return 1.0 / std::max(kLeastU, 1.0 / range(b) + slopeB * (n - b)); };
+        const double atA = lineB(a) - range(a), atB = range(b) - lineA(b);
         if (atA * atB <= 0.0) return 0.0; // the lines meet between the cells: a fold, not a jump
         const double step = std::abs(atA) < std::abs(atB) ? atA : atB;
-        const double slant = cells * std::max(std::abs(slopeA) * range(a) * range(a), std::abs(slopeB) * range(b) * range(b));
-        return std::abs(step) > leastJumpM(std::min(range(a), range(b))) + kGrazing * slant ? step : 0.0;
+        const double slant = (b - a) * std::max(std::abs(slopeA) * range(a) * range(a), std::abs(slopeB) * range(b) * range(b));
+        const double limit = ofLimit * (leastJumpM(std::min(range(a), range(b))) + kGrazing * slant);
+        if (std::abs(step) <= limit) return 0.0;
+        for (int n = a + 1; anyBetween && n < b; ++n) {
+            if (!has(n)) continue;
+            const double toA = std::abs(range(n) - lineA(n)), toB = std::abs(range(n) - lineB(n)), apart = std::abs(lineA(n) - lineB(n));
+            if (apart < kMixedApart * limit || std::max(toA, toB) > apart) return 0.0;
+        }
+        return step;
     }
 
 private:
+    [[nodiscard]] bool isAnyBetween(int a, int b) const {
+        for (int n = a + 1; n < b; ++n) {
+            if (has(n)) return true;
+        }
+        return false;
+    }
     /// Of the inverse range per cell, from the cells beyond `n`. Of two steps the flatter one, because the other may reach another surface.
     [[nodiscard]] std::optional<double> slope(int n, int away) const {
         if (!has(n + away)) return std::nullopt;
@@ -53,7 +69,7 @@ private:
 
 double leastJumpM(double rangeM) { return kLeastM + kGrowth * rangeM; }
 
-std::vector<RowJump> jumpsAlong(std::span<const double> rangesM, int widestGap) {
+std::vector<RowJump> jumpsAlong(std::span<const double> rangesM, int widestGap, double ofLimit) {
     const Row row(rangesM);
     std::vector<RowJump> jumps;
     for (int a = 0; a < row.size(); ++a) {
@@ -61,7 +77,7 @@ std::vector<RowJump> jumpsAlong(std::span<const double> rangesM, int widestGap) 
         int between = 0; // cells with a range
         for (int b = a + 1; b < row.size() && between <= kMixedCells && b - a - 1 - between <= widestGap; ++b) {
             if (!row.has(b)) continue;
-            if (const double step = row.stepBetween(a, b); step != 0.0) {
+            if (const double step = row.stepBetween(a, b, ofLimit); step != 0.0) {
                 jumps.push_back({a, b, step});
                 break;
             }

@@ -26,7 +26,7 @@ struct RowJump {
 /// `rangesM`: of consecutive cells in one direction, 0 where a cell has none. A jump is where the straight lines in inverse range through
 /// the cells before and behind do not meet between them, and miss each other by more than leastJumpM() and a tenth of the slope. Up to two
 /// cells with a range may be between its ends, and up to `widestGap` cells without. Ordered by `from`; no jump contains another.
-[[nodiscard]] std::vector<RowJump> jumpsAlong(std::span<const double> rangesM, int widestGap);
+[[nodiscard]] std::vector<RowJump> jumpsAlong(std::span<const double> rangesM, int widestGap, double ofLimit = 1.0);
 
 /// A cell, the next one in a direction, and the cells before and behind that decide whether there is a jump between them.
 struct CellsAround {

@@ -17,7 +17,9 @@ constexpr int kBeyond = 4;                     // cells beyond the reach: the st
 constexpr int kRadius = kSnapReach + kBeyond;  // of the cells that are read
 constexpr int kSide = 2 * kRadius + 1;         // of their square
 constexpr int kWidestGap = 2 * kSnapReach + 1; // cells without a range between two surfaces
-constexpr double kOffSurface = 0.5;            // least jumps: a cell at a rim that is this much behind its surface is a mixed pixel
+constexpr double kStair = 0.35;                // of the limit of a jump
+constexpr double kOffSurface = 0.3;            // least jumps: a cell at a rim that is this much behind its surface is a mixed pixel
+constexpr std::ptrdiff_t kFewestCells = 4;     // of a surface: fewer are dust
 constexpr std::array<std::array<int, 2>, 4> kSides{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
 
 struct Place {
@@ -90,9 +92,12 @@ private:
         for (int n = 0; n < kSide; ++n) row[static_cast<std::size_t>(n)] = rangeM(place(n));
         for (const RowJump& jump : jumpsAlong(row, kWidestGap)) {
             for (int n = jump.from + 1; n < jump.to; ++n) mixed_[index(place(n))] = rangeM(place(n)) > 0.0;
-            (alongBeam != 0 ? cutBeam_ : cutLine_)[index(place(jump.from))] = true;
             const int inward = jump.nearer() == jump.from ? -1 : 1;
             rims_.push_back({place(jump.nearer()), rangeM(place(jump.farther())), inward * downLine, inward * alongBeam});
+        }
+        // Mixed pixels along a slanted outline make a stair from one surface to the other, of steps below the limit of a jump.
+        for (const RowJump& step : jumpsAlong(row, kWidestGap, kStair)) {
+            for (int n = step.from; n < step.to; ++n) (alongBeam != 0 ? cutBeam_ : cutLine_)[index(place(n))] = true;
         }
     }
 
@@ -121,28 +126,32 @@ std::optional<Place> nearestMeasured(const Square& square) {
 }
 
 /// The nearest rim in front of the surface of `at`.
-const Rim* rimInFront(const Square& square, Place at) {
+std::optional<Place> rimInFront(const Square& square, Place at) {
     const double rangeM = square.rangeM(at);
     const auto surface = square.surfaceOf(at);
-    const Rim* best = nullptr;
-    const auto order = [&](const Rim& rim) { return std::tuple(squareAway(rim.at), square.rangeM(rim.at), Square::index(rim.at)); };
+    std::optional<Place> best;
+    const auto order = [&](Place rim) { return std::tuple(squareAway(rim), square.rangeM(rim), Square::index(rim)); };
     for (const Rim& rim : square.rims()) {
         if (!isWithinReach(rim.at) || surface[Square::index(rim.at)] || square.isMixed(rim.at)) continue;
         // In the middle between two surfaces a cell is on neither of them.
         const double limit = square.isMixed(at) ? square.rangeM(rim.at) : (square.rangeM(rim.at) + rim.behindM) / 2;
-        if (rangeM > limit && (best == nullptr || order(rim) < order(*best))) best = &rim;
+        if (rangeM <= limit || (best && order(*best) <= order(rim.at))) continue;
+        if (std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
     }
     return best;
 }
 
-/// The cell of the near surface at the rim that is not a mixed pixel.
-Place soundCell(const Square& square, const Rim& rim) {
-    const Place next = rim.at.by(rim.inLine, rim.inBeam), afterNext = next.by(rim.inLine, rim.inBeam);
-    const double here = square.rangeM(rim.at), first = square.rangeM(next), second = square.rangeM(afterNext);
-    if (!(first > 0.0) || !(second > 0.0) || square.isMixed(next) || square.isMixed(afterNext)) return rim.at;
-    const double continued = 2.0 / first - 1.0 / second; // inverse range
-    const double limit = kOffSurface * leastJumpM(first);
-    return continued > 0.0 && here - 1.0 / continued > limit && here > first ? next : rim.at;
+/// The cell of the near surface at a rim that is not a mixed pixel: the rim itself, or the next one inward.
+Place soundCell(const Square& square, Place at) {
+    for (const Rim& rim : square.rims()) {
+        if (rim.at != at) continue;
+        const Place next = at.by(rim.inLine, rim.inBeam), afterNext = next.by(rim.inLine, rim.inBeam);
+        const double first = square.rangeM(next), second = square.rangeM(afterNext);
+        if (!(first > 0.0) || !(second > 0.0) || square.isMixed(next) || square.isMixed(afterNext)) continue;
+        const double continued = 1.0 / std::max(1e-3, 2.0 / first - 1.0 / second); // straight in inverse range
+        if (square.rangeM(at) > first && square.rangeM(at) - continued > kOffSurface * leastJumpM(first)) return next;
+    }
+    return at;
 }
 
 } // namespace
@@ -153,15 +162,9 @@ MeantCell meantCell(const Scan& scan, std::uint32_t k) {
     if (!start) return {k, k, SnapReason::NoRange, 0.0};
     MeantCell meant{square.cellOf(*start), k, SnapReason::AsClicked, 0.0};
     if (meant.moved()) meant.reason = SnapReason::NoRange;
-    const Rim* rim = rimInFront(square, *start);
-    if (rim == nullptr) {
-        // The clicked cell may itself be at a rim.
-        const auto own = std::ranges::find(square.rims(), *start, &Rim::at);
-        if (own != square.rims().end()) rim = &*own;
-    } else if (!meant.moved()) {
-        meant.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
-    }
-    if (rim != nullptr) meant.cell = square.cellOf(soundCell(square, *rim));
+    const std::optional<Place> rim = rimInFront(square, *start);
+    if (rim && !meant.moved()) meant.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
+    meant.cell = square.cellOf(soundCell(square, rim.value_or(*start)));
     if (meant.moved() && meant.reason == SnapReason::AsClicked) meant.reason = SnapReason::MixedPixel;
     if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
     return meant;

@@ -28,8 +28,8 @@ struct ClickScore {
     ClickScore& operator+=(const ClickScore& other);
 };
 
-/// Each click is a random cell within two cells of a random cell of a true edge (jump or void). The point that is meant is the true point,
-/// on the ray of its cell, of the nearest cell on a surface in front of a true jump; of the clicked cell if there is none. The simulation
+/// Each click is a random cell within two cells of a random cell on the near side of a true edge (jump or void). The surface at that edge's
+/// cell is meant. A length is compared with that between the true points of these surfaces nearest to the measured cells. The simulation
 /// must have its truth, and recorded angles without errors. One seed gives the same clicks.
 [[nodiscard]] ClickScore scoreClicks(const sim::Simulation& simulation, int clicks, std::uint64_t seed);
 
