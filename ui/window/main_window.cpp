@@ -171,7 +171,8 @@ void MainWindow::layOutTools() {
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
-    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation, &Explanation::explain);
+    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation,
+            [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell)); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
     const ScannerLink& scanner = viewer_.live.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})

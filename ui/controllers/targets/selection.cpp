@@ -63,8 +63,9 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
         for (const QPointF& corner : corners) pixels << corner * cloud.devicePixelRatioF();
         inside_.ask({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
     });
-    connect(&views_, &LinkedViews::picked, this, [this](std::size_t cell) {
+    connect(&views_, &LinkedViews::picked, this, [this](const inspect::MeantCell& click) {
         if (views_.tool() != Tool::Box && views_.tool() != Tool::Lasso) return;
+        const std::size_t cell = click.clicked; // an edge may be on the far side
         const bool edge = (*views_.shown()->detection->mask)[cell] != 0;
         edge ? selectChainAt(cell) : selectRockAt(cell);
     });
