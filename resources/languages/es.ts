@@ -147,6 +147,16 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Escáner en E %1, N %2, RL %3. Sus puntos: </translation></message>
+<message><source>Store Pose</source><translation>Guardar la pose</translation></message>
+<message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que su pose no se podría guardar: abra un escaneo o una grabación.</translation></message>
+<message><source>Store the mounting</source><translation>Guardar el montaje</translation></message>
+<message><source>Name of the scanner</source><translation>Nombre del escáner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Ya no hay ninguna pose guardada con el escaneo.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>Se guardó %1; reemplazó la pose que había.</translation></message>
+<message><source>Stored %1.</source><translation>Se guardó %1.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>No se pudo guardar la pose (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
@@ -386,6 +396,18 @@ mantenga \ para verla</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose y montaje</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montaje</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Guardar con el escaneo</translation></message>
+<message><source>&amp;Remove Pose</source><translation>&amp;Quitar la pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Rellenar</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Cómo está montado el escáner, con un nombre para el próximo escaneo. Un campo vacío tiene el valor que muestra.</translation></message>
+<message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Olvidar</translation></message>
+<message><source>From Fi&amp;le…</source><translation>De un &amp;archivo…</translation></message>
+<message><source>Nominal mounting</source><translation>Montaje nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
 <message><source>Range gate</source><translation>Ventana de distancia</translation></message>
@@ -783,6 +805,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose &amp;y montaje…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
@@ -989,6 +1012,41 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
+<message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
+<message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinación: alabeo, lado derecho abajo [grados]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona o código EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Acimut del brazo, positivo hacia la izquierda [grados]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Cabeceo del robot, morro arriba [grados]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Alabeo del robot, lado derecho abajo [grados]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nombre del robot o del escáner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alineación: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Brazo de palanca del TALIN en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Brazo de palanca del cabezal en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivote de un brazo en el robot, en lugar del cabezal [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Del pivote al cabezal [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>El acimut del brazo gira alrededor de</translation></message>
+<message><source>The scanner looks</source><translation>El escáner mira</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Dirección de la mirada: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Dirección de la mirada: nueve números por filas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eje del motor desde el inclinómetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>La inclinación se da como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Escáner sobre el motor: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Escáner sobre el motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eje del motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Cero del motor [grados]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido del motor, 1 o -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Paso de línea a línea [grados]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Haz en la marca de tiempo de una línea [grados]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergencia de la cuadrícula [grados]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: con lo que pueden tropezar los SIG y las planillas de cálculo</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en un comentario</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
@@ -1034,7 +1092,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
-<message><source>Mounting</source><translation>Montaje</translation></message>
 <message><source>Line angles</source><translation>Ángulos de las líneas</translation></message>
 <message><source>Order of the lines</source><translation>Orden de las líneas</translation></message>
 <message><source>Grid</source><translation>Cuadrícula</translation></message>
