@@ -551,6 +551,8 @@ mantenga \ para verla</translation></message>
 <message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
 <message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
+<message><source>Demo before and after a blast</source><translation>Demostración antes y después de una tronadura</translation></message>
+<message><source>both, and what changed between them</source><translation>ambos, y lo que cambió entre ellos</translation></message>
 <message><source>Recent</source><translation>Recientes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
@@ -560,6 +562,20 @@ mantenga \ para verla</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: un embudo colgado antes y después de una tronadura.</translation></message>
+<message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
+<message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Ajuste primero la fuerza de los bordes. La curva de abajo muestra cuántos bordes hay para cada valor; donde es plana, los bordes son seguros.</translation></message>
+<message><source>Show the edges panel</source><translation>Mostrar el panel de bordes</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Las rocas se encuentran a partir de los bordes, con su tamaño visible y lo segura que es cada una. La tabla las muestra; un clic elige una roca en todas las vistas.</translation></message>
+<message><source>Show the rocks</source><translation>Mostrar las rocas</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
+<message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
+<message><source>Back</source><translation>Atrás</translation></message>
+<message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
@@ -724,7 +740,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagen de distancia – tocar para cambiar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
@@ -737,6 +752,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
@@ -871,6 +887,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
 <message><source>line %1</source><translation>línea %1</translation></message>

@@ -551,6 +551,8 @@ tenez \ pour la voir</translation></message>
 <message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
 <message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
+<message><source>Demo before and after a blast</source><translation>Démo avant et après un tir</translation></message>
+<message><source>both, and what changed between them</source><translation>les deux, et ce qui a changé de l'un à l'autre</translation></message>
 <message><source>Recent</source><translation>Récents</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
@@ -560,6 +562,20 @@ tenez \ pour la voir</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
+<message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
+<message><source>View from the scanner</source><translation>Voir depuis le scanner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Réglez d'abord la force des arêtes. La courbe en dessous montre le nombre d'arêtes pour chaque valeur ; là où elle est plate, les arêtes sont sûres.</translation></message>
+<message><source>Show the edges panel</source><translation>Afficher le panneau des arêtes</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Les rochers sont trouvés à partir des arêtes, avec leur taille visible et leur degré de certitude. Le tableau les liste ; un clic choisit un rocher dans toutes les vues.</translation></message>
+<message><source>Show the rocks</source><translation>Afficher les rochers</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
+<message><source>Show the keys</source><translation>Afficher les touches</translation></message>
+<message><source>Back</source><translation>Retour</translation></message>
+<message><source>End the tour</source><translation>Terminer la visite</translation></message>
+<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
+<message><source>Next</source><translation>Suivant</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
@@ -724,7 +740,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Image de distance – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
@@ -737,6 +752,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
@@ -871,6 +887,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
 <message><source>line %1</source><translation>ligne %1</translation></message>

@@ -551,6 +551,8 @@ segure \ para vê-la</translation></message>
 <message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
 <message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
+<message><source>Demo before and after a blast</source><translation>Demonstração antes e depois de um desmonte</translation></message>
+<message><source>both, and what changed between them</source><translation>ambos, e o que mudou entre eles</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
@@ -560,6 +562,20 @@ segure \ para vê-la</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um funil bloqueado antes e depois de um desmonte.</translation></message>
+<message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
+<message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Ajuste primeiro a força das bordas. A curva abaixo mostra quantas bordas há para cada valor; onde ela é plana, as bordas são seguras.</translation></message>
+<message><source>Show the edges panel</source><translation>Mostrar o painel de bordas</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>As rochas são encontradas a partir das bordas, com o tamanho visível e o grau de certeza. A tabela as lista; um clique escolhe uma rocha em todas as vistas.</translation></message>
+<message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
+<message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
+<message><source>Back</source><translation>Voltar</translation></message>
+<message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
@@ -724,7 +740,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagem de distância – tocar para trocar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
@@ -737,6 +752,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
@@ -871,6 +887,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
 <message><source>line %1</source><translation>linha %1</translation></message>

@@ -59,8 +59,8 @@ Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& readi
     return earlierPicture(exactText(scan.path.string()), options, settings);
 }
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-                     Preferences& preferences, QUndoStack& undo)
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, Files& files, NoticeBar& notice, Preferences& preferences,
+                     QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       reader_(
           Urgency::Soon, [](const Reading& reading, const Asker& asker) { return pictureOf(reading, asker); },
@@ -83,6 +83,10 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
         emit rowsChanged();
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
+    connect(&engine_, &Engine::streamChanged, this, [this] {
+        if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
+        read({{.kind = inspect::SessionScan::Kind::Demo}, engine_.settings()}, true);
+    });
     QApplication::instance()->installEventFilter(this);
 }
 
@@ -165,6 +169,11 @@ void Comparing::askScan() {
     const QString path =
         QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), preferences_.folder("scans"), Files::filters());
     if (!path.isEmpty()) compareWith(path);
+}
+
+void Comparing::openDemoPair() {
+    files_.openDemo(true);
+    pairWanted_ = true;
 }
 
 void Comparing::refuse(NoticeBar::Kind kind, const QString& sentence) {

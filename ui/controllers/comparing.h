@@ -25,7 +25,7 @@ class Engine;
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Preferences& preferences,
+    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, Files& files, NoticeBar& notice, Preferences& preferences,
               QUndoStack& undo);
 
     /// A new picture is on the screen.
@@ -42,6 +42,8 @@ public:
     /// with the current settings.
     void compareWith(const QString& path);
     void askScan();
+    /// Opens the demo after the blast, with the demo before it as A.
+    void openDemoPair();
 
     /// Off: edges have their normal colours; the key still shows A.
     void setDifferenceShown(bool on);
@@ -92,7 +94,7 @@ private:
     Engine& engine_;
     LinkedViews& views_;
     ChangeLegend& legend_;
-    const Files& files_;
+    Files& files_;
     NoticeBar& notice_;
     Preferences& preferences_;
     QUndoStack& undo_;
@@ -101,6 +103,7 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
+    bool pairWanted_ = false; ///< the demo after the blast is being opened
     std::size_t region_ = 0;
     quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed
     std::shared_ptr<const Comparison> last_; // used only by compare()

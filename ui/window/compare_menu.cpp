@@ -29,6 +29,7 @@ Command compareMenu(Comparing& comparing) {
             linked(command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
                    [](QAction& action) { action.setObjectName("compare-keep"); }),
             command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
+            command("&Demo before and after a Blast", "", [&comparing] { comparing.openDemoPair(); }),
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
             linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),

@@ -48,7 +48,9 @@ TEST_F(PoseBeside, PlacesTheScanWhoeverOpensIt) {
     // One that was asked for comes first.
     const std::string other = (folder / "other.json").string();
     ASSERT_TRUE(writeWholeFile(other, poseAt("100000")));
-    EXPECT_EQ(openScan(scan, {.pose = other})->placement->originEnhM.x(), 100000);
+    ReadingOptions asked;
+    asked.pose = other;
+    EXPECT_EQ(openScan(scan, asked)->placement->originEnhM.x(), 100000);
     ASSERT_TRUE(writePoseBeside(scan, std::nullopt));
     EXPECT_EQ(openScan(scan)->placement, nullptr);
     EXPECT_FALSE(*readPoseBeside(scan));

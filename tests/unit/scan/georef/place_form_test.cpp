@@ -1,4 +1,5 @@
 // Texts of the form become a pose file that the program reads, and come back from it; each wrong text has its sentence.
+#include "core/base/angles.h"
 #include "core/scan/georef/place_form.h"
 #include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/placed_points.h"
@@ -7,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 using namespace edgescan;
