@@ -321,6 +321,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -331,6 +332,9 @@ cambie un ajuste o abra otro escaneo</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
 un cambio es mayor que %2 mm a 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>la mitad de los puntos está a menos de %1
+%2 están a más de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A: %1
@@ -755,6 +759,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Color según la distancia a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>

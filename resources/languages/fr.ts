@@ -321,6 +321,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
@@ -331,6 +332,9 @@ tournez un réglage, ou ouvrez un autre scan</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>la moitié des points est à moins de %1
+%2 sont à plus de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A : %1
@@ -755,6 +759,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Couleur selon la distance à A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>

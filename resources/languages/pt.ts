@@ -321,6 +321,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -331,6 +332,9 @@ mude um ajuste ou abra outra varredura</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
 uma mudança é maior que %2 mm a 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>metade dos pontos está a menos de %1
+%2 estão a mais de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A: %1
@@ -755,6 +759,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Cor conforme a distância a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>

@@ -82,6 +82,11 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
         ask();
         emit rowsChanged();
     });
+    connect(&legend_, &ChangeLegend::distancesRequested, this, [this](bool on) {
+        byDistance_ = on;
+        ask();
+        emit byDistanceChanged(on);
+    });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
@@ -91,6 +96,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
 }
 
 void Comparing::setRows(const ChangeRows& rows) { legend_.setRows(rows); }
+void Comparing::setByDistance(bool on) { legend_.setByDistance(on); }
 
 void Comparing::keep() {
     if (engine_.picture() == nullptr) {
@@ -218,7 +224,7 @@ void Comparing::followPicture() {
 
 void Comparing::ask() {
     if (pictureA_ && !comparable()) return comparer_.giveUp();
-    comparer_.ask({pictureA_, engine_.picture(), rows_});
+    comparer_.ask({pictureA_, engine_.picture(), rows_, byDistance_});
 }
 
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {

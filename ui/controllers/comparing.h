@@ -47,6 +47,9 @@ public:
 
     /// Off: edges have their normal colours; the key still shows A.
     void setDifferenceShown(bool on);
+    /// The points have the colours of their distances from the surfaces of A, and the legend has a histogram.
+    void setByDistance(bool on);
+    [[nodiscard]] bool byDistance() const { return byDistance_; }
     /// The kinds of change that are shown.
     void setRows(const ChangeRows& rows);
     [[nodiscard]] const ChangeRows& rows() const { return rows_; }
@@ -65,6 +68,7 @@ public:
 signals:
     void pictureAChanged(bool some);
     void rowsChanged();
+    void byDistanceChanged(bool on);
     void flipped(bool on);
     /// A could not be read, or the comparison could not be made.
     void refused(const QString& sentence);
@@ -103,6 +107,7 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
+    bool byDistance_ = false;
     bool pairWanted_ = false; ///< the demo after the blast is being opened
     std::size_t region_ = 0;
     quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed

@@ -37,6 +37,11 @@ Command compareMenu(Comparing& comparing) {
                        action.setChecked(true);
                        action.setProperty(kInSessions, "compare/changes");
                    }),
+            linked(toggle("&Colour by Distance from A", "", nullptr, false, [&comparing](bool on) { comparing.setByDistance(on); }),
+                   [&comparing](QAction& action) {
+                       action.setObjectName("compare-distance");
+                       QObject::connect(&comparing, &Comparing::byDistanceChanged, &action, &QAction::setChecked);
+                   }),
             linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
             kLine,
             linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
