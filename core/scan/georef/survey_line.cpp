@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::size_t kPlace = 3; // easting, northing, elevation
+constexpr std::size_t kPlaceNumbers = 3; // easting, northing, elevation
 constexpr const char* kSurveyHint = "write easting, northing and level, such as 498765.432; 5150123.456; 287.654";
 
 Words split(std::string_view text, std::string_view separators) {
@@ -60,10 +60,10 @@ Words wordsOf(std::string_view text) {
 
 /// 0 easting, 1 northing, 2 elevation.
 std::optional<int> letterOf(const std::string& word) {
-    static const std::array<Words, kPlace> kNames{Words{"e", "east", "easting"}, Words{"n", "north", "northing"},
-                                                  Words{"rl", "el", "elev", "elevation", "z", "h", "level"}};
+    static const std::array<Words, kPlaceNumbers> kNames{Words{"e", "east", "easting"}, Words{"n", "north", "northing"},
+                                                         Words{"rl", "el", "elev", "elevation", "z", "h", "level"}};
     const std::string lower = asciiLower(word);
-    for (std::size_t n = 0; n < kPlace; ++n) {
+    for (std::size_t n = 0; n < kPlaceNumbers; ++n) {
         if (std::ranges::find(kNames[n], lower) != kNames[n].end()) return static_cast<int>(n);
     }
     return std::nullopt;
@@ -81,7 +81,7 @@ Words withoutSigns(const Words& words) {
 /// By letters; empty if the words have fewer than the three.
 std::optional<SurveyLine> lettered(const Words& words) {
     SurveyLine line;
-    std::array<bool, kPlace> known{};
+    std::array<bool, kPlaceNumbers> known{};
     for (std::size_t n = 0; n + 1 < words.size(); ++n) {
         const auto letter = letterOf(words[n]);
         const auto value = letter ? commaNumber(words[n + 1]) : std::nullopt;
