@@ -1,4 +1,5 @@
-// Our registration of two stations beside PCL's generalised ICP, on simulated bells with known truth. Both start at the same wrong pose.
+// Our registration of two stations compared with PCL's generalised ICP, on simulated bells with known truth. Both start at the same wrong
+// pose.
 #include "core/inspect/registration/scan_alignment.h"
 #include "tests/support/stations.h"
 

@@ -1,5 +1,5 @@
-// Scan > Pose and Mounting in the real window: typed, pasted, shown in the cloud, stored beside the scan, undone; also for the demo.
-#include "core/files/open_save/pose_beside.h"
+// Scan > Pose and Mounting in the real window: typed, pasted, shown in the cloud, stored with the scan, undone; also for the demo.
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/run_program.h"
 #include "tests/ui/window_fixture.h"
@@ -61,7 +61,7 @@ private slots:
         settings.lines = 120;
         settings.beams = 160;
         QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, scan_)));
-        QVERIFY(bool(files::writePoseBeside(scan_, std::nullopt)));
+        QVERIFY(bool(files::writePoseSidecar(scan_, std::nullopt)));
     }
 
     void aSurveyLineFillsTheFormAndTheCloudShowsThePlace() {
@@ -81,7 +81,7 @@ private slots:
         on.placing.dialog()->reject();
         QVERIFY(on.settled());
         QVERIFY(on.place() == nullptr);
-        QVERIFY(!std::filesystem::exists(files::poseBeside(scan_)));
+        QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
     }
 
     void eachWrongFieldHasItsSentence() {
@@ -114,7 +114,7 @@ private slots:
         on.viewer.undo.undo();
         QVERIFY(on.reopened());
         QVERIFY(on.place() == nullptr);
-        QVERIFY(!std::filesystem::exists(files::poseBeside(scan_)));
+        QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
         on.viewer.undo.redo();
         QVERIFY(on.reopened());
         QVERIFY(on.place() != nullptr);

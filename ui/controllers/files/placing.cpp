@@ -6,7 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/base/whole_file.h"
 #include "core/edges/pipeline/work_memory.h"
-#include "core/files/open_save/pose_beside.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/georef/place_scan.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/survey_line.h"
@@ -129,9 +129,9 @@ void Placing::show() {
     dialog_->activateWindow();
 }
 
-/// Fills the form: from the file beside the scan, else from the files that it was opened with, else with the scanner used last.
+/// Fills the form: from the sidecar of the scan, else from the files that it was opened with, else with the scanner used last.
 bool Placing::load(const Scan& scan) {
-    const auto beside = files::readPoseBeside(scan.path);
+    const auto beside = files::readPoseSidecar(scan.path);
     if (!beside) {
         notice_.showError(beside.error());
         return false;
@@ -158,7 +158,7 @@ bool Placing::load(const Scan& scan) {
             scanner.clear();
     }
     const PlaceTexts none(poseFields().size());
-    const auto pose = poseBase_.empty() ? Result<PlaceTexts>(none) : placeTexts(poseFields(), poseBase_, files::poseBeside(scan.path));
+    const auto pose = poseBase_.empty() ? Result<PlaceTexts>(none) : placeTexts(poseFields(), poseBase_, files::poseSidecar(scan.path));
     if (!pose) notice_.showError(pose.error());
     auto mounting =
         mountingBase_.empty() ? Result<PlaceTexts>(nominalMounting(axisOf(scan))) : placeTexts(mountingFields(), mountingBase_, scan.path);
@@ -172,10 +172,11 @@ bool Placing::load(const Scan& scan) {
 
 /// Another scan is on the screen: the form belongs to the former one.
 void Placing::follow() {
-    if (!told_.isEmpty()) {
+    if (!message_.isEmpty()) {
         const bool warned = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning;
-        notice_.showNotice(warned ? NoticeBar::Kind::Warning : NoticeBar::Kind::Done, (warned ? notice_.text() + '\n' : QString()) + told_);
-        told_.clear();
+        notice_.showNotice(warned ? NoticeBar::Kind::Warning : NoticeBar::Kind::Done,
+                           (warned ? notice_.text() + '\n' : QString()) + message_);
+        message_.clear();
     }
     if (!scan_ || engine_.picture()->source.stream == source_.stream) return;
     previewed_ = false;
@@ -310,7 +311,7 @@ void Placing::store(const std::optional<std::string>& file, const QString& what)
     undo_.push(step);
 }
 
-/// Writes or removes the file beside the scan, and opens the scan again.
+/// Writes or removes the sidecar of the scan, and opens the scan again.
 bool Placing::use(const std::string& scanPath, const Stored& stored) {
     if (!engine_.picture() || engine_.picture()->detection->scan->path != scanPath) return false;
     if (storing_) { // the file has one value after the other
@@ -321,18 +322,18 @@ bool Placing::use(const std::string& scanPath, const Stored& stored) {
     inBackground(
         this,
         [this, scanPath, stored]() -> std::function<void()> {
-            const auto before = files::readPoseBeside(scanPath);
+            const auto before = files::readPoseSidecar(scanPath);
             const bool replaces = before && *before && *before != stored.file;
-            const auto written = files::writePoseBeside(scanPath, stored.file);
+            const auto written = files::writePoseSidecar(scanPath, stored.file);
             return [this, scanPath, stored, written, replaces] {
                 if (!written) {
                     reopen(files_.options());
                     return notice_.showError(written.error());
                 }
-                const QString name = shownName(QFileInfo(exactText(files::poseBeside(scanPath).string())).fileName());
-                told_ = !stored.file ? tr("No pose is stored with the scan any more.")
-                        : replaces   ? tr("Stored %1; it replaced the pose that was there.").arg(name)
-                                     : tr("Stored %1.").arg(name);
+                const QString name = shownName(QFileInfo(exactText(files::poseSidecar(scanPath).string())).fileName());
+                message_ = !stored.file ? tr("No pose is stored with the scan any more.")
+                           : replaces   ? tr("Stored %1; it replaced the pose that was there.").arg(name)
+                                        : tr("Stored %1.").arg(name);
                 reopen(stored.options);
             };
         },

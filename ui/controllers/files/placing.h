@@ -1,4 +1,4 @@
-// Scan > Pose and Mounting: the place that the operator types is checked, shown in the cloud, and stored beside the scan as an undo step.
+// Scan > Pose and Mounting: the place that the operator types is checked, shown in the cloud, and stored with the scan as an undo step.
 #pragma once
 
 #include "core/scan/georef/place_form.h"
@@ -87,7 +87,7 @@ private:
     bool previewed_ = false;
     bool storing_ = false;
     std::optional<Stored> next_;        ///< to be stored after that
-    QString told_;                      ///< shown as soon as the scan is opened again
+    QString message_;                   ///< shown as soon as the scan is opened again
     Derived<Question, Answer> preview_; // last
 };
 

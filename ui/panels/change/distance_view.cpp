@@ -1,4 +1,4 @@
-// Bars of the square root of the counts: a few changed surfaces stay visible beside many that are the same.
+// Bars of the square root of the counts: a few changed surfaces stay visible next to many that are the same.
 #include "ui/panels/change/distance_view.h"
 
 #include "ui/base/shown_text.h"

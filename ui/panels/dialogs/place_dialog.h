@@ -34,7 +34,7 @@ public:
     void showFaults(const TypedPlace& typed);
     /// Where the scan is by these values, or why it cannot be placed; `ready`: the pose may be stored.
     void showState(const QString& words, bool ready);
-    /// The stored scanners, and the one in use (empty: none of them).
+    /// The stored scanners, and the one in use (empty: another mounting).
     void showScanners(const QStringList& names, const QString& inUse);
     /// A pose is stored with the scan.
     void setRemovable(bool on);
@@ -70,7 +70,7 @@ private:
     QPushButton* keep_;
     QPushButton* remove_;
     std::vector<Row> pose_, mounting_;
-    bool showing_ = false; ///< texts that the program sets are no change
+    bool showing_ = false; ///< texts that the program sets are not a change
 };
 
 } // namespace edgescan::ui

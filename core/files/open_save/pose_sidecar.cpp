@@ -1,5 +1,5 @@
-// Reads and writes the pose file beside a scan.
-#include "core/files/open_save/pose_beside.h"
+// Reads and writes the pose sidecar of a scan.
+#include "core/files/open_save/pose_sidecar.h"
 
 #include "core/base/pipe.h"
 #include "core/base/whole_file.h"
@@ -18,26 +18,26 @@ constexpr std::uint64_t kMostPoseBytes = std::uint64_t{64} << 20U; // the bound 
 
 } // namespace
 
-fs::path poseBeside(const fs::path& scan) { return fs::path(scan.string() + std::string(kTail)); }
+fs::path poseSidecar(const fs::path& scan) { return fs::path(scan.string() + std::string(kTail)); }
 
-bool isPoseBeside(const fs::path& path) { return path.string().ends_with(kTail); }
+bool isPoseSidecar(const fs::path& path) { return path.string().ends_with(kTail); }
 
-ReadingOptions withPoseBeside(ReadingOptions options, const fs::path& scan) {
+ReadingOptions withPoseSidecar(ReadingOptions options, const fs::path& scan) {
     std::error_code none;
-    if (options.pose.empty() && !isPipe(scan) && fs::is_regular_file(poseBeside(scan), none)) options.pose = poseBeside(scan).string();
+    if (options.pose.empty() && !isPipe(scan) && fs::is_regular_file(poseSidecar(scan), none)) options.pose = poseSidecar(scan).string();
     return options;
 }
 
-Result<std::optional<std::string>> readPoseBeside(const fs::path& scan) {
+Result<std::optional<std::string>> readPoseSidecar(const fs::path& scan) {
     std::error_code none;
-    if (!fs::exists(poseBeside(scan), none)) return std::optional<std::string>();
-    const auto bytes = readWholeFile(poseBeside(scan), kMostPoseBytes);
+    if (!fs::exists(poseSidecar(scan), none)) return std::optional<std::string>();
+    const auto bytes = readWholeFile(poseSidecar(scan), kMostPoseBytes);
     if (!bytes) return bytes.error();
     return std::optional(std::string(textOf(*bytes)));
 }
 
-Result<Done> writePoseBeside(const fs::path& scan, const std::optional<std::string>& text) {
-    const fs::path path = poseBeside(scan);
+Result<Done> writePoseSidecar(const fs::path& scan, const std::optional<std::string>& text) {
+    const fs::path path = poseSidecar(scan);
     std::error_code trouble;
     if (!text) {
         fs::remove(path, trouble);

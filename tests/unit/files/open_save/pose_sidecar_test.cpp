@@ -1,8 +1,9 @@
-// A pose beside a scan places it for every program; a pose that was asked for comes first; the file may be replaced while the scan is open.
+// The pose sidecar of a scan places it for every program; a pose that was asked for comes first; the file may be replaced while the scan is
+// open.
 #include "core/base/inputs.h"
 #include "core/base/whole_file.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/files/open_save/pose_beside.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/georef/place_form.h"
 #include "core/scan/grid/placement.h"
@@ -26,7 +27,7 @@ std::string poseAt(const char* easting) {
     return typedPlace({pose}, {nominalMounting(Axis::Spin)}).file;
 }
 
-struct PoseBeside : ::testing::Test {
+struct PoseSidecar : ::testing::Test {
     test::TemporaryFolder folder;
     std::string scan = (folder / "wall.json").string();
     void SetUp() override {
@@ -36,10 +37,10 @@ struct PoseBeside : ::testing::Test {
 
 } // namespace
 
-TEST_F(PoseBeside, PlacesTheScanWhoeverOpensIt) {
+TEST_F(PoseSidecar, PlacesTheScanWhoeverOpensIt) {
     EXPECT_EQ(openScan(scan)->placement, nullptr);
-    ASSERT_TRUE(writePoseBeside(scan, poseAt("498765.432")));
-    EXPECT_EQ(poseBeside(scan), scan + ".pose.json");
+    ASSERT_TRUE(writePoseSidecar(scan, poseAt("498765.432")));
+    EXPECT_EQ(poseSidecar(scan), scan + ".pose.json");
     const auto placed = openScan(scan);
     ASSERT_TRUE(placed) << placed.error().sentence();
     ASSERT_NE(placed->placement, nullptr);
@@ -51,27 +52,27 @@ TEST_F(PoseBeside, PlacesTheScanWhoeverOpensIt) {
     ReadingOptions asked;
     asked.pose = other;
     EXPECT_EQ(openScan(scan, asked)->placement->originEnhM.x(), 100000);
-    ASSERT_TRUE(writePoseBeside(scan, std::nullopt));
+    ASSERT_TRUE(writePoseSidecar(scan, std::nullopt));
     EXPECT_EQ(openScan(scan)->placement, nullptr);
-    EXPECT_FALSE(*readPoseBeside(scan));
+    EXPECT_FALSE(*readPoseSidecar(scan));
 }
 
-TEST_F(PoseBeside, ADamagedOneIsRefusedByName) {
-    ASSERT_TRUE(writePoseBeside(scan, "{\"format\": "));
+TEST_F(PoseSidecar, ADamagedOneIsRefusedByName) {
+    ASSERT_TRUE(writePoseSidecar(scan, "{\"format\": "));
     const auto opened = openScan(scan);
     ASSERT_FALSE(opened);
     EXPECT_NE(opened.error().sentence().find("wall.json.pose.json"), std::string::npos) << opened.error().sentence();
 }
 
-TEST_F(PoseBeside, MayBeReplacedWhileTheScanIsOpenAndByNoExport) {
-    ASSERT_TRUE(writePoseBeside(scan, poseAt("498765.432")));
+TEST_F(PoseSidecar, MayBeReplacedWhileTheScanIsOpenAndByNoExport) {
+    ASSERT_TRUE(writePoseSidecar(scan, poseAt("498765.432")));
     const BindInputs inputs;
     const auto opened = openScan(scan);
     ASSERT_TRUE(opened);
     const auto claims = inputs.claims();
-    EXPECT_FALSE(writeWholeFile(poseBeside(scan), std::string("an export")));
-    ASSERT_TRUE(writePoseBeside(scan, poseAt("498865.432")));
+    EXPECT_FALSE(writeWholeFile(poseSidecar(scan), std::string("an export")));
+    ASSERT_TRUE(writePoseSidecar(scan, poseAt("498865.432")));
     EXPECT_EQ(openScan(scan)->placement->originEnhM.x(), 498800);
-    EXPECT_EQ(*readPoseBeside(scan), poseAt("498865.432"));
+    EXPECT_EQ(*readPoseSidecar(scan), poseAt("498865.432"));
     EXPECT_FALSE(std::filesystem::exists(scan + ".pose.json.new"));
 }
