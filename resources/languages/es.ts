@@ -147,6 +147,16 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Escáner en E %1, N %2, RL %3. Sus puntos: </translation></message>
+<message><source>Store Pose</source><translation>Guardar la pose</translation></message>
+<message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que su pose no se podría guardar: abra un escaneo o una grabación.</translation></message>
+<message><source>Store the mounting</source><translation>Guardar el montaje</translation></message>
+<message><source>Name of the scanner</source><translation>Nombre del escáner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Ya no hay ninguna pose guardada con el escaneo.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>Se guardó %1; reemplazó la pose que había.</translation></message>
+<message><source>Stored %1.</source><translation>Se guardó %1.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>No se pudo guardar la pose (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
@@ -311,6 +321,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -321,6 +332,9 @@ cambie un ajuste o abra otro escaneo</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
 un cambio es mayor que %2 mm a 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>la mitad de los puntos está a menos de %1
+%2 están a más de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A: %1
@@ -386,6 +400,18 @@ mantenga \ para verla</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose y montaje</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montaje</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Guardar con el escaneo</translation></message>
+<message><source>&amp;Remove Pose</source><translation>&amp;Quitar la pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Rellenar</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Cómo está montado el escáner, con un nombre para el próximo escaneo. Un campo vacío tiene el valor que muestra.</translation></message>
+<message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Olvidar</translation></message>
+<message><source>From Fi&amp;le…</source><translation>De un &amp;archivo…</translation></message>
+<message><source>Nominal mounting</source><translation>Montaje nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
 <message><source>Range gate</source><translation>Ventana de distancia</translation></message>
@@ -529,6 +555,8 @@ mantenga \ para verla</translation></message>
 <message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
 <message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
+<message><source>Demo before and after a blast</source><translation>Demostración antes y después de una tronadura</translation></message>
+<message><source>both, and what changed between them</source><translation>ambos, y lo que cambió entre ellos</translation></message>
 <message><source>Recent</source><translation>Recientes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
@@ -538,6 +566,20 @@ mantenga \ para verla</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: un embudo colgado antes y después de una tronadura.</translation></message>
+<message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
+<message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Ajuste primero la fuerza de los bordes. La curva de abajo muestra cuántos bordes hay para cada valor; donde es plana, los bordes son seguros.</translation></message>
+<message><source>Show the edges panel</source><translation>Mostrar el panel de bordes</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Las rocas se encuentran a partir de los bordes, con su tamaño visible y lo segura que es cada una. La tabla las muestra; un clic elige una roca en todas las vistas.</translation></message>
+<message><source>Show the rocks</source><translation>Mostrar las rocas</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
+<message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
+<message><source>Back</source><translation>Atrás</translation></message>
+<message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
@@ -703,7 +745,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagen de distancia – tocar para cambiar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
@@ -716,8 +757,10 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Color según la distancia a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
@@ -784,6 +827,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose &amp;y montaje…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
@@ -849,6 +893,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
 <message><source>line %1</source><translation>línea %1</translation></message>
@@ -994,6 +1039,41 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
+<message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
+<message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinación: alabeo, lado derecho abajo [grados]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona o código EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Acimut del brazo, positivo hacia la izquierda [grados]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Cabeceo del robot, morro arriba [grados]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Alabeo del robot, lado derecho abajo [grados]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nombre del robot o del escáner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alineación: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Brazo de palanca del TALIN en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Brazo de palanca del cabezal en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivote de un brazo en el robot, en lugar del cabezal [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Del pivote al cabezal [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>El acimut del brazo gira alrededor de</translation></message>
+<message><source>The scanner looks</source><translation>El escáner mira</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Dirección de la mirada: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Dirección de la mirada: nueve números por filas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eje del motor desde el inclinómetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>La inclinación se da como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Escáner sobre el motor: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Escáner sobre el motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eje del motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Cero del motor [grados]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido del motor, 1 o -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Paso de línea a línea [grados]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Haz en la marca de tiempo de una línea [grados]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergencia de la cuadrícula [grados]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: con lo que pueden tropezar los SIG y las planillas de cálculo</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en un comentario</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
@@ -1039,7 +1119,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
-<message><source>Mounting</source><translation>Montaje</translation></message>
 <message><source>Line angles</source><translation>Ángulos de las líneas</translation></message>
 <message><source>Order of the lines</source><translation>Orden de las líneas</translation></message>
 <message><source>Grid</source><translation>Cuadrícula</translation></message>

@@ -147,6 +147,16 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
 <message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner à E %1, N %2, RL %3. Ses points : </translation></message>
+<message><source>Store Pose</source><translation>Enregistrer la pose</translation></message>
+<message><source>Remove Pose</source><translation>Enlever la pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, sa pose ne pourrait pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>
+<message><source>Store the mounting</source><translation>Enregistrer le montage</translation></message>
+<message><source>Name of the scanner</source><translation>Nom du scanner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Aucune pose n'est plus enregistrée avec le scan.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 enregistré ; il a remplacé la pose qui y était.</translation></message>
+<message><source>Stored %1.</source><translation>%1 enregistré.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>La pose n'a pas pu être enregistrée (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
@@ -311,6 +321,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
@@ -321,6 +332,9 @@ tournez un réglage, ou ouvrez un autre scan</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>la moitié des points est à moins de %1
+%2 sont à plus de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A : %1
@@ -386,6 +400,18 @@ tenez \ pour la voir</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1 : rien dans sa lecture ne pourrait être autrement.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose et montage</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montage</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Enregistrer avec le scan</translation></message>
+<message><source>&amp;Remove Pose</source><translation>En&amp;lever la pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Une ligne du levé : point, E, N, RL, puis cap, tangage et roulis si elle les contient</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Remplir</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Comment le scanner est monté, sous un nom pour le prochain scan. Un champ vide a la valeur affichée dedans.</translation></message>
+<message><source>Store &amp;As…</source><translation>Enregistrer &amp;sous…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Oublier</translation></message>
+<message><source>From Fi&amp;le…</source><translation>D'un &amp;fichier…</translation></message>
+<message><source>Nominal mounting</source><translation>Montage nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
 <message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
@@ -529,6 +555,8 @@ tenez \ pour la voir</translation></message>
 <message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
 <message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
+<message><source>Demo before and after a blast</source><translation>Démo avant et après un tir</translation></message>
+<message><source>both, and what changed between them</source><translation>les deux, et ce qui a changé de l'un à l'autre</translation></message>
 <message><source>Recent</source><translation>Récents</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
@@ -538,6 +566,20 @@ tenez \ pour la voir</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
+<message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
+<message><source>View from the scanner</source><translation>Voir depuis le scanner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Réglez d'abord la force des arêtes. La courbe en dessous montre le nombre d'arêtes pour chaque valeur ; là où elle est plate, les arêtes sont sûres.</translation></message>
+<message><source>Show the edges panel</source><translation>Afficher le panneau des arêtes</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Les rochers sont trouvés à partir des arêtes, avec leur taille visible et leur degré de certitude. Le tableau les liste ; un clic choisit un rocher dans toutes les vues.</translation></message>
+<message><source>Show the rocks</source><translation>Afficher les rochers</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
+<message><source>Show the keys</source><translation>Afficher les touches</translation></message>
+<message><source>Back</source><translation>Retour</translation></message>
+<message><source>End the tour</source><translation>Terminer la visite</translation></message>
+<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
+<message><source>Next</source><translation>Suivant</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
@@ -703,7 +745,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Image de distance – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
@@ -716,8 +757,10 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Couleur selon la distance à A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
@@ -784,6 +827,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
 <message><source>&amp;Calibrate…</source><translation>É&amp;talonner…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose et monta&amp;ge…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
@@ -849,6 +893,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
 <message><source>line %1</source><translation>ligne %1</translation></message>
@@ -994,6 +1039,41 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
+<message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Niveau RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
+<message><source>North of the heading</source><translation>Nord du cap</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinaison : roulis, côté droit vers le bas [degrés]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zone ou code EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimut de la flèche, positif vers la gauche [degrés]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Tangage du robot, nez vers le haut [degrés]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Roulis du robot, côté droit vers le bas [degrés]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nom du robot ou du scanner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Visée : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Bras de levier du TALIN dans le robot : avant, gauche, haut [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Bras de levier de la tête dans le robot : avant, gauche, haut [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivot d'une flèche dans le robot, à la place de la tête [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Du pivot à la tête [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>L'azimut de la flèche tourne autour de</translation></message>
+<message><source>The scanner looks</source><translation>Le scanner regarde</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direction du regard : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Direction du regard : neuf nombres par lignes</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Axe du moteur pas à pas depuis l'inclinomètre [m]</translation></message>
+<message><source>Tilt is given as</source><translation>L'inclinaison est donnée par</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sur le moteur : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sur le moteur : x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Axe du moteur</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Zéro du moteur [degrés]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sens du moteur, 1 ou -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Pas de ligne en ligne [degrés]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Faisceau à l'heure d'une ligne [degrés]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergence de la grille [degrés]</translation></message>
+<message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Plus grand changement d'inclinaison pendant un balayage [degrés]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Plus grand âge d'une pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : ce sur quoi SIG et tableurs peuvent buter</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans un commentaire</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
@@ -1039,7 +1119,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>
-<message><source>Mounting</source><translation>Montage</translation></message>
 <message><source>Line angles</source><translation>Angles des lignes</translation></message>
 <message><source>Order of the lines</source><translation>Ordre des lignes</translation></message>
 <message><source>Grid</source><translation>Grille</translation></message>

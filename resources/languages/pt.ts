@@ -147,6 +147,16 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>Parece correto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner em E %1, N %2, RL %3. Seus pontos: </translation></message>
+<message><source>Store Pose</source><translation>Guardar a pose</translation></message>
+<message><source>Remove Pose</source><translation>Remover a pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, por isso a pose não poderia ser guardada: abra uma varredura ou uma gravação.</translation></message>
+<message><source>Store the mounting</source><translation>Guardar a montagem</translation></message>
+<message><source>Name of the scanner</source><translation>Nome do scanner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Já não há nenhuma pose guardada com a varredura.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 guardado; substituiu a pose que lá estava.</translation></message>
+<message><source>Stored %1.</source><translation>%1 guardado.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>A pose não pôde ser guardada (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
@@ -311,6 +321,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -321,6 +332,9 @@ mude um ajuste ou abra outra varredura</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
 uma mudança é maior que %2 mm a 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>metade dos pontos está a menos de %1
+%2 estão a mais de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A: %1
@@ -386,6 +400,18 @@ segure \ para vê-la</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada em sua leitura poderia ser de outro modo.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose e montagem</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montagem</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Guardar com a varredura</translation></message>
+<message><source>&amp;Remove Pose</source><translation>&amp;Remover a pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Uma linha do levantamento: ponto, E, N, RL, e rumo, arfagem e rolagem se os tiver</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Preencher</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Como o scanner está montado, com um nome para a próxima varredura. Um campo vazio tem o valor que mostra.</translation></message>
+<message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Esquecer</translation></message>
+<message><source>From Fi&amp;le…</source><translation>De um &amp;arquivo…</translation></message>
+<message><source>Nominal mounting</source><translation>Montagem nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
 <message><source>Range gate</source><translation>Janela de distância</translation></message>
@@ -529,6 +555,8 @@ segure \ para vê-la</translation></message>
 <message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
 <message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
+<message><source>Demo before and after a blast</source><translation>Demonstração antes e depois de um desmonte</translation></message>
+<message><source>both, and what changed between them</source><translation>ambos, e o que mudou entre eles</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
@@ -538,6 +566,20 @@ segure \ para vê-la</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um funil bloqueado antes e depois de um desmonte.</translation></message>
+<message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
+<message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Ajuste primeiro a força das bordas. A curva abaixo mostra quantas bordas há para cada valor; onde ela é plana, as bordas são seguras.</translation></message>
+<message><source>Show the edges panel</source><translation>Mostrar o painel de bordas</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>As rochas são encontradas a partir das bordas, com o tamanho visível e o grau de certeza. A tabela as lista; um clique escolhe uma rocha em todas as vistas.</translation></message>
+<message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
+<message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
+<message><source>Back</source><translation>Voltar</translation></message>
+<message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
@@ -703,7 +745,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagem de distância – tocar para trocar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
@@ -716,8 +757,10 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Cor conforme a distância a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
@@ -784,6 +827,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose e mo&amp;ntagem…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
@@ -849,6 +893,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
 <message><source>line %1</source><translation>linha %1</translation></message>
@@ -994,6 +1039,41 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
+<message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
+<message><source>North of the heading</source><translation>Norte do rumo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinação: rolagem, lado direito para baixo [graus]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona ou código EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimute da lança, positivo para a esquerda [graus]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Arfagem do robô, nariz para cima [graus]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Rolagem do robô, lado direito para baixo [graus]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nome do robô ou do scanner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alinhamento: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Braço de alavanca do TALIN no robô: frente, esquerda, cima [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Braço de alavanca da cabeça no robô: frente, esquerda, cima [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivô de uma lança no robô, em lugar da cabeça [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Do pivô à cabeça [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>O azimute da lança gira em torno de</translation></message>
+<message><source>The scanner looks</source><translation>O scanner olha</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direção do olhar: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Direção do olhar: nove números por linhas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eixo do motor a partir do inclinômetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>A inclinação é dada como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sobre o motor: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sobre o motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eixo do motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Zero do motor [graus]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido do motor, 1 ou -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Passo de linha a linha [graus]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Feixe no instante de uma linha [graus]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergência da grade [graus]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Maior mudança de inclinação durante uma passagem [graus]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Maior idade de uma pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: em que os SIG e as planilhas podem tropeçar</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem num comentário</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
@@ -1039,7 +1119,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
-<message><source>Mounting</source><translation>Montagem</translation></message>
 <message><source>Line angles</source><translation>Ângulos das linhas</translation></message>
 <message><source>Order of the lines</source><translation>Ordem das linhas</translation></message>
 <message><source>Grid</source><translation>Grade</translation></message>

@@ -30,6 +30,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/docks.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
@@ -86,8 +87,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
-                                  cabCommand(*cab_, viewer_.preferences)};
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, [this] { startTour(*this); },
+                                  sessionCommands(*this), cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -144,11 +145,14 @@ void MainWindow::layOutViews() {
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    auto* top = new QVBoxLayout;
+    column->addLayout(top);
     column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
     column->addWidget(&viewer_.livePanel);
     cab_ = new CabMode(*this, centre);
+    addTour(*this, *top);
 }
 
 // Over a free part of the cloud; more legends go above it.
@@ -283,13 +287,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: first cancels the job, then closes the notice, the maximised view, the crosshair.
+    // Esc: first cancels the job, then closes the tour, the notice, the maximised view, the crosshair.
     if (event->key() != Qt::Key_Escape) {
         QMainWindow::keyPressEvent(event);
         return;
     }
     if (viewer_.engine.works().cancel()) {
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    } else if (endTour(*this)) {
+        return;
     } else if (viewer_.notice.isVisible())
         viewer_.notice.hide();
     else if (maximised_ != nullptr && !cab_->on())

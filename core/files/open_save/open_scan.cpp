@@ -9,6 +9,7 @@
 #include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/files/open_save/unpack.h"
 
 #include <future>
@@ -90,7 +91,8 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
     return withinMemory(path, [&]() -> Result<Scan> {
         const auto bytes = bytesAt(path, options);
         if (!bytes) return bytes.error();
-        auto scan = scanOfBytes({path, bytes->bytes(), &options, isPipe(path), played});
+        const ReadingOptions withPose = withPoseSidecar(options, path);
+        auto scan = scanOfBytes({path, bytes->bytes(), &withPose, isPipe(path), played});
         if (scan) scan->path = path.string();
         return scan;
     });

@@ -195,17 +195,19 @@ Result<std::string> sourceOf(const std::filesystem::path& file) {
 
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS) {
-    const auto robot = openCalibration(calibration);
-    if (!robot) return robot.error();
-    auto poses = openPoses(pose);
+    const auto poses = openPoses(pose);
     if (!poses) return poses.error();
+    if (calibration.empty() && !poses->calibration)
+        return Error{"a pose needs the robot's calibration", pose.string(), "give --calibration ROBOT.json too"};
+    const auto robot = calibration.empty() ? Result<Calibration>(*poses->calibration) : openCalibration(calibration);
+    if (!robot) return robot.error();
     const auto poseSource = sourceOf(pose);
-    const auto robotSource = sourceOf(calibration);
+    const auto robotSource = calibration.empty() ? Result<std::string>(std::string()) : sourceOf(calibration);
     if (!poseSource || !robotSource) return poseSource ? robotSource.error() : poseSource.error();
     const auto placed = placeScan(scan, *robot, *poses, lineTimesS);
     if (!placed) return Error{placed.error().what, pose.string(), placed.error().hint};
     auto named = std::make_shared<Placement>(**placed);
-    named->source = *poseSource + " with " + *robotSource;
+    named->source = *poseSource + (robotSource->empty() ? "" : " with " + *robotSource);
     return std::shared_ptr<const Placement>(named);
 }
 
