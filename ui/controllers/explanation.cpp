@@ -100,7 +100,8 @@ bool Explanation::closeCard() {
 void Explanation::show(const Picture& picture, bool still, const edges::Why& why) {
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings));
-    if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
+    if (still && !why.chainMembers.empty())
+        numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
     nearestEdge_ = nearestEdge(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);

@@ -85,6 +85,7 @@ void MainWindow::maximise(Pane* pane) {
         each->showAlone(maximised_ == each);
     }
     pictures_->setVisible(maximised_ == nullptr || maximised_->content() != &viewer_.cloud);
+    viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
     showRangeWindow();
 }
 

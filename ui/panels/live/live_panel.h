@@ -1,4 +1,4 @@
-// The panel under the views: scanner address, connect, record, keep, follow, and the scanner's health.
+// The panel above the views: hold, the scanner's health and progress; scanner address, connect, record, keep.
 #pragma once
 
 #include "core/scanner/sweep_assembly/sweep_settings.h"
@@ -50,6 +50,7 @@ signals:
 private:
     void addSweepMenu();
 
+    QLabel* name_;
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;

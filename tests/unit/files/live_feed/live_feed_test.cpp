@@ -74,7 +74,7 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(health.lines, "INCOMPLETE 309/1000 lines");
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
-    EXPECT_EQ(health.end, "ends in 28 s");
+    EXPECT_EQ(health.end, "28 s left");
     status.session.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
     EXPECT_EQ(healthOf(status).end, "");
     status.session.phase = scanner::ConnectionPhase::Live;
