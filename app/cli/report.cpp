@@ -146,7 +146,7 @@ void addReport(CLI::App& app, int& code) {
     command.add_option("--site", report->site, "The site, for the head of the report");
     command.add_option("--remark", report->remark, "A remark for the report; it may have several lines");
     command.add_option("--logo", report->logo, "A PNG picture for the head of the report");
-    command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/targets.md)");
+    command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/guide/measure.md)");
     command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, by the same settings");
     command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + rocks::kRockCaveat)->group("Rocks");
     addRockFlags(command, report->rocks, true);
