@@ -5,7 +5,7 @@
 <name>EdgeScan</name>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
-<message><source>Open this panel</source><translation>Abrir este panel</translation></message>
+<message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que no se cerraron</translation></message>
@@ -15,6 +15,8 @@
 <message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
+<message><source>More</source><translation>Más</translation></message>
 <message><source>Double-click: this view alone, and back</source><translation>Doble clic: solo esta vista, y de vuelta</translation></message>
 <message><source>All views again (double-click on the title)</source><translation>Todas las vistas de nuevo (doble clic en el título)</translation></message>
 <message><source>This view alone (double-click on the title)</source><translation>Solo esta vista (doble clic en el título)</translation></message>
@@ -75,8 +77,8 @@ visible %6 m², a %7 m</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>Working out why …</source><translation>Buscando la razón …</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
-Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más fuerte.</translation></message>
+The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
+La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
@@ -88,7 +90,9 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
+<message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
+<message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
@@ -375,17 +379,18 @@ mantenga \ para verla</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● actual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
+<message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
-<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
@@ -422,6 +427,14 @@ mantenga \ para verla</translation></message>
 <message><source>Read Again</source><translation>Leer de nuevo</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
+<message><source>none</source><translation>ninguno</translation></message>
+<message><source>HTML: turns in any browser, without a network</source><translation>HTML: gira en cualquier navegador, sin red</translation></message>
+<message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
+<message><source>Site</source><translation>Lugar</translation></message>
+<message><source>Author</source><translation>Autor</translation></message>
+<message><source>Remark</source><translation>Observación</translation></message>
+<message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
@@ -457,22 +470,21 @@ mantenga \ para verla</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
+<message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
 <message><source>Record</source><translation>Grabar</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
 <message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
-<message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>La imagen crece con el escáner; desactivado: queda como está</translation></message>
+<message><source>Hold</source><translation>Retener</translation></message>
+<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>La imagen queda como está mientras el escáner sigue; desactivado: crece con el escáner</translation></message>
 <message><source>name or address of the scanner</source><translation>nombre o dirección del escáner</translation></message>
-<message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>Sweep…</source><translation>Barrido…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
 <message><source>Stop recording</source><translation>Detener la grabación</translation></message>
-<message><source>Following</source><translation>Siguiendo</translation></message>
-<message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
+<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
@@ -493,6 +505,8 @@ mantenga \ para verla</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
+<message><source>at least 1: rock %1</source><translation>al menos 1: roca %1</translation></message>
+<message><source>at least %1: rocks %2</source><translation>al menos %1: rocas %2</translation></message>
 <message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
@@ -612,7 +626,6 @@ mantenga \ para verla</translation></message>
 <message><source>Cell</source><translation>Celda</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
-<message><source>none</source><translation>ninguno</translation></message>
 <message><source>yes</source><translation>sí</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
@@ -685,9 +698,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
 <message><source>no return</source><translation>sin retorno</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDE</translation></message>
 <message><source>not an edge</source><translation>no es un borde</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
@@ -695,11 +707,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>scanner frame</source><translation>sistema del escáner</translation></message>
+<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
+<message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
 <message><source>time not known</source><translation>hora desconocida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
@@ -765,6 +777,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
+<message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
@@ -798,16 +811,11 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window speaks this language from its next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
-<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
-<message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Puntos de borde</translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
-<message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
-<message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
-<message><source>&amp;View</source><translation>&amp;Ver</translation></message>
+<message><source>Loo&amp;k from</source><translation>&amp;Mirar desde</translation></message>
 <message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>Desde &amp;atrás</translation></message>
@@ -816,14 +824,22 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
-<message><source>R&amp;eset View</source><translation>&amp;Restablecer la vista</translation></message>
-<message><source>&amp;Zoom In</source><translation>A&amp;cercar</translation></message>
-<message><source>Zoom O&amp;ut</source><translation>A&amp;lejar</translation></message>
-<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
+<message><source>Clou&amp;d</source><translation>&amp;Nube de puntos</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
+<message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
+<message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
 <message><source>&amp;Ground Grid</source><translation>Cuadrícula del &amp;suelo</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
+<message><source>&amp;Panels</source><translation>&amp;Paneles</translation></message>
+<message><source>&amp;View</source><translation>&amp;Ver</translation></message>
+<message><source>R&amp;eset View</source><translation>&amp;Restablecer la vista</translation></message>
+<message><source>&amp;Zoom In</source><translation>A&amp;cercar</translation></message>
+<message><source>Zoom O&amp;ut</source><translation>A&amp;lejar</translation></message>
+<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
@@ -838,7 +854,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Car&amp;peta de grabaciones…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproducir o pausar</translation></message>
 <message><source>Next Line</source><translation>Línea siguiente</translation></message>
-<message><source>Last Line</source><translation>Línea anterior</translation></message>
+<message><source>Previous Line</source><translation>Línea anterior</translation></message>
 <message><source>Ten Lines Forward</source><translation>Diez líneas adelante</translation></message>
 <message><source>Ten Lines Back</source><translation>Diez líneas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Enderezar los haces</translation></message>
@@ -915,6 +931,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
+<message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:

@@ -5,7 +5,7 @@
 <name>EdgeScan</name>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
-<message><source>Open this panel</source><translation>Ouvrir ce panneau</translation></message>
+<message><source>Open %1</source><translation>Ouvrir %1</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notes venues avant celle-ci et qui n'ont pas été fermées</translation></message>
@@ -15,6 +15,8 @@
 <message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
+<message><source>Less</source><translation>Moins</translation></message>
+<message><source>More</source><translation>Plus</translation></message>
 <message><source>Double-click: this view alone, and back</source><translation>Double-clic : cette vue seule, et retour</translation></message>
 <message><source>All views again (double-click on the title)</source><translation>Toutes les vues de nouveau (double-clic sur le titre)</translation></message>
 <message><source>This view alone (double-click on the title)</source><translation>Cette vue seule (double-clic sur le titre)</translation></message>
@@ -75,8 +77,8 @@ visible %6 m², à %7 m</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>Working out why …</source><translation>Recherche de la raison …</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
-Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>
+The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
+La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
@@ -88,7 +90,9 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
+<message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
+<message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
@@ -375,17 +379,18 @@ tenez \ pour la voir</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
 <message><source>● now</source><translation>● actuel</translation></message>
 <message><source>▭ steady</source><translation>▭ constant</translation></message>
+<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Format</source><translation>Format</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
-<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
@@ -422,6 +427,14 @@ tenez \ pour la voir</translation></message>
 <message><source>Read Again</source><translation>Relire</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
+<message><source>none</source><translation>aucune</translation></message>
+<message><source>HTML: turns in any browser, without a network</source><translation>HTML : tourne dans tout navigateur, sans réseau</translation></message>
+<message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
+<message><source>Site</source><translation>Site</translation></message>
+<message><source>Author</source><translation>Auteur</translation></message>
+<message><source>Remark</source><translation>Remarque</translation></message>
+<message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
+<message><source>Logo</source><translation>Logo</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
 <message><source>Keys</source><translation>Touches</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
@@ -457,22 +470,21 @@ tenez \ pour la voir</translation></message>
 <message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
 <message><source>Record</source><translation>Enregistrer</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
-<message><source>Follow</source><translation>Suivre</translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>L'image grandit avec le scanner ; désactivé : elle reste telle quelle</translation></message>
+<message><source>Hold</source><translation>Figer</translation></message>
+<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>L'image reste telle quelle pendant que le scanner continue ; désactivé : elle croît avec le scanner</translation></message>
 <message><source>name or address of the scanner</source><translation>nom ou adresse du scanner</translation></message>
-<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Sweep…</source><translation>Balayage…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
-<message><source>Following</source><translation>Suivi en cours</translation></message>
-<message><source>Held: follow</source><translation>Figé : suivre</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
+<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>not known</source><translation>inconnu</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>inconnu (0.18° supposé)</translation></message>
@@ -493,6 +505,8 @@ tenez \ pour la voir</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
+<message><source>at least 1: rock %1</source><translation>au moins 1 : roche %1</translation></message>
+<message><source>at least %1: rocks %2</source><translation>au moins %1 : roches %2</translation></message>
 <message><source>, hangs below</source><translation>, pend en dessous</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
@@ -612,7 +626,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Cell</source><translation>Cellule</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
-<message><source>none</source><translation>aucune</translation></message>
 <message><source>yes</source><translation>oui</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
@@ -685,9 +698,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
 <message><source>no return</source><translation>sans retour</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Alt %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Alt –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>ARÊTE</translation></message>
 <message><source>not an edge</source><translation>pas une arête</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
@@ -695,11 +707,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
-<message><source>scanner frame</source><translation>repère du scanner</translation></message>
+<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
+<message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>time not known</source><translation>heure inconnue</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
@@ -765,6 +777,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
+<message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
@@ -798,16 +811,11 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
 <message><source>The window speaks this language from its next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
-<message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
-<message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Points d'arête</translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
-<message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
-<message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
-<message><source>&amp;View</source><translation>&amp;Affichage</translation></message>
+<message><source>Loo&amp;k from</source><translation>&amp;Regarder depuis</translation></message>
 <message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;face</translation></message>
 <message><source>&amp;Back</source><translation>De l'&amp;arrière</translation></message>
@@ -816,14 +824,22 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
 <message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
-<message><source>R&amp;eset View</source><translation>R&amp;éinitialiser la vue</translation></message>
-<message><source>&amp;Zoom In</source><translation>&amp;Zoom avant</translation></message>
-<message><source>Zoom O&amp;ut</source><translation>Zoom a&amp;rrière</translation></message>
-<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
+<message><source>Clou&amp;d</source><translation>&amp;Nuage de points</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
+<message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
+<message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
 <message><source>&amp;Ground Grid</source><translation>&amp;Grille au sol</translation></message>
 <message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
+<message><source>&amp;Panels</source><translation>&amp;Panneaux</translation></message>
+<message><source>&amp;View</source><translation>&amp;Affichage</translation></message>
+<message><source>R&amp;eset View</source><translation>R&amp;éinitialiser la vue</translation></message>
+<message><source>&amp;Zoom In</source><translation>&amp;Zoom avant</translation></message>
+<message><source>Zoom O&amp;ut</source><translation>Zoom a&amp;rrière</translation></message>
+<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
 <message><source>&amp;Calibrate…</source><translation>É&amp;talonner…</translation></message>
@@ -838,7 +854,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>&amp;Dossier des enregistrements…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Lire ou mettre en pause</translation></message>
 <message><source>Next Line</source><translation>Ligne suivante</translation></message>
-<message><source>Last Line</source><translation>Ligne précédente</translation></message>
+<message><source>Previous Line</source><translation>Ligne précédente</translation></message>
 <message><source>Ten Lines Forward</source><translation>Dix lignes en avant</translation></message>
 <message><source>Ten Lines Back</source><translation>Dix lignes en arrière</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Redresser les faisceaux</translation></message>
@@ -915,6 +931,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
+<message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :

@@ -5,7 +5,7 @@
 <name>EdgeScan</name>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
-<message><source>Open this panel</source><translation>Abrir este painel</translation></message>
+<message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que não foram fechadas</translation></message>
@@ -15,6 +15,8 @@
 <message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
+<message><source>More</source><translation>Mais</translation></message>
 <message><source>Double-click: this view alone, and back</source><translation>Clique duplo: só esta vista, e de volta</translation></message>
 <message><source>All views again (double-click on the title)</source><translation>Todas as vistas de novo (clique duplo no título)</translation></message>
 <message><source>This view alone (double-click on the title)</source><translation>Só esta vista (clique duplo no título)</translation></message>
@@ -75,8 +77,8 @@ visível %6 m², a %7 m</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>Working out why …</source><translation>À procura da razão …</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
-A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais forte.</translation></message>
+The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
+A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
@@ -88,7 +90,9 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
+<message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
+<message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
@@ -375,17 +379,18 @@ segure \ para vê-la</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● atual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
-<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
@@ -422,6 +427,14 @@ segure \ para vê-la</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
+<message><source>none</source><translation>nenhuma</translation></message>
+<message><source>HTML: turns in any browser, without a network</source><translation>HTML: gira em qualquer navegador, sem rede</translation></message>
+<message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
+<message><source>Site</source><translation>Local</translation></message>
+<message><source>Author</source><translation>Autor</translation></message>
+<message><source>Remark</source><translation>Observação</translation></message>
+<message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
@@ -457,22 +470,21 @@ segure \ para vê-la</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
 <message><source>Record</source><translation>Gravar</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
 <message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
-<message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>A imagem cresce com o scanner; desligado: fica como está</translation></message>
+<message><source>Hold</source><translation>Reter</translation></message>
+<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>A imagem fica como está enquanto o scanner continua; desligado: cresce com o scanner</translation></message>
 <message><source>name or address of the scanner</source><translation>nome ou endereço do scanner</translation></message>
-<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Sweep…</source><translation>Varredura…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
 <message><source>Stop recording</source><translation>Parar a gravação</translation></message>
-<message><source>Following</source><translation>Seguindo</translation></message>
-<message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
+<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>not known</source><translation>desconhecido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconhecido (supõe-se 0.18°)</translation></message>
@@ -493,6 +505,8 @@ segure \ para vê-la</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
+<message><source>at least 1: rock %1</source><translation>pelo menos 1: rocha %1</translation></message>
+<message><source>at least %1: rocks %2</source><translation>pelo menos %1: rochas %2</translation></message>
 <message><source>, hangs below</source><translation>, pende por baixo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
@@ -612,7 +626,6 @@ segure \ para vê-la</translation></message>
 <message><source>Cell</source><translation>Célula</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
-<message><source>none</source><translation>nenhuma</translation></message>
 <message><source>yes</source><translation>sim</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
@@ -685,9 +698,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
 <message><source>no return</source><translation>sem retorno</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDA</translation></message>
 <message><source>not an edge</source><translation>não é uma borda</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
@@ -695,11 +707,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
 <message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>scanner frame</source><translation>sistema do scanner</translation></message>
+<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
+<message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
 <message><source>time not known</source><translation>hora desconhecida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
@@ -765,6 +777,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
+<message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
@@ -798,16 +811,11 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window speaks this language from its next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
-<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
-<message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Pontos de borda</translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
-<message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
-<message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
-<message><source>&amp;View</source><translation>E&amp;xibir</translation></message>
+<message><source>Loo&amp;k from</source><translation>&amp;Olhar de</translation></message>
 <message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>De &amp;trás</translation></message>
@@ -816,14 +824,22 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
-<message><source>R&amp;eset View</source><translation>&amp;Restaurar a vista</translation></message>
-<message><source>&amp;Zoom In</source><translation>&amp;Aproximar</translation></message>
-<message><source>Zoom O&amp;ut</source><translation>A&amp;fastar</translation></message>
-<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
+<message><source>Clou&amp;d</source><translation>&amp;Nuvem de pontos</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
+<message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
+<message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
 <message><source>&amp;Ground Grid</source><translation>&amp;Grade do chão</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
+<message><source>&amp;Panels</source><translation>&amp;Painéis</translation></message>
+<message><source>&amp;View</source><translation>E&amp;xibir</translation></message>
+<message><source>R&amp;eset View</source><translation>&amp;Restaurar a vista</translation></message>
+<message><source>&amp;Zoom In</source><translation>&amp;Aproximar</translation></message>
+<message><source>Zoom O&amp;ut</source><translation>A&amp;fastar</translation></message>
+<message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
@@ -838,7 +854,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Pasta das gra&amp;vações…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproduzir ou pausar</translation></message>
 <message><source>Next Line</source><translation>Próxima linha</translation></message>
-<message><source>Last Line</source><translation>Linha anterior</translation></message>
+<message><source>Previous Line</source><translation>Linha anterior</translation></message>
 <message><source>Ten Lines Forward</source><translation>Dez linhas adiante</translation></message>
 <message><source>Ten Lines Back</source><translation>Dez linhas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Endireitar os feixes</translation></message>
@@ -915,6 +931,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
+<message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:

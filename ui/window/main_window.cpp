@@ -43,6 +43,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -62,6 +63,23 @@ namespace {
 
 constexpr int kRememberAfterMs = 300;
 
+/// The bar of the badge, right of the tools, which give way: it is visible at every width.
+QToolBar* badgeBar(QWidget& badge) {
+    auto* bar = new QToolBar;
+    bar->setObjectName("badge-bar");
+    bar->setWindowTitle(MainWindow::tr("Source"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->toggleViewAction()->setVisible(false);
+    auto* place = new QWidget;
+    auto* row = new QHBoxLayout(place);
+    row->setContentsMargins(8, 0, 6, 0);
+    row->addStretch(1);
+    row->addWidget(&badge, 0, Qt::AlignVCenter);
+    bar->addWidget(place);
+    return bar;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
@@ -80,8 +98,10 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(docks_, &Docks::changed, this, &MainWindow::arrange);
     setStatusBar(&viewer_.statusLine);
     viewer_.statusLine.addPinned(&viewer_.warnings);
-    connect(&viewer_.warnings, &QToolButton::clicked, this,
-            [this] { viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n')); });
+    connect(&viewer_.warnings, &QToolButton::clicked, this, [this] {
+        viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n'));
+        viewer_.notice.unfold(true); // the operator asked for all of them
+    });
     connect(&viewer_.report, &ScanReport::saved, &viewer_.audit, [this](const QString& path) { viewer_.audit.noteExport("report", path); });
     connect(&viewer_.warnings, &WarningButton::warningsRaised, &viewer_.audit, &AuditTrail::noteWarnings);
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
@@ -147,10 +167,10 @@ void MainWindow::layOutViews() {
     column->setSpacing(0);
     auto* top = new QVBoxLayout;
     column->addLayout(top);
+    column->addWidget(&viewer_.livePanel);
     column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
-    column->addWidget(&viewer_.livePanel);
     cab_ = new CabMode(*this, centre);
     addTour(*this, *top);
 }
@@ -165,12 +185,11 @@ void MainWindow::layOutLegend() {
     connect(&viewer_.legend, &EdgeLegend::classesRequested, this, [this](int classes) { viewer_.tuning.setParameter("classes", classes); });
 }
 
-// The badge is in the corner of the menu bar, where it is visible at every width.
 void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
-    menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner);
+    addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
@@ -187,11 +206,8 @@ void MainWindow::layOutTools() {
 
 void MainWindow::showOrigin() {
     const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
-    const QSize before = viewer_.origin.sizeHint();
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(origin.more);
-    if (viewer_.origin.sizeHint() != before)
-        menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner); // it asks for the size only then
     viewer_.targets.setSource(origin.badge);
     emit originShown();
 }

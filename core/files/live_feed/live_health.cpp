@@ -61,7 +61,7 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     const int left = sweep.expected - sweep.lines;
     if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
     if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // without lines the time of the last one is unknown
-    return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
+    return ageText(std::ceil(left / status.linesPerSecond)) + " left";
 }
 
 /// A sweep that grows and lost nothing is under way, not incomplete: more lines come.
@@ -124,6 +124,9 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
         health.lines = linesOf(lines, health.liveness);
+        health.row = lines.lines;
+        health.rows = lines.expected;
+        health.lostRows = lines.lost;
         health.noReturn = noReturnOf(lines);
         health.end = endOf(status, health.liveness);
         tellWindow(health, sweep);

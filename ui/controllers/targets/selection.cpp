@@ -20,7 +20,7 @@
 namespace edgescan::ui {
 namespace {
 
-// Over the images: the selection hatched in the same colour as in the cloud, hidden cells under a dark layer.
+// Over the images: the selection with a rim and a tint as in the cloud, hidden cells under a dark layer.
 std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected, const inspect::CellSet& hidden, int beams, int rows) {
     if (selected.empty() && hidden.empty()) return nullptr;
     auto image = std::make_shared<QImage>(beams, rows, QImage::Format_ARGB32_Premultiplied);
@@ -33,9 +33,13 @@ std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected,
     for (const std::uint32_t k : hidden) {
         if (k < cells) pixel(k) = qPremultiply(qRgba(30, 30, 30, 225));
     }
-    for (const std::uint32_t k : selected) {
-        if (k < cells) pixel(k) = qPremultiply((kSelectedColour & RGB_MASK) | ((k / width + k % width) % 4 == 0 ? 230U : 130U) << 24U);
-    }
+    const auto paint = [&](const std::vector<std::uint32_t>& some, unsigned opacity) {
+        for (const std::uint32_t k : some) {
+            if (k < cells) pixel(k) = qPremultiply((kSelectedColour & RGB_MASK) | opacity << 24U);
+        }
+    };
+    paint(selected, static_cast<unsigned>(kSelectedTint * 255));
+    paint(rimOf(selected, width), 255U);
     return image;
 }
 

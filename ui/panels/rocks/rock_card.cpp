@@ -24,7 +24,8 @@ QString contactsText(const rocks::Rock& rock) {
     QStringList labels;
     for (const std::uint32_t other : rock.contacts) labels << QString::number(other);
     if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is not a rock") : RockCard::tr("none seen");
-    return atLeastText(QString::number(labels.size())) + " (" + labels.join(", ") + ")";
+    return labels.size() == 1 ? RockCard::tr("at least 1: rock %1").arg(labels.front())
+                              : RockCard::tr("at least %1: rocks %2").arg(QString::number(labels.size()), labels.join(", "));
 }
 
 QString listed(const std::vector<std::uint32_t>& rocks) {
@@ -105,9 +106,9 @@ RockCard::RockCard(QWidget* parent)
     column->addLayout(head);
     column->addWidget(spans_);
     column->addWidget(state_);
+    column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
     column->addLayout(lines);
     column->addWidget(caveat_);
-    column->addLayout(buttons);
 
     connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
     connect(split_, &QPushButton::clicked, this, &RockCard::splitRequested);

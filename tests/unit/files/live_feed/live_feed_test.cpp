@@ -78,10 +78,10 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     normal.sweep.received = 312;
     normal.sweep.lost.clear();
     EXPECT_EQ(healthOf(normal).lines, "312/1000 lines");
-    normal.session.phase = scanner::ConnectionPhase::Stopped;
+    normal.connection.phase = scanner::ConnectionPhase::Stopped;
     EXPECT_EQ(healthOf(normal).lines, "INCOMPLETE 312/1000 lines");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
-    EXPECT_EQ(health.end, "ends in 28 s");
+    EXPECT_EQ(health.end, "28 s left");
     status.connection.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
     EXPECT_EQ(healthOf(status).end, "");
     status.connection.phase = scanner::ConnectionPhase::Live;
