@@ -36,12 +36,22 @@ ResultObject detect(const ScanObject& of, const Typed& typed, const std::string&
 }
 
 py::array strengthOf(const ResultObject& result) {
-    const auto kept = result.strength;
+    const auto later = result.later;
     unlocked([&] {
-        std::call_once(kept->once, [&] { kept->map = edges::thresholdMapOf(*result.detection); });
+        const auto detection = whole(result);
+        std::call_once(later->strength, [&] { later->map = edges::thresholdMapOf(*detection); });
         return Done{};
     });
-    return gridArray(kept->map.highest, kept);
+    return gridArray(later->map.highest, later);
+}
+
+py::array grayOf(const ResultObject& result) {
+    const auto detection = unlocked([&] { return whole(result); });
+    return gridArray(detection->gray->levels, detection);
+}
+
+py::object reportOf(const ResultObject& result) {
+    return objectOf(unlocked([&] { return exports::detectReport(*whole(result), 0.0); }));
 }
 
 exports::ExportContent contentOf(const std::string& name) {
@@ -96,7 +106,8 @@ std::size_t saveScanObject(const ScanObject& scan, const std::string& path, cons
 }
 
 std::size_t saveResult(const ResultObject& result, const std::string& path, const std::string& content, const Typed& typed) {
-    return write(*result.detection, contentOf(content), path, typed);
+    const auto detection = unlocked([&] { return whole(result); });
+    return write(*detection, contentOf(content), path, typed);
 }
 
 py::dict timesOf(const edges::Detection& detection) {
@@ -124,8 +135,6 @@ void bindResult(py::module_& module) {
              "No copy, read only.");
     property("edges", [](const D& d) { return vectorArray(*d->edges, d); },
              "uint32, ascending: index line * beams + beam of every edge cell. No copy, read only.");
-    property("gray", [](const D& d) -> py::object { return d->gray ? gridArray(d->gray->levels, d) : py::object(py::none()); },
-             "uint8, lines x beams: gray levels, 0 where there is no range. No copy, read only.");
     property("settings", [](const D& d) { return objectOf(edges::settingsToJson(d->settings)); }, "Every parameter's value, by its key.");
     property("threshold", [](const D& d) { return std::string(edges::sweptParameter(d->settings.method).key); },
              "Key of the parameter that `strength` is in units of.");
@@ -135,9 +144,7 @@ void bindResult(py::module_& module) {
     type.def_property_readonly("strength", &strengthOf,
                                "float64, lines x beams: the highest value of the parameter `threshold` at which the cell is an edge; "
                                "negative: at none, infinite: at all. Worked out when first asked for. No copy, read only.");
-    type.def(
-        "report", [](const ResultObject& self) { return objectOf(exports::detectReport(*self.detection, 0.0)); },
-        "The JSON of `edgescan-cli detect --json` as a dict.");
+    type.def_property_readonly("gray", &grayOf, "uint8, lines x beams: gray levels, 0 where there is no range. No copy, read only.");
     type.def("__repr__", [](const ResultObject& self) { return textOf(*self.detection); });
 }
 
@@ -146,6 +153,7 @@ void bindResult(py::module_& module) {
 void bindDetect(py::module_& module) {
     bindResult(module);
     module.def("detect", &detect);
+    module.def("result_report", &reportOf);
     module.def("save_scan", &saveScanObject);
     module.def("save_result", &saveResult);
 }

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace edgescan::python {
 
 bool noSignal() {
@@ -24,8 +26,11 @@ py::str nameOf(const std::string& bytes) {
     return py::reinterpret_steal<py::str>(text);
 }
 
-double numberOf(const char* name, const py::object& value) {
-    return py::cast<double>(py::module_::import("edgescan").attr("_number")(name, value));
+std::int64_t wholeOf(const py::int_& number) {
+    int beyond = 0;
+    const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &beyond);
+    using Limits = std::numeric_limits<std::int64_t>;
+    return beyond < 0 ? Limits::min() : beyond > 0 ? Limits::max() : value;
 }
 
 py::object objectOf(const nlohmann::ordered_json& json) {
@@ -65,9 +70,15 @@ PYBIND11_MODULE(_edgescan, module) {
     if (const auto set = edgescan::wantedInstructionSet(); !set) throw py::import_error(set.error().sentence());
     module.attr("__version__") = edgescan::version();
     bindError(module);
+    module.def("refuse", [](const std::string& what, const std::string& where, const std::string& hint) {
+        throw Refused{{what, where, hint}};
+    });
     bindTables(module);
     bindScan(module);
+    bindArrays(module);
     bindDetect(module);
+    bindFindings(module);
+    bindPickling(module);
     bindRocks(module);
     bindSweeps(module);
     bindSimulate(module);

@@ -12,6 +12,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -76,17 +77,19 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 /// A name of a file, or text that may contain one, as os.fsdecode() gives it: os.fsencode() makes the same bytes of it.
 [[nodiscard]] py::str nameOf(const std::string& bytes);
 
-/// The value of a parameter that is a number. TypeError for every other type, bool included.
-[[nodiscard]] double numberOf(const char* name, const py::object& value);
+/// A whole number; beyond 64 bits the last one on its side.
+[[nodiscard]] std::int64_t wholeOf(const py::int_& number);
 
 /// Names in it are as nameOf() gives them.
 [[nodiscard]] py::object objectOf(const nlohmann::ordered_json& json);
 
-/// A class whose objects only the module makes: without a C++ object behind it, an object of Python would have no memory to read.
+/// A class of the package, whose objects only the module makes: without a C++ object behind it, an object of Python would have no memory to
+/// read.
 template <class Object>
 class Class : public py::class_<Object> {
 public:
     Class(py::module_& module, const char* name, const char* help) : py::class_<Object>(module, name, help) {
+        this->attr("__module__") = "edgescan";
         auto* made = reinterpret_cast<PyTypeObject*>(this->ptr());
         made->tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
             PyErr_Format(PyExc_TypeError, "objects of %s are made by the functions of edgescan", of->tp_name);
@@ -97,6 +100,9 @@ public:
 };
 
 void bindScan(py::module_& module);
+void bindArrays(py::module_& module);
+void bindPickling(py::module_& module);
+void bindFindings(py::module_& module);
 void bindTables(py::module_& module);
 void bindDetect(py::module_& module);
 void bindRocks(py::module_& module);

@@ -51,7 +51,7 @@ RocksObject rocks(const ResultObject& result, const std::map<std::string, double
     const rocks::RockSettings settings = settingsOf(numbers, region);
     return unlocked([&] {
         auto pieces = std::make_shared<Pieces>();
-        pieces->leaves = rocks::segmentRocks(rocks::rockInputs(*result.detection));
+        pieces->leaves = rocks::segmentRocks(rocks::rockInputs(*whole(result)));
         pieces->tree = rocks::mergeTree(pieces->leaves.count(), pieces->leaves.borders);
         return at(std::move(pieces), settings);
     });
@@ -95,15 +95,14 @@ void bindRocks(py::module_& module) {
         "standard deviations along its longest axis), x_m, y_m, z_m (mean, metres from the sensor), evidence, confidence.");
     property(
         "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.map->settings)); }, "What it was made with.");
-    type.def(
-        "at",
-        [](const RocksObject& self, const py::object& level) {
-            rocks::RockSettings settings = self.map->settings;
-            const rocks::RockSettings checked = settingsOf({{"level", numberOf("level", level)}}, "");
-            settings.level = checked.level;
-            return unlocked([&] { return at(self.pieces, settings); });
-        },
-        py::arg("level"), "The same at another level, without working out the pieces again.");
+    type.def("__repr__", [](const RocksObject& r) {
+        return "<edgescan.Rocks: " + std::to_string(r.map->rocks) + " rocks at level " + shortestText(r.map->settings.level) + ">";
+    });
+    module.def("rocks_at", [](const RocksObject& self, double level) {
+        rocks::RockSettings settings = self.map->settings;
+        settings.level = settingsOf({{"level", level}}, "").level;
+        return unlocked([&] { return at(self.pieces, settings); });
+    });
     module.def("rocks", &rocks);
     module.def("rock_parameters", [] {
         py::list rows;

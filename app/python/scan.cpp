@@ -6,6 +6,7 @@
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/georef/placed_points.h"
+#include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/cartesian.h"
 
 #include <nlohmann/json.hpp>
@@ -73,6 +74,16 @@ py::object axisOf(const Scan& scan) {
     return py::str(polar->axis == Axis::Spin ? "spin" : "sweep");
 }
 
+py::object directionOf(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    return polar == nullptr ? py::object(py::none()) : py::object(py::float_(polar->lineDirection));
+}
+
+py::object timesOf(const ScanPtr& scan) {
+    if (!scan->acquisition || scan->acquisition->lineTimesS.empty()) return py::none();
+    return vectorArray(scan->acquisition->lineTimesS, scan->acquisition);
+}
+
 py::object originOf(const Scan& scan) {
     if (scan.placement == nullptr) return py::none();
     return py::array_t<double>(3, scan.placement->originEnhM.data());
@@ -109,6 +120,10 @@ void bindScan(py::module_& module) {
              "float64, beams: angle of each beam in the fan, degrees. None where the scan holds points without angles.");
     property("line_deg", [](const ScanPtr& s) { return anglesOf(s, &PolarGeometry::lineDeg); },
              "float64, lines: angle of the stepper at each line, degrees. None as for beam_deg.");
+    property("line_skew_deg", [](const ScanPtr& s) { return anglesOf(s, &PolarGeometry::lineSkewDeg); },
+             "float64, beams: degrees that the stepper turned until each beam of a line; empty: none. None as for beam_deg.");
+    property("line_direction", [](const ScanPtr& s) { return directionOf(*s); },
+             "1.0: line angles turn right-handed about the axis; -1.0: the other way. None as for beam_deg.");
     property("axis", [](const ScanPtr& s) { return axisOf(*s); }, "What the stepper turns about, 'spin' or 'sweep'. None as for beam_deg.");
     property("origin", [](const ScanPtr& s) { return originOf(*s); },
              "float64, 3: Easting, Northing, Elevation of the local zero, m. None without a place in the mine.");
@@ -118,15 +133,13 @@ void bindScan(py::module_& module) {
     property("sha256", [](const ScanPtr& s) { return s->sha256; }, "Of the file's bytes, lower-case hex.");
     property("warnings", [](const ScanPtr& s) { return warningsOf(*s); }, "Sentences about what was assumed, repaired or lost on reading.");
     // clang-format on
-    type.def(
-        "xyz", [](const ScanObject& self, const std::string& frame) { return pointsOf(self.scan, frame); }, py::arg("frame") = "scanner",
-        "float64, lines x beams x 3, m: the point of every cell, NaN where the cell has no range.\n\n"
-        "frame: 'scanner', 'local' (east, north, up from `origin`) or 'mine' (Easting, Northing, Elevation).");
-    type.def(
-        "info", [](const ScanObject& self) { return objectOf(exports::infoReport(*self.scan)); },
-        "The JSON of `edgescan-cli info` as a dict.");
+    property(
+        "line_times_s", [](const ScanPtr& s) -> py::object { return timesOf(s); },
+        "float64, lines: seconds since 1970 UTC at which each line was measured. None where the scan does not say it.");
     type.def("__repr__", [](const ScanObject& self) { return textOf(*self.scan); });
     module.def("open", &openFile);
+    module.def("scan_xyz", [](const ScanObject& scan, const std::string& frame) { return pointsOf(scan.scan, frame); });
+    module.def("scan_info", [](const ScanObject& scan) { return objectOf(exports::infoReport(*scan.scan)); });
 }
 
 } // namespace edgescan::python

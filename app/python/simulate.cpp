@@ -94,8 +94,7 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
 }
 
 /// The truth's grids as arrays; the keys are the names of the files that the command line writes.
-py::object truthArrays(const SimulationObject& object) {
-    if (!object.simulation->truth) return py::none();
+py::dict truthArrays(const SimulationObject& object) {
     const auto set = unlocked([&] { return std::make_shared<const sim::TruthSet>(taken(truthOf(object))); });
     const sim::SimulationTruth& truth = *object.simulation->truth;
     py::dict arrays;
@@ -114,19 +113,19 @@ void bindSimulate(py::module_& module) {
         .def_property_readonly(
             "scan", [](const SimulationObject& self) { return ScanObject{self.scan}; }, "The scan.")
         .def_property_readonly("truth", &truthArrays,
-                               "None, or a dict of arrays of lines x beams, read only: edge_class (uint8: 0 none, 1 occluding, 2 contact, "
+                               "A dict of arrays of lines x beams, read only: edge_class (uint8: 0 none, 1 occluding, 2 contact, "
                                "3 crease, 4 void), ignore (uint8: 255 = not scored), object (uint16: 0 none, 1 wall, 2... rocks), face "
-                               "(uint16), clean_mm (float32, mm: ranges without noise).")
-        .def(
-            "save_truth",
-            [](const SimulationObject& self, const py::object& name) {
-                const std::string folder = py::cast<std::string>(py::module_::import("os").attr("fsencode")(name));
-                unlocked([&] {
-                    if (!self.simulation->truth) taken(truthOf(self));
-                    return taken(sim::writeTruth(*self.simulation, self.settings, folder));
-                });
-            },
-            py::arg("folder"), "Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does.");
+                               "(uint16), clean_mm (float32, mm: ranges without noise). Error if it was not asked for.")
+        .def("__repr__", [](const SimulationObject& self) {
+            return "<edgescan.Simulation of seed " + std::to_string(self.settings.seed) + ": " + std::to_string(self.scan->lines()) +
+                   " lines x " + std::to_string(self.scan->beams()) + " beams>";
+        });
+    module.def("save_truth", [](const SimulationObject& self, const std::string& folder) {
+        unlocked([&] {
+            if (!self.simulation->truth) taken(truthOf(self));
+            return taken(sim::writeTruth(*self.simulation, self.settings, folder));
+        });
+    });
     module.def("simulate", &make, py::arg("seed"), py::arg("numbers"), py::arg("words"), py::arg("surface").none(true));
 }
 

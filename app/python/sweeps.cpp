@@ -3,6 +3,7 @@
 
 #include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/files/live_feed/live_feed.h"
@@ -41,7 +42,7 @@ void sleepUntil(Clock::time_point end) {
 /// Plays a recording: yields the sweep after every `every` lines, and once more when it is finished.
 class ReplayObject {
 public:
-    ReplayObject(const std::string& path, int every, double speed, const std::string& pose, const std::string& calibration)
+    ReplayObject(const std::string& path, std::int64_t every, double speed, const std::string& pose, const std::string& calibration)
         : path_(path), every_(every), speed_(speed) {
         if (every < 1) throw Refused{{std::to_string(every) + " lines are no step", "every", "give 1 or more"}};
         if (!(speed >= 0 && speed <= 1e6)) throw Refused{{"the speed is out of reason", "speed", "give 0 to 1000000"}};
@@ -71,6 +72,11 @@ public:
         }
     }
 
+    [[nodiscard]] std::string text() const {
+        return "<edgescan.Replay of " + printable(path_) + ": line " + std::to_string(replay_->position()) + " of " +
+               std::to_string(replay_->lines()) + ">";
+    }
+
 private:
     [[nodiscard]] Clock::time_point due() const {
         const double ns = static_cast<double>(replay_->timeNs(replay_->position()) - replay_->timeNs(0)) / speed_;
@@ -90,7 +96,7 @@ private:
     }
 
     const std::string path_;
-    const int every_;
+    const std::int64_t every_;
     const double speed_;
     ReadingOptions options_;
     std::optional<files::Replay> replay_;
@@ -101,8 +107,7 @@ private:
 /// A live scanner: yields the newest state of the sweep after each change, and each finished sweep.
 class ConnectionObject {
 public:
-    ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record,
-                     std::optional<double> timeout)
+    ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record, double timeout)
         : address_(address), timeout_(timeout) {
         const cli::HostPort typed = taken(cli::hostPort(address));
         scanner::ConnectionSettings scanner;
@@ -127,9 +132,8 @@ public:
     ConnectionObject(const ConnectionObject&) = delete;
     ConnectionObject& operator=(const ConnectionObject&) = delete;
 
-    /// Returns at once without a time-out. Error: no line came; a recording without a byte of the scanner is removed.
+    /// Error: no line came; a recording without a byte of the scanner is removed.
     void waitForFirstLine() {
-        if (!timeout_) return;
         const auto end = endOf(timeout_);
         while (feed_->status().lines == 0) {
             if (Clock::now() >= end && feed_->status().statistics.stream.bytes == 0) {
@@ -142,9 +146,8 @@ public:
         }
     }
 
-    SweepObject next() { return next(timeout_); }
-    SweepObject next(std::optional<double> timeout) {
-        const auto end = endOf(timeout);
+    SweepObject next(std::optional<double> timeout = {}) {
+        const auto end = endOf(timeout.value_or(timeout_));
         while (true) {
             if (std::optional<SweepObject> sweep = unlocked([&] { return newest(); })) return std::move(*sweep);
             if (stopped_) throw py::stop_iteration();
@@ -162,6 +165,11 @@ public:
         taken(closed);
     }
 
+    [[nodiscard]] std::string text() const {
+        const files::LiveStatus status = unlocked([&] { return feed_->status(); });
+        return "<edgescan.Connection to " + printable(address_) + ": " + scanner::connectionPhaseName(status.session.phase) + ", " +
+               std::to_string(status.lines) + " lines>";
+    }
     [[nodiscard]] py::dict status() const {
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
         py::dict dict;
@@ -177,13 +185,17 @@ public:
     }
 
 private:
-    static Clock::time_point endOf(std::optional<double> seconds) {
-        if (!seconds) return Clock::time_point::max();
-        return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+    static Clock::time_point endOf(double seconds) {
+        return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     }
-    /// Waits for a change. Error: `end` has passed.
+    /// Waits for a change, and logs each new problem of the connection. Error: `end` has passed.
     void waitUntil(Clock::time_point end) {
-        if (Clock::now() >= end) throw Refused{scanner::noLinesError(feed_->status().session, address_)};
+        const scanner::ConnectionState session = feed_->status().session;
+        if (Clock::now() >= end) throw Refused{scanner::noLinesError(session, address_)};
+        if (const std::string problem = session.problem ? session.problem->sentence() : std::string(); problem != logged_) {
+            logged_ = problem;
+            if (!problem.empty()) py::module_::import("logging").attr("getLogger")("edgescan").attr("warning")("%s", nameOf(problem));
+        }
         unlocked([&] { return wait(end); });
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
@@ -215,8 +227,8 @@ private:
         return {};
     }
 
-    std::string address_;
-    std::optional<double> timeout_;
+    std::string address_, logged_;
+    double timeout_;
     std::mutex mutex_; // protects changed_
     std::condition_variable wake_;
     bool changed_ = false;
@@ -229,26 +241,28 @@ private:
     std::unique_ptr<files::LiveFeed> feed_; // last member: its thread uses the members above
 };
 
-void checkTimeout(std::optional<double> timeout) {
-    if (!NumberLimits{0, 4e7}.hold(timeout.value_or(0)))
-        throw Refused{{shortestText(*timeout) + " seconds are out of reason", "timeout", "give 0 to 40000000, or None"}};
+void checkTimeout(double timeout) {
+    if (!NumberLimits{0, 4e7}.hold(timeout))
+        throw Refused{{shortestText(timeout) + " seconds are out of reason", "timeout", "give 0 to 40000000"}};
 }
 
-std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, int expectedLines,
-                                          const std::optional<std::string>& axis, std::optional<double> firstLine,
+std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, const py::int_& expected,
+                                          const std::optional<std::string>& axis, std::optional<double> lineStart,
                                           std::optional<double> lineStep, std::optional<double> ticksPerDegree,
-                                          const std::string& calibration, bool standing, std::optional<double> timeout) {
+                                          const std::string& calibration, bool standing, double timeout) {
     if (axis && *axis != "spin" && *axis != "sweep") throw Refused{{"\"" + *axis + "\" is no axis", "axis", "use spin or sweep"}};
+    const std::int64_t expectedLines = wholeOf(expected);
     if (expectedLines < 0 || expectedLines > 20000)
         throw Refused{{std::to_string(expectedLines) + " lines are out of reason", "expected_lines", "give 0 to 20000"}};
-    if (!physical::kBeamDeg.hold(firstLine.value_or(0)) || !NumberLimits{-90, 90}.hold(lineStep.value_or(0)))
-        throw Refused{{"the line angles are out of reason", "first_line, line_step", "give degrees, -360 to 360 and -90 to 90"}};
+    if (!physical::kBeamDeg.hold(lineStart.value_or(0)) || !NumberLimits{-90, 90}.hold(lineStep.value_or(0)))
+        throw Refused{{"the line angles are out of reason", "line_start, line_step", "give degrees, -360 to 360 and -90 to 90"}};
     checkTimeout(timeout);
-    cli::Mounting mounting{.lineStepDeg = lineStep,
-                           .firstLineDeg = firstLine,
+    cli::Mounting mounting{.axis = std::nullopt,
+                           .lineStepDeg = lineStep,
+                           .firstLineDeg = lineStart,
                            .ticksPerDeg = ticksPerDegree,
                            .calibration = calibration,
-                           .expectedLines = expectedLines,
+                           .expectedLines = static_cast<int>(expectedLines),
                            .standing = standing};
     if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
     auto connection = std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record, timeout);
@@ -291,32 +305,28 @@ void bindSweeps(py::module_& module) {
     bindSweep(module);
     Class<ReplayObject>(module, "Replay", "Iterator over a recording.")
         .def("__iter__", [](py::object self) { return self; })
-        .def("__next__", &ReplayObject::next);
+        .def("__next__", &ReplayObject::next)
+        .def("__repr__", &ReplayObject::text);
     Class<ConnectionObject>(module, "Connection", "A scanner: iterator over its growing sweep, and context manager that ends the session.")
         .def("__iter__", [](py::object self) { return self; })
         .def("__next__", [](ConnectionObject& self) { return self.next(); })
-        .def(
-            "next",
-            [](ConnectionObject& self, const py::object& timeout) {
-                if (timeout.is_none()) return self.next();
-                const double seconds = numberOf("timeout", timeout);
-                checkTimeout(seconds);
-                return self.next(seconds);
-            },
-            py::arg("timeout") = py::none(),
-            "The next change. Error if none comes within `timeout` seconds, by default those of connect(); it says what the session waits "
-            "for.")
         .def("__enter__", [](py::object self) { return self; })
         .def("__exit__", [](ConnectionObject& self, const py::args&) { self.stop(); })
-        .def("stop", &ConnectionObject::stop, "Ends the session and closes the recording.")
+        .def("__repr__", &ConnectionObject::text)
         .def_property_readonly("status", &ConnectionObject::status,
                                "A dict: phase, sentence, scanner, lines, undecodable, reconnects, sweep, recording.");
-    module.def("replay", [](const std::string& path, int every, double speed, const std::string& pose, const std::string& calibration) {
-        return std::make_unique<ReplayObject>(path, every, speed, pose, calibration);
+    module.def("connection_next", [](ConnectionObject& self, std::optional<double> timeout) {
+        if (timeout) checkTimeout(*timeout);
+        return self.next(timeout);
     });
+    module.def("connection_stop", &ConnectionObject::stop);
+    module.def("replay",
+               [](const std::string& path, const py::int_& every, double speed, const std::string& pose, const std::string& calibration) {
+                   return std::make_unique<ReplayObject>(path, wholeOf(every), speed, pose, calibration);
+               });
     module.def("connect", &connect, py::arg("address"), py::arg("record"), py::arg("expected_lines"), py::arg("axis").none(true),
-               py::arg("first_line").none(true), py::arg("line_step").none(true), py::arg("ticks_per_degree").none(true),
-               py::arg("calibration"), py::arg("standing"), py::arg("timeout").none(true));
+               py::arg("line_start").none(true), py::arg("line_step").none(true), py::arg("ticks_per_degree").none(true),
+               py::arg("calibration"), py::arg("standing"), py::arg("timeout"));
 }
 
 } // namespace edgescan::python

@@ -18,7 +18,7 @@ void check(ByteView payload, scanner::Dialect dialect) {
         return;
     }
     for (const scanner::ScanChannel& channel : telegram->channels16) {
-        const scanner::ChannelRanges ranges = scanner::rangesMm(channel);
+        const scanner::LineRanges ranges = scanner::rangesMm(channel);
         for (const float range : ranges.rangeMm) {
             if (!std::isfinite(range) || range < 0.0F) std::abort();
         }

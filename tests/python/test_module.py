@@ -1,25 +1,14 @@
-"""The Python module against the command line, numpy and the documents.
-
-Run by ctest (python.module) with PYTHONPATH, EDGESCAN_CLI, EDGESCAN_SOURCE and EDGESCAN_SHARED_DIR (EDGESCAN_SHARED before it).
-"""
-import ast
-import contextlib
-import copy
-import doctest
-import fractions
+"""The Python module against the command line and numpy: masks, arrays, keywords, sentences, threads, names of files."""
 import gc
 import hashlib
-import importlib.util
 import inspect
 import json
 import os
 import pathlib
 import re
 import signal
-import socket
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -27,46 +16,7 @@ import unittest
 import numpy as np
 
 import edgescan
-
-CLI = os.environ["EDGESCAN_CLI"]
-SOURCE = pathlib.Path(os.environ["EDGESCAN_SOURCE"])
-SHARED = pathlib.Path(os.environ.get("EDGESCAN_SHARED") or os.environ["EDGESCAN_SHARED_DIR"])
-FOLDER = tempfile.TemporaryDirectory(prefix="edgescan-python-")
-HERE = pathlib.Path(FOLDER.name)
-
-
-def cli(*arguments, code=0):
-    run = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, check=False)
-    assert run.returncode == code, (arguments, run.returncode, run.stderr)
-    return run
-
-
-def bell_file(name="bell.json", seed=7, lines=150, beams=191):
-    path = HERE / name
-    if not path.exists():
-        cli("simulate", "-o", path, "--truth", HERE / (path.stem + "-truth"), "--seed", seed, "--lines", lines, "--beams", beams)
-    return path
-
-
-def recording_file():
-    path = HERE / "bell.mcap"
-    if not path.exists():
-        small = bell_file("small.json", 5, 40, 96)
-        cli("convert", small, path)
-    return path
-
-
-@contextlib.contextmanager
-def served(path, *arguments):
-    """HOST:PORT of an emulated scanner that sends this scan."""
-    process = subprocess.Popen([CLI, "serve", str(path), "--port", "0", *map(str, arguments)], stdout=subprocess.PIPE, text=True)
-    try:
-        said = json.loads(process.stdout.readline())
-        yield f"{said['host']}:{said['port']}"
-    finally:
-        process.kill()
-        process.wait()
-        process.stdout.close()
+from support import CLI, HERE, SHARED, SOURCE, bell_file, cli, recording_file
 
 
 class SameAsTheCommandLine(unittest.TestCase):
@@ -135,6 +85,9 @@ class SameAsTheCommandLine(unittest.TestCase):
         bell.save_truth(str(HERE / "again-truth"))
         for name in ("gt_class.png", "gt_ignore.png", "rocks.json", "scene.json"):
             self.assertEqual((HERE / "again-truth" / name).read_bytes(), (HERE / "bell-truth" / name).read_bytes(), name)
+
+        with self.assertRaisesRegex(edgescan.Error, "truth=True"):
+            edgescan.simulate(seed=7, lines=60, beams=80).truth
 
 
 class Arrays(unittest.TestCase):
@@ -359,74 +312,6 @@ class Threads(unittest.TestCase):
         self.assertNotEqual(process.returncode, 0)
 
 
-class Types(unittest.TestCase):
-    def classes(self):
-        return [getattr(edgescan, name) for name in edgescan.__all__ if inspect.isclass(getattr(edgescan, name)) and name != "Error"]
-
-    def test_no_object_without_content(self):
-        self.assertGreaterEqual(len(self.classes()), 7)
-        for bound in self.classes():
-            derived = type("Derived", (bound,), {})
-            calls = [lambda: bound.__new__(bound), lambda: bound(), lambda: object.__new__(bound), lambda: derived.__new__(derived),
-                     lambda: bound.__mro__[1].__new__(bound), lambda: copy.copy(self.objects()[bound]) if bound in self.objects() else bound()]
-            for call in calls:
-                with self.subTest(bound=bound, call=inspect.getsource(calls[0])), self.assertRaises(TypeError):
-                    call()
-
-    def objects(self):
-        if not hasattr(Types, "made"):
-            bell = edgescan.simulate(lines=60, beams=80)
-            result = edgescan.detect(bell.scan)
-            Types.made = {edgescan.Simulation: bell, edgescan.Scan: bell.scan, edgescan.Result: result, edgescan.Rocks: edgescan.rocks(result),
-                          edgescan.Replay: edgescan.replay(recording_file())}
-        return Types.made
-
-    def test_values_of_other_types(self):
-        scan, result = self.objects()[edgescan.Scan], self.objects()[edgescan.Result]
-        path = bell_file()
-        for call in (lambda v: edgescan.detect(scan, jump=v), lambda v: edgescan.rocks(result, level=v), lambda v: self.objects()[edgescan.Rocks].at(v),
-                     lambda v: edgescan.simulate(lines=v, beams=80), lambda v: edgescan.open(path, line_step=v),
-                     lambda v: edgescan.replay(recording_file(), speed=v), lambda v: edgescan.connect("127.0.0.1:1", first_line=v),
-                     lambda v: edgescan.connect("127.0.0.1:1", timeout=v)):
-            for value in (b"x", b"12", bytearray(b"12"), memoryview(b"12"), True, False, np.True_, 1j, object(), {}, [b"12"]):
-                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
-                    call(value)
-        for call in (lambda v: edgescan.replay(recording_file(), every=v), lambda v: edgescan.simulate(seed=v, lines=60, beams=80),
-                     lambda v: edgescan.connect("127.0.0.1:1", expected_lines=v), lambda v: edgescan.rocks(result, region=[(v, 1), (2, 2)])):
-            for value in (b"1", "1", 1.5, True, None, np.float64(1)):
-                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
-                    call(value)
-        for call in (lambda v: edgescan.detect(scan, slips=v), lambda v: edgescan.open(path, straighten=v),
-                     lambda v: edgescan.save(scan, HERE / "types.pcd", ascii=v), lambda v: edgescan.simulate(lines=60, beams=80, truth=v),
-                     lambda v: edgescan.save(scan, HERE / "types.pcd", comments=v), lambda v: edgescan.connect("127.0.0.1:1", standing=v)):
-            for value in (b"on", 1, 0, 1.0, [], "yes"):
-                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
-                    call(value)
-        for call in (lambda v: edgescan.detect(scan, method=v), lambda v: edgescan.simulate(scene=v), lambda v: edgescan.connect(v),
-                     lambda v: edgescan.save(scan, HERE / "types.pcd", role=v), lambda v: edgescan.save(scan, HERE / "types.pcd", frame=v),
-                     lambda v: edgescan.detect(scan, classes=v)):
-            for value in (b"x", 1, True, np.float64(1)):
-                with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
-                    call(value)
-        for call in (edgescan.open, lambda v: edgescan.save(scan, v), edgescan.replay, lambda v: edgescan.detect(scan, preset=v),
-                     lambda v: edgescan.open(path, pose=v), lambda v: edgescan.connect("127.0.0.1:1", record=v)):
-            for value in (1, True, 1.5, [b"x"], object()):
-                with self.subTest(call=str(call), value=value), self.assertRaises(TypeError):
-                    call(value)
-
-    def test_numbers_of_any_kind(self):
-        scan = self.objects()[edgescan.Scan]
-        wanted = edgescan.detect(scan, jump=40).mask_sha256
-        for value in (40.0, "40", np.int8(40), np.uint64(40), np.float32(40), np.float64(40), fractions.Fraction(40)):
-            self.assertEqual(edgescan.detect(scan, jump=value).mask_sha256, wanted, repr(value))
-        for value in (float("nan"), float("inf"), -float("inf"), np.nan, np.float32("inf"), 10**400, -(10**400)):
-            for call in (lambda v: edgescan.detect(scan, jump=v), lambda v: edgescan.rocks(edgescan.detect(scan), level=v),
-                         lambda v: edgescan.replay(recording_file(), speed=v), lambda v: edgescan.connect("127.0.0.1:1", timeout=v)):
-                with self.subTest(value=value), self.assertRaises(edgescan.Error):
-                    call(value)
-        self.assertEqual(edgescan.detect(scan, jump=None).mask_sha256, edgescan.detect(scan).mask_sha256)
-
-
 class Names(unittest.TestCase):
     def test_names_that_are_not_utf8(self):
         folder = os.fsencode(HERE) + b"/d\xfe"
@@ -456,126 +341,6 @@ class Names(unittest.TestCase):
         self.assertTrue(os.path.exists(folder + b"/truth\xff/gt_class.png"))
         with self.assertRaises(edgescan.Error):
             edgescan.replay(folder + b"/a\xff.pcd")
-
-
-class Sweeps(unittest.TestCase):
-    def test_replay_ends_with_what_open_gives(self):
-        recording = recording_file()
-        sweeps = list(edgescan.replay(recording, every=15))
-        self.assertEqual([s.lines for s in sweeps], [15, 30, 40])
-        self.assertEqual([s.finished for s in sweeps], [False, False, True])
-        opened = edgescan.open(recording)
-        np.testing.assert_array_equal(sweeps[-1].scan.range_mm, opened.range_mm)
-        np.testing.assert_array_equal(sweeps[-1].scan.state, opened.state)
-        np.testing.assert_array_equal(sweeps[-1].scan.line_deg, opened.line_deg)
-        np.testing.assert_array_equal(sweeps[0].scan.range_mm, opened.range_mm[:15])
-        self.assertEqual(len(list(edgescan.replay(recording))), 40)
-
-    def test_connect(self):
-        small = bell_file("small.json", 5, 40, 96)
-        wanted = edgescan.open(small)
-        record = HERE / "recorded.mcap"
-        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, axis="sweep", record=record) as scanner:
-            seen = []
-            for sweep in scanner:
-                seen.append(sweep.lines)
-                if sweep.finished:
-                    break
-            self.assertEqual(scanner.status["phase"], "LIVE")
-        self.assertEqual(seen, sorted(seen))
-        self.assertTrue(sweep.complete)
-        np.testing.assert_array_equal(sweep.scan.range_mm, wanted.range_mm)
-        np.testing.assert_array_equal(edgescan.open(record).range_mm, wanted.range_mm)
-        # The axis was given, the step was not.
-        for scan in (sweep.scan, edgescan.open(record)):
-            told = [w for w in scan.warnings if "ASSUMED" in w]
-            self.assertEqual(len(told), 1, scan.warnings)
-            self.assertIn("the step from line to line", told[0])
-            self.assertNotIn("the axis", told[0])
-
-    def test_nobody_there(self):
-        record = HERE / "nobody.mcap"
-        with self.assertRaisesRegex(edgescan.Error, "127.0.0.1"):
-            edgescan.connect("127.0.0.1:1", timeout=1, record=record)
-        self.assertFalse(record.exists())
-        with edgescan.connect("127.0.0.1:1", timeout=None) as scanner, self.assertRaisesRegex(edgescan.Error, "127.0.0.1"):
-            scanner.next(timeout=1)
-        self.assertEqual(list(scanner), [])
-
-    def test_a_peer_that_says_nothing(self):
-        with socket.create_server(("127.0.0.1", 0)) as silent:
-            with self.assertRaises(edgescan.Error):
-                edgescan.connect(f"127.0.0.1:{silent.getsockname()[1]}", timeout=1)
-
-    def test_a_scanner_that_falls_silent(self):
-        small = bell_file("small.json", 5, 40, 96)
-        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, timeout=2) as scanner:
-            with self.assertRaises(edgescan.Error):
-                for _ in scanner:  # the emulated scanner stops after the last line
-                    pass
-
-
-class Documents(unittest.TestCase):
-    def test_docstrings(self):
-        bell = edgescan.simulate(seed=7, lines=120, beams=161, truth=True)
-        result = edgescan.detect(bell.scan)
-        with served(bell_file("small.json", 5, 40, 96), "--rate", 400) as address:
-            names = {"edgescan": edgescan, "bell": bell, "scan": bell.scan, "result": result, "path": bell_file(), "folder": HERE,
-                     "recording": recording_file(), "address": address}
-            failed, tried = doctest.testmod(edgescan, extraglobs=names)
-        self.assertEqual(failed, 0)
-        self.assertGreaterEqual(tried, 15)
-
-    def test_the_examples_of_the_document(self):
-        text = (SOURCE / "docs/python.md").read_text()
-        blocks = re.findall(r"```python\n(.*?)```", text, re.S)
-        self.assertGreaterEqual(len(blocks), 5)
-        names, home = {"edgescan": edgescan}, os.getcwd()
-        os.chdir(HERE)
-        try:
-            pathlib.Path("BELL.mcap").write_bytes(recording_file().read_bytes())
-            cli("convert", bell_file(), "BELL.pcd")
-            with served(bell_file("small.json", 5, 40, 96), "--rate", 400) as address:
-                for block in blocks:
-                    used = set(re.findall(r"^(?:import|from) (\w+)", block, re.M))
-                    absent = [name for name in used if importlib.util.find_spec(name) is None]
-                    if absent:
-                        print(f"not run, {', '.join(absent)} is not there:\n{block}", file=sys.stderr)
-                        continue
-                    with self.subTest(block=block):
-                        exec(compile(block.replace("192.168.0.1", address), "docs/python.md", "exec"), names)
-        finally:
-            os.chdir(home)
-
-    def test_stubs(self):
-        stubs = pathlib.Path(edgescan.__file__).with_suffix(".pyi").read_text()
-        tree = {node.name: node for node in ast.parse(stubs).body if hasattr(node, "name")}
-        self.assertEqual(set(tree), set(edgescan.__all__))
-        for name, node in tree.items():
-            if isinstance(node, ast.FunctionDef):
-                shown = [a.arg for a in node.args.args + node.args.kwonlyargs]
-                self.assertEqual(shown, list(inspect.signature(getattr(edgescan, name)).parameters))
-            elif name != "Error":
-                methods = {n.name for n in node.body if isinstance(n, ast.FunctionDef)}
-                for own in dir(getattr(edgescan, name)):
-                    if not own.startswith("_"):
-                        self.assertIn(own, methods, name)
-        if importlib.util.find_spec("mypy") is not None:
-            user = HERE / "user.py"
-            user.write_text("import edgescan\nscan = edgescan.open('x', axis='spin')\nresult = edgescan.detect(scan, jump=3, norm='l2')\n"
-                            "total: int = int(result.mask.sum()) + scan.lines\n")
-            run = subprocess.run([sys.executable, "-m", "mypy", "--strict", str(user)], capture_output=True, text=True, check=False,
-                                 env=dict(os.environ, MYPYPATH=str(pathlib.Path(edgescan.__file__).parent.parent)))
-            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
-
-    def test_everything_has_a_docstring(self):
-        for name in edgescan.__all__:
-            thing = getattr(edgescan, name)
-            self.assertTrue(thing.__doc__, name)
-            if inspect.isclass(thing) and thing is not edgescan.Error:
-                for own, value in vars(thing).items():
-                    if isinstance(value, property):
-                        self.assertTrue(value.__doc__, f"{name}.{own}")
 
 
 if __name__ == "__main__":

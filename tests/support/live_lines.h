@@ -3,7 +3,7 @@
 
 #include "core/files/recording/writer.h"
 #include "core/scan/grid/scan.h"
-#include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/scanner/sick_lms/telegram_line.h"
 #include "core/scanner/sweep_assembly/sweep_assembler.h"
 
 #include <cmath>
@@ -81,6 +81,10 @@ inline files::RecordingMessagePtr lineMessage(int n, const LineStyle& style = {}
     return std::make_shared<const files::RecordingMessage>(
         files::RecordingMessage{files::RecordingTopic::ColaRx, hostNsOfLine(n),
                                 scanner::framed(scanner::encodeScanTelegram(telegramOfLine(n, style), dialect), dialect)});
+}
+
+inline void pushTelegram(scanner::SweepAssembler& assembler, const scanner::ScanTelegram& telegram, std::int64_t hostNs) {
+    assembler.push(scanner::sweepLine(telegram, assembler.settings().echo), hostNs);
 }
 
 } // namespace edgescan::test

@@ -4,6 +4,7 @@
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
+#include "core/scanner/sick_lms/telegram_line.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/scans.h"
 #include "tests/support/wait_until.h"
@@ -156,7 +157,7 @@ inline Account accountOf(const std::vector<scanner::ScanTelegram>& telegrams) {
     scanner::LineCounter counter;
     std::int64_t first = 0;
     for (const scanner::ScanTelegram& telegram : telegrams) {
-        const scanner::LineStamp stamp = counter.stamp(telegram, 0);
+        const scanner::LineStamp stamp = counter.stamp(scanner::countOf(telegram), 0);
         if (stamp.step == scanner::LineStep::First) first = stamp.telegram;
         if (stamp.step == scanner::LineStep::Duplicate) {
             ++account.duplicates;

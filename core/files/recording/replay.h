@@ -3,7 +3,7 @@
 
 #include "core/files/point_tables/source.h"
 #include "core/files/recording/recording.h"
-#include "core/scanner/sweep_assembly/sweep_feed.h"
+#include "core/scanner/sick_lms/sweep_feed.h"
 
 #include <functional>
 

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/scan/grid/scan.h"
 #include "core/scanner/cola/frames.h"
+#include "core/scanner/scan_line/scan_line.h"
 
 #include <array>
 #include <cstdint>
@@ -102,33 +103,14 @@ struct ScanTelegram {
 /// The channel called `content`, or null.
 [[nodiscard]] const ScanChannel* findChannel(const ScanTelegram& telegram, std::string_view content);
 
-/// A line's ranges, mm. A range is valid where state is Valid; DeviceStatus cells hold their code times the scale.
-struct ChannelRanges {
-    std::vector<float> rangeMm;
-    std::vector<CellState> state; ///< Valid, NoReturn (raw 0) or DeviceStatus (raw 1..15)
-};
-[[nodiscard]] ChannelRanges rangesMm(const ScanChannel& channel);
+/// A channel's ranges: raw 0 is NoReturn, raw 1..15 DeviceStatus.
+[[nodiscard]] LineRanges rangesMm(const ScanChannel& channel);
 
 /// The beams of a channel without the scanner's rounding: start and step are moved to the 1/24-degree grid if they round to it
-/// (docs/protocol.md, "Beam angles"). Interlaced modes alternate between two grids: compare the grids; do not use the first for all lines.
-struct BeamGrid {
-    double startDeg = 0.0;
-    double stepDeg = 0.0;
-    int beams = 0;
-
-    bool operator==(const BeamGrid&) const = default;
-};
+/// (docs/protocol.md, "Beam angles").
 [[nodiscard]] BeamGrid beamGrid(const ScanChannel& channel);
-[[nodiscard]] double snappedDeg(double degrees);
 
 /// The meaning of the two status bytes.
-struct DeviceFlags {
-    bool error = false; ///< or not ready; set in the first telegrams after a start
-    bool contaminationWarning = false;
-    bool contaminationError = false;
-
-    bool operator==(const DeviceFlags&) const = default;
-};
 [[nodiscard]] DeviceFlags deviceFlags(const ScanTelegram& telegram);
 
 [[nodiscard]] double scanFrequencyHz(const ScanTelegram& telegram);

@@ -4,7 +4,6 @@
 #include "core/base/physical_limits.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgescan::scanner {
 
@@ -22,9 +21,8 @@ const ScanChannel* findChannel(const ScanTelegram& telegram, std::string_view co
     return nullptr;
 }
 
-ChannelRanges rangesMm(const ScanChannel& channel) {
-    ChannelRanges ranges{std::vector<float>(channel.values.size(), 0.0F),
-                         std::vector<CellState>(channel.values.size(), CellState::NoReturn)};
+LineRanges rangesMm(const ScanChannel& channel) {
+    LineRanges ranges{std::vector<float>(channel.values.size(), 0.0F), std::vector<CellState>(channel.values.size(), CellState::NoReturn)};
     for (std::size_t beam = 0; beam < channel.values.size(); ++beam) {
         const std::uint16_t raw = channel.values[beam];
         if (raw == 0) continue;
@@ -36,12 +34,6 @@ ChannelRanges rangesMm(const ScanChannel& channel) {
         ranges.state[beam] = isRange ? CellState::Valid : CellState::DeviceStatus;
     }
     return ranges;
-}
-
-double snappedDeg(double degrees) {
-    constexpr double kTolerance = 0.6e-4; // half of the last digit sent, plus a margin
-    const double snapped = std::round(degrees * 24.0) / 24.0;
-    return std::abs(snapped - degrees) <= kTolerance ? snapped : degrees;
 }
 
 BeamGrid beamGrid(const ScanChannel& channel) {

@@ -49,18 +49,18 @@ std::int64_t nsOf(std::int64_t us) { return std::clamp(us, kEarliestNs / kNsPerU
 
 } // namespace
 
-LineStamp LineCounter::stamp(const ScanTelegram& telegram, std::int64_t hostNs) {
-    if (!last_) return keep(telegram, hostNs, {});
-    Advance advance = advanceTo(telegram, hostNs);
+LineStamp LineCounter::stamp(const LineCount& count, std::int64_t hostNs) {
+    if (!last_) return keep(count, hostNs, {});
+    Advance advance = advanceTo(count, hostNs);
     LineStamp stamp = last_->stamp;
-    stamp.step = judge(advance, telegram);
+    stamp.step = judge(advance, count);
     stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.implausible = stamp.linesBehind = 0;
     stamp.clock = ClockStep::Ran;
     stamp.counters = CounterStep::Ran;
     reconnected_ = false;
     if (stamp.step == LineStep::Restart) {
         ++stamp.epoch;
-        return keep(telegram, hostNs, stamp);
+        return keep(count, hostNs, stamp);
     }
     stamp.telegram += advance.telegrams;
     stamp.scan += advance.scans;
@@ -72,39 +72,39 @@ LineStamp LineCounter::stamp(const ScanTelegram& telegram, std::int64_t hostNs) 
     } else {
         stamp.linesBehind = advance.telegrams != 0 ? -advance.telegrams : -advance.scans / steps();
     }
-    return keep(telegram, hostNs, stamp);
+    return keep(count, hostNs, stamp);
 }
 
-LineStamp LineCounter::restart(const ScanTelegram& telegram, std::int64_t hostNs) {
+LineStamp LineCounter::restart(const LineCount& count, std::int64_t hostNs) {
     LineStamp stamp = last_ ? last_->stamp : LineStamp{};
     stamp = {LineStep::Restart, stamp.telegram, stamp.scan, stamp.deviceUs, stamp.transmittedUs, 0, 0, 0, 0, 0, {}, {}, stamp.epoch + 1};
-    return keep(telegram, hostNs, stamp);
+    return keep(count, hostNs, stamp);
 }
 
-LineStamp LineCounter::next(const ScanTelegram& telegram, std::int64_t hostNs) {
+LineStamp LineCounter::next(const LineCount& count, std::int64_t hostNs) {
     LineStamp stamp = last_ ? last_->stamp : LineStamp{};
     stamp.step = LineStep::Next;
     stamp.lost = stamp.lostTelegrams = stamp.lostScans = stamp.implausible = stamp.linesBehind = 0;
     stamp.clock = ClockStep::Stopped;
     stamp.counters = CounterStep::Stopped;
-    return keep(telegram, hostNs, stamp);
+    return keep(count, hostNs, stamp);
 }
 
-LineCounter::Advance LineCounter::advanceTo(const ScanTelegram& telegram, std::int64_t hostNs) const {
+LineCounter::Advance LineCounter::advanceTo(const LineCount& count, std::int64_t hostNs) const {
     Advance advance;
     advance.hostUs = hostNs / 1000 - last_->hostNs / 1000;
-    const std::uint32_t ahead = telegram.sinceStartUs - last_->sinceStartUs;
+    const std::uint32_t ahead = count.sinceStartUs - last_->count.sinceStartUs;
     advance.us = nearest(ahead, kClockTurn, static_cast<double>(advance.hostUs));
-    advance.periodUs = linePeriodS(telegram) * 1e6;
+    advance.periodUs = count.periodS * 1e6;
     advance.scansByClock = static_cast<double>(advance.us) / advance.periodUs;
     advance.scansByHost = static_cast<double>(std::max<std::int64_t>(advance.hostUs, 0)) / advance.periodUs;
-    count(advance, telegram);
+    advanceCounters(advance, count);
     return advance;
 }
 
-void LineCounter::count(Advance& advance, const ScanTelegram& telegram) const {
-    advance.telegrams = advanced(telegram.telegramCounter, last_->telegramCounter, advance.scansByClock / static_cast<double>(steps()));
-    advance.scans = advanced(telegram.scanCounter, last_->scanCounter, advance.scansByClock);
+void LineCounter::advanceCounters(Advance& advance, const LineCount& count) const {
+    advance.telegrams = advanced(count.telegrams, last_->count.telegrams, advance.scansByClock / static_cast<double>(steps()));
+    advance.scans = advanced(count.scans, last_->count.scans, advance.scansByClock);
 }
 
 /// Whether either clock allows so many scans.
@@ -121,7 +121,7 @@ bool LineCounter::wasThere(const Advance& advance) const {
     return together && advance.telegrams >= -kOldest;
 }
 
-LineStep LineCounter::judge(Advance& advance, const ScanTelegram& telegram) const {
+LineStep LineCounter::judge(Advance& advance, const LineCount& count) const {
     if (advance.telegrams == 0 && advance.scans == 0 && advance.us == 0) return LineStep::Duplicate;
     if (wasThere(advance)) return LineStep::Duplicate;
     // If the device clock ran ahead of the host's while the connection was lost, the clock was set.
@@ -129,10 +129,10 @@ LineStep LineCounter::judge(Advance& advance, const ScanTelegram& telegram) cons
     if (advance.us < 0) {
         // Was the clock alone set back, or the counters too? After a restart of the scanner its counters start again, and its clock shows a
         // short time.
-        const bool young = static_cast<double>(telegram.sinceStartUs) <= static_cast<double>(advance.hostUs) + kPauseUs;
+        const bool young = static_cast<double>(count.sinceStartUs) <= static_cast<double>(advance.hostUs) + kPauseUs;
         advance.clockJumped = true;
         advance.scansByClock = advance.scansByHost;
-        count(advance, telegram);
+        advanceCounters(advance, count);
         const auto steady = [&](std::int64_t scans) { return scans >= 1 && scans <= 3 * steps(); };
         if (steady(advance.telegrams * steps()) && steady(advance.scans)) return LineStep::Next;
         const bool follows = possible(advance, advance.telegrams * steps()) || possible(advance, advance.scans);
@@ -187,15 +187,15 @@ void LineCounter::learnInterval(const Advance& advance) {
     if (interval >= 1 && (interval_ == 0 || interval < interval_)) interval_ = interval;
 }
 
-LineStamp LineCounter::keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp) {
+LineStamp LineCounter::keep(const LineCount& count, std::int64_t hostNs, LineStamp stamp) {
     if (stamp.step == LineStep::First || stamp.step == LineStep::Restart) {
-        stamp.telegram = telegram.telegramCounter;
-        stamp.scan = telegram.scanCounter;
-        stamp.deviceUs = telegram.sinceStartUs;
+        stamp.telegram = count.telegrams;
+        stamp.scan = count.scans;
+        stamp.deviceUs = count.sinceStartUs;
     }
-    stamp.transmittedUs = stamp.deviceUs + static_cast<std::int32_t>(telegram.transmittedUs - telegram.sinceStartUs);
+    stamp.transmittedUs = stamp.deviceUs + static_cast<std::int32_t>(count.transmittedUs - count.sinceStartUs);
     if (stamp.step == LineStep::Duplicate) return stamp;
-    last_ = Last{telegram.telegramCounter, telegram.scanCounter, telegram.sinceStartUs, hostNs, stamp};
+    last_ = Last{count, hostNs, stamp};
     return stamp;
 }
 

@@ -2,7 +2,7 @@
 // clocks").
 #pragma once
 
-#include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/scanner/scan_line/scan_line.h"
 
 #include <cstdint>
 #include <deque>
@@ -61,12 +61,12 @@ public:
 
     /// `hostNs`: monotonic host time of the line. Only differences are used; always 0 is allowed if silences are shorter than an hour. A
     /// Duplicate gets the stamp of the line that it repeats, and changes nothing.
-    LineStamp stamp(const ScanTelegram& telegram, std::int64_t hostNs);
+    LineStamp stamp(const LineCount& count, std::int64_t hostNs);
 
     /// The same for a line that stamp() took for a Duplicate, but which is a different line under an old number: a Restart.
-    LineStamp restart(const ScanTelegram& telegram, std::int64_t hostNs);
+    LineStamp restart(const LineCount& count, std::int64_t hostNs);
     /// The same for a line with the newest line's stamp but other measurements: it follows the newest line, and the counters are ignored.
-    LineStamp next(const ScanTelegram& telegram, std::int64_t hostNs);
+    LineStamp next(const LineCount& count, std::int64_t hostNs);
 
     /// Whether any counter or clock of this scanner has advanced.
     [[nodiscard]] bool moves() const { return moves_; }
@@ -76,8 +76,7 @@ public:
 
 private:
     struct Last {
-        std::uint16_t telegramCounter = 0, scanCounter = 0;
-        std::uint32_t sinceStartUs = 0;
+        LineCount count;
         std::int64_t hostNs = 0;
         LineStamp stamp;
     };
@@ -90,14 +89,14 @@ private:
     };
 
     [[nodiscard]] std::int64_t steps() const { return interval_ > 0 ? interval_ : 1; }
-    [[nodiscard]] Advance advanceTo(const ScanTelegram& telegram, std::int64_t hostNs) const;
-    void count(Advance& advance, const ScanTelegram& telegram) const;
+    [[nodiscard]] Advance advanceTo(const LineCount& count, std::int64_t hostNs) const;
+    void advanceCounters(Advance& advance, const LineCount& count) const;
     [[nodiscard]] bool possible(const Advance& advance, std::int64_t scans) const;
-    [[nodiscard]] LineStep judge(Advance& advance, const ScanTelegram& telegram) const;
+    [[nodiscard]] LineStep judge(Advance& advance, const LineCount& count) const;
     [[nodiscard]] bool wasThere(const Advance& advance) const;
     void follow(LineStamp& stamp, const Advance& advance) const;
     void learnInterval(const Advance& advance);
-    LineStamp keep(const ScanTelegram& telegram, std::int64_t hostNs, LineStamp stamp);
+    LineStamp keep(const LineCount& count, std::int64_t hostNs, LineStamp stamp);
 
     std::int64_t interval_; ///< scans per telegram, 0: unknown
     bool learning_;

@@ -10,22 +10,6 @@
 
 namespace edgescan::scanner {
 
-/// The content of one telegram, as the sweep needs it.
-struct SweepLine {
-    BeamGrid beams;
-    ChannelRanges ranges;
-    /// RSSI of each beam's echo, as the telegram counts it, NaN where the echo has no RSSI; empty: the telegram has no RSSI
-    std::vector<float> intensity;
-    double unitMm = 1.0;
-    LineTiming facts;
-    DeviceFlags device;
-    std::uint32_t serialNumber = 0;
-    std::string echoes; ///< range channels in the telegram: "DIST1 DIST2", or "DIST1 (DIST2)" if the beams of the second differ
-};
-
-/// The line in a telegram: ranges of the requested echo, beams, device status. Of the facts only the mirror's period is set.
-[[nodiscard]] SweepLine sweepLine(const ScanTelegram& telegram, Echo echo);
-
 /// A value type. Lines that arrived before their interlacing was known are stored and placed again.
 class GrowingSweep {
 public:

@@ -1,7 +1,7 @@
 // Merges the beams of interlaced lines: two lines of 571 and 570 beams become one of 1141 (docs/protocol.md, "Interlaced lines").
 #pragma once
 
-#include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/scanner/scan_line/scan_line.h"
 
 #include <optional>
 #include <span>

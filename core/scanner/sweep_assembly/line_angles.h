@@ -1,6 +1,7 @@
 // The stepper angle of each line of a sweep: from the encoder, else from the stepper, else counted in steps, else from time.
 #pragma once
 
+#include "core/scanner/scan_line/scan_line.h"
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 
 #include <cstdint>
@@ -11,20 +12,6 @@
 namespace edgescan::scanner {
 
 enum class AngleSource : std::uint8_t { Encoder, Stepper, Steps, Time };
-
-/// The data of one line about its angle.
-struct LineTiming {
-    bool received = false;
-    int turns = 0;                       ///< mirror rotations after the line's first part, if only a later part arrived
-    std::int64_t hostNs = 0;             ///< when it arrived
-    std::int64_t stampNs = 0;            ///< its time stamp by the host's clock
-    double seconds = 0.0;                ///< device clock, continuous over restarts
-    double secondsPerTurn = 0.04;        ///< of the mirror
-    std::optional<std::int64_t> encoder; ///< count since the zero position
-    std::optional<double> stepperDeg;    ///< as the stepper reported
-    bool stepperSettled = false;         ///< true: later readings cannot change it
-    double degPerSecond = 0.0;           ///< as the stepper reported; 0 if it is not moving
-};
 
 struct LineAngles {
     AngleSource source = AngleSource::Steps;

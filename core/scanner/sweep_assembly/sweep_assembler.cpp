@@ -16,17 +16,16 @@ constexpr std::int64_t kLongAgo = 1'000'000; // lines lost by a longer gap are n
 
 SweepAssembler::SweepAssembler(const SweepSettings& settings) : settings_(settings), counter_(settings.outputInterval) {}
 
-void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
+void SweepAssembler::push(SweepLine line, std::int64_t hostNs) {
     ++ended_.telegrams;
-    LineStamp stamp = counter_.stamp(telegram, hostNs);
-    if (telegram.layer != 0) { // of a scanner with several layers: the fan is at an angle to the one that the stepper rotates
+    LineStamp stamp = counter_.stamp(line.count, hostNs);
+    if (line.otherLayer) {
         changed_ = true;
         note(Irregularity::Misfit);
         return;
     }
-    SweepLine line = sweepLine(telegram, settings_.echo);
     line.facts.hostNs = hostNs;
-    if (stamp.step == LineStep::Duplicate && !isNew(telegram, line, hostNs, stamp)) return;
+    if (stamp.step == LineStep::Duplicate && !isNew(line, hostNs, stamp)) return;
     repeats_ = 0;
     changed_ = true;
     device_ = line.device;
@@ -45,7 +44,7 @@ void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
     line.facts.seconds = deviceSeconds + restartSeconds_;
     clock_.line(stamp.transmittedUs, hostNs);
     line.facts.stampNs = clock_.hostNs(stamp.deviceUs);
-    followEncoder(telegram, line.facts, lost, restarted);
+    followEncoder(line, lost, restarted);
     stepper_.line(line.facts);
     last_ = line.facts;
     ended_.lost += lost;
@@ -56,7 +55,7 @@ void SweepAssembler::push(const ScanTelegram& telegram, std::int64_t hostNs) {
 
 /// For a telegram whose counters and clock name a line that already arrived: decides whether it is a different line; if so, sets `stamp`. A
 /// line that was missing is put into its place. A line that is already there is dropped.
-bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::int64_t hostNs, LineStamp& stamp) {
+bool SweepAssembler::isNew(SweepLine& line, std::int64_t hostNs, LineStamp& stamp) {
     constexpr int kFewBehind = 8;  // such a line is late or was sent twice, whatever it measured
     constexpr int kFewRepeats = 3; // number of such lines with other measurements
     constexpr int kManyRepeats = 64;
@@ -64,8 +63,8 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
     using enum GrowingSweep::Repeat;
     line.facts.seconds = static_cast<double>(stamp.deviceUs) / kUsPerSecond + restartSeconds_;
     line.facts.stampNs = clock_.hostNs(stamp.deviceUs);
-    if (encoderAt_ && !telegram.encoders.empty())
-        line.facts.encoder = encoderCount_ + static_cast<std::int32_t>(telegram.encoders.front().position - *encoderAt_);
+    if (encoderAt_ && line.encoderPosition)
+        line.facts.encoder = encoderCount_ + static_cast<std::int32_t>(*line.encoderPosition - *encoderAt_);
     stepper_.line(line.facts);
     const bool comparable = sweep_ && !misfit_ && line.beams.beams > 0;
     const auto repeat = comparable ? sweep_->repeat(line, stamp.linesBehind - lostSince_) : Outside;
@@ -79,13 +78,13 @@ bool SweepAssembler::isNew(const ScanTelegram& telegram, SweepLine& line, std::i
     }
     const double later = last_ ? secondsBetween(last_->hostNs, hostNs) : 0.0;
     if (repeat == Other && stamp.linesBehind == 0 && (!counter_.moves() || later >= kHalf * line.facts.secondsPerTurn)) {
-        stamp = counter_.next(telegram, hostNs);
+        stamp = counter_.next(line.count, hostNs);
         return true;
     }
     const bool odd = repeat == Other || repeat == Outside;
     const bool isNewLine = odd && stamp.linesBehind > kFewBehind;
     if (comparable && (isNewLine || (repeat == Other && repeats_ >= kFewRepeats) || repeats_ >= kManyRepeats)) {
-        stamp = counter_.restart(telegram, hostNs);
+        stamp = counter_.restart(line.count, hostNs);
         return true;
     }
     if (comparable && repeat == Outside && stamp.linesBehind > 0)
@@ -135,9 +134,9 @@ std::int64_t SweepAssembler::lostInRestart(const SweepLine& line) const {
     return std::isfinite(lines) && lines > 1.0 ? std::min(kLongAgo, static_cast<std::int64_t>(std::llround(lines)) - 1) : 0;
 }
 
-void SweepAssembler::followEncoder(const ScanTelegram& telegram, LineTiming& facts, std::int64_t lost, bool restarted) {
-    if (telegram.encoders.empty()) return;
-    const std::uint32_t position = telegram.encoders.front().position;
+void SweepAssembler::followEncoder(SweepLine& line, std::int64_t lost, bool restarted) {
+    if (!line.encoderPosition) return;
+    const std::uint32_t position = *line.encoderPosition;
     if (!settings_.ticksPerDeg) {
         encoderWithoutScale_ = true;
         return;
@@ -157,7 +156,7 @@ void SweepAssembler::followEncoder(const ScanTelegram& telegram, LineTiming& fac
         encoderCount_ += moved;
     }
     encoderAt_ = position;
-    facts.encoder = encoderCount_;
+    line.facts.encoder = encoderCount_;
 }
 
 void SweepAssembler::take(SweepLine line, std::int64_t lost) {

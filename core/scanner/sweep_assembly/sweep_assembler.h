@@ -59,8 +59,8 @@ class SweepAssembler {
 public:
     explicit SweepAssembler(const SweepSettings& settings = {});
 
-    /// `hostNs`: when the telegram's first byte arrived; any clock that only runs forward, the same for lines and readings.
-    void push(const ScanTelegram& telegram, std::int64_t hostNs);
+    /// `hostNs`: when the line's first byte arrived; any clock that only runs forward, the same for lines and readings.
+    void push(SweepLine line, std::int64_t hostNs);
     void push(const StepperReading& reading);
     /// The connection was made again; the scanner may have restarted.
     void reconnected() { counter_.reconnected(); }
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] const SweepSettings& settings() const { return settings_; }
 
 private:
-    bool isNew(const ScanTelegram& telegram, SweepLine& line, std::int64_t hostNs, LineStamp& stamp);
+    bool isNew(SweepLine& line, std::int64_t hostNs, LineStamp& stamp);
     void note(const SweepLine& line, const LineStamp& stamp);
     void note(Irregularity kind, std::int64_t times = 1, std::int64_t ahead = 0);
     void take(SweepLine line, std::int64_t lost);
@@ -88,7 +88,7 @@ private:
     void start(const SweepLine& line);
     void finishSweep();
     void splitAtReversal();
-    void followEncoder(const ScanTelegram& telegram, LineTiming& facts, std::int64_t lost, bool restarted);
+    void followEncoder(SweepLine& line, std::int64_t lost, bool restarted);
     [[nodiscard]] std::int64_t lostInRestart(const SweepLine& line) const;
     void describe(Scan& scan);
     [[nodiscard]] TelegramAccount account() const;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
-#include "core/edges/pipeline/threshold_map.h"
+#include "core/edges/pipeline/edge_count_curve.h"
 #include "core/edges/settings/presets.h"
 #include "ui/views/cloud/edge_cells.h"
 

@@ -47,7 +47,7 @@ void expectRealLines(const Listener& listener) {
     LineCounter counter;
     std::int64_t previous = 0;
     for (const ScanTelegram& telegram : telegrams) {
-        const LineStamp stamp = counter.stamp(telegram, 0);
+        const LineStamp stamp = counter.stamp(countOf(telegram), 0);
         if (stamp.step == LineStep::Next) {
             EXPECT_EQ(stamp.telegram - previous - 1, stamp.lost);
         }

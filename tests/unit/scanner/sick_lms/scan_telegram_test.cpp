@@ -285,7 +285,7 @@ TEST(ScanTelegramDecode, FlippedBytesNeverCrash) {
                 ++(telegram ? decoded : refused);
                 if (!telegram) continue;
                 for (const ScanChannel& channel : telegram->channels16) {
-                    const ChannelRanges ranges = rangesMm(channel);
+                    const LineRanges ranges = rangesMm(channel);
                     for (std::size_t beam = 0; beam < ranges.rangeMm.size(); ++beam)
                         ASSERT_TRUE(std::isfinite(ranges.rangeMm[beam]) && ranges.rangeMm[beam] >= 0.0F);
                     (void)beamAnglesDeg(beamGrid(channel));
@@ -326,11 +326,11 @@ TEST(ScanTelegramDecode, ToleratesWhatOthersSend) {
 
 TEST(ScanTelegramValues, RangesHonourScaleAndOffset) {
     const ScanChannel channel{"DIST1", 2.0F, 0.0F, 0, 1667, {0, 1, 15, 16, 65535}};
-    const ChannelRanges ranges = rangesMm(channel);
+    const LineRanges ranges = rangesMm(channel);
     EXPECT_EQ(ranges.rangeMm, (std::vector<float>{0, 2, 30, 32, 131070}));
     EXPECT_EQ(ranges.state, (std::vector<CellState>{CellState::NoReturn, CellState::DeviceStatus, CellState::DeviceStatus, CellState::Valid,
                                                     CellState::Valid}));
-    const ChannelRanges shifted = rangesMm({"DIST1", 1.0F, -20.0F, 0, 1667, {16, 100}});
+    const LineRanges shifted = rangesMm({"DIST1", 1.0F, -20.0F, 0, 1667, {16, 100}});
     EXPECT_EQ(shifted.state, (std::vector<CellState>{CellState::NoReturn, CellState::Valid}));
     EXPECT_EQ(shifted.rangeMm[1], 80.0F);
 }

@@ -58,7 +58,7 @@ TEST(ScannerConnection, FindsTheDialectAndReceivesEveryLine) {
         ASSERT_EQ(telegrams.size(), 40U);
         for (std::size_t line = 0; line < telegrams.size(); ++line) {
             EXPECT_EQ(telegrams[line].encoders.at(0).position, line);
-            const ChannelRanges ranges = rangesMm(telegrams[line].channels16.at(0));
+            const LineRanges ranges = rangesMm(telegrams[line].channels16.at(0));
             const std::size_t first = line * 60;
             EXPECT_TRUE(std::equal(ranges.rangeMm.begin(), ranges.rangeMm.end(), scan.rangeMm.cells.begin() + static_cast<long>(first)));
             EXPECT_TRUE(std::equal(ranges.state.begin(), ranges.state.end(), scan.state.cells.begin() + static_cast<long>(first)));

@@ -1,5 +1,6 @@
 // Losses, wraps, duplicates and restarts, detected from the scanner's counters and clock.
 #include "core/base/utc_time.h"
+#include "core/scanner/sick_lms/telegram_line.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "tests/support/cola_vectors.h"
 
@@ -31,7 +32,7 @@ std::int64_t hostOf(std::int64_t n) { return n * kPeriodUs * 1000; }
 std::vector<LineStamp> stampsOf(const std::filesystem::path& path) {
     LineCounter counter;
     std::vector<LineStamp> stamps;
-    for (const ColaFrame& frame : scanFramesOf(path)) stamps.push_back(counter.stamp(*decodeScanTelegram(frame), 0));
+    for (const ColaFrame& frame : scanFramesOf(path)) stamps.push_back(counter.stamp(countOf(*decodeScanTelegram(frame)), 0));
     return stamps;
 }
 
@@ -88,21 +89,21 @@ TEST(LineCounter, HoursOfLinesWithLossesDuplicatesAndBothWraps) {
     for (const std::int64_t interval : {1, 2, 5}) {
         std::mt19937 random(7);
         LineCounter counter;
-        (void)counter.stamp(scanNumber(0, interval), hostOf(0));
-        (void)counter.stamp(scanNumber(interval, interval), hostOf(interval));
+        (void)counter.stamp(countOf(scanNumber(0, interval)), hostOf(0));
+        (void)counter.stamp(countOf(scanNumber(interval, interval)), hostOf(interval));
         std::int64_t n = interval;
         const std::int64_t last = 400000; // 4.4 hours: six wraps of the counters, three of the clock
         while (n < last) {
             const std::int64_t lost = random() % 50 == 0 ? static_cast<std::int64_t>(random() % 200) : 0;
             n += (lost + 1) * interval;
-            const LineStamp stamp = counter.stamp(scanNumber(n, interval), hostOf(n));
+            const LineStamp stamp = counter.stamp(countOf(scanNumber(n, interval)), hostOf(n));
             ASSERT_EQ(stamp.step, LineStep::Next) << n;
             ASSERT_EQ(stamp.lost, lost) << n;
             ASSERT_EQ(stamp.telegram, n / interval + 60000);
             ASSERT_EQ(stamp.scan, n + 64000);
             ASSERT_EQ(stamp.deviceUs, n * kPeriodUs + 0xFFF00000);
             if (random() % 20 == 0) {
-                const LineStamp again = counter.stamp(scanNumber(n, interval), hostOf(n) + 1000);
+                const LineStamp again = counter.stamp(countOf(scanNumber(n, interval)), hostOf(n) + 1000);
                 ASSERT_EQ(again.step, LineStep::Duplicate);
                 ASSERT_EQ(again.telegram, stamp.telegram);
             }
@@ -112,10 +113,10 @@ TEST(LineCounter, HoursOfLinesWithLossesDuplicatesAndBothWraps) {
 
 TEST(LineCounter, ScansThatTheScannerSkippedCountAsLost) {
     LineCounter counter;
-    for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
+    for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(countOf(scanNumber(n)), hostOf(n));
     ScanTelegram telegram = scanNumber(7); // two scans later, but the telegram counter increased by one only
     telegram.telegramCounter = static_cast<std::uint16_t>(scanNumber(4).telegramCounter + 1);
-    const LineStamp stamp = counter.stamp(telegram, hostOf(7));
+    const LineStamp stamp = counter.stamp(countOf(telegram), hostOf(7));
     EXPECT_EQ(stamp.lostTelegrams, 0);
     EXPECT_EQ(stamp.lostScans, 2);
     EXPECT_EQ(stamp.lost, 2);
@@ -123,13 +124,13 @@ TEST(LineCounter, ScansThatTheScannerSkippedCountAsLost) {
 
 TEST(LineCounter, OneCounterMayRestart) {
     LineCounter counter;
-    for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
+    for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(countOf(scanNumber(n)), hostOf(n));
     ScanTelegram telegram = scanNumber(5);
     telegram.scanCounter = 4;
-    EXPECT_EQ(counter.stamp(telegram, hostOf(5)).step, LineStep::Next);
+    EXPECT_EQ(counter.stamp(countOf(telegram), hostOf(5)).step, LineStep::Next);
     telegram = scanNumber(8);
     telegram.scanCounter = 7;
-    const LineStamp stamp = counter.stamp(telegram, hostOf(8));
+    const LineStamp stamp = counter.stamp(countOf(telegram), hostOf(8));
     EXPECT_EQ(stamp.step, LineStep::Next);
     EXPECT_EQ(stamp.lost, 2);
 }
@@ -137,13 +138,13 @@ TEST(LineCounter, OneCounterMayRestart) {
 TEST(LineCounter, RestartsAreNoGaps) {
     for (const bool reconnected : {true, false}) {
         LineCounter counter;
-        for (std::int64_t n = 0; n < 100; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
+        for (std::int64_t n = 0; n < 100; ++n) (void)counter.stamp(countOf(scanNumber(n)), hostOf(n));
         if (reconnected) counter.reconnected();
         ScanTelegram fresh = scanNumber(0); // power was lost: everything starts again
         fresh.telegramCounter = 1;
         fresh.scanCounter = 1;
         fresh.sinceStartUs = 90000;
-        const LineStamp stamp = counter.stamp(fresh, hostOf(1000));
+        const LineStamp stamp = counter.stamp(countOf(fresh), hostOf(1000));
         EXPECT_EQ(stamp.step, LineStep::Restart);
         EXPECT_EQ(stamp.epoch, 1);
         EXPECT_EQ(stamp.lost, 0);
@@ -151,17 +152,17 @@ TEST(LineCounter, RestartsAreNoGaps) {
         fresh.telegramCounter = 4;
         fresh.scanCounter = 4;
         fresh.sinceStartUs += 120000;
-        EXPECT_EQ(counter.stamp(fresh, hostOf(1003)).lost, 2);
+        EXPECT_EQ(counter.stamp(countOf(fresh), hostOf(1003)).lost, 2);
     }
 }
 
 TEST(LineCounter, LinesLostWhileNobodyListenedAreCounted) {
     LineCounter counter;
-    (void)counter.stamp(scanNumber(0), hostOf(0));
+    (void)counter.stamp(countOf(scanNumber(0)), hostOf(0));
     for (const std::int64_t gap : {2, 130, 40000, 70000, 300000}) { // up to 3.3 hours: all counters and clocks wrap more than once
         LineCounter own = counter;
         own.reconnected();
-        const LineStamp stamp = own.stamp(scanNumber(gap), hostOf(gap));
+        const LineStamp stamp = own.stamp(countOf(scanNumber(gap)), hostOf(gap));
         EXPECT_EQ(stamp.step, LineStep::Next) << gap;
         EXPECT_EQ(stamp.lost, gap - 1);
     }
@@ -169,20 +170,20 @@ TEST(LineCounter, LinesLostWhileNobodyListenedAreCounted) {
 
 TEST(LineCounter, APlayerThatBeginsAgainAfterReconnectingIsNoDuplicate) {
     LineCounter counter;
-    for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(scanNumber(n), hostOf(n));
-    EXPECT_EQ(counter.stamp(scanNumber(3), hostOf(5)).step, LineStep::Duplicate); // late, on the same connection
+    for (std::int64_t n = 0; n < 5; ++n) (void)counter.stamp(countOf(scanNumber(n)), hostOf(n));
+    EXPECT_EQ(counter.stamp(countOf(scanNumber(3)), hostOf(5)).step, LineStep::Duplicate); // late, on the same connection
     counter.reconnected();
-    EXPECT_EQ(counter.stamp(scanNumber(2), hostOf(30)).step, LineStep::Restart);
-    EXPECT_EQ(counter.stamp(scanNumber(3), hostOf(31)).step, LineStep::Next);
+    EXPECT_EQ(counter.stamp(countOf(scanNumber(2)), hostOf(30)).step, LineStep::Restart);
+    EXPECT_EQ(counter.stamp(countOf(scanNumber(3)), hostOf(31)).step, LineStep::Next);
 }
 
 TEST(LineCounter, APauseOfTheMeasurementIsNoLoss) {
     LineCounter counter;
-    (void)counter.stamp(scanNumber(0), hostOf(0));
-    (void)counter.stamp(scanNumber(1), hostOf(1));
+    (void)counter.stamp(countOf(scanNumber(0)), hostOf(0));
+    (void)counter.stamp(countOf(scanNumber(1)), hostOf(1));
     ScanTelegram telegram = scanNumber(2);
     telegram.sinceStartUs += 60'000'000;
-    const LineStamp stamp = counter.stamp(telegram, hostOf(2) + 60'000'000'000);
+    const LineStamp stamp = counter.stamp(countOf(telegram), hostOf(2) + 60'000'000'000);
     EXPECT_EQ(stamp.step, LineStep::Next);
     EXPECT_EQ(stamp.lost, 0);
 }
@@ -190,14 +191,14 @@ TEST(LineCounter, APauseOfTheMeasurementIsNoLoss) {
 TEST(LineCounter, DevicesThatDoNotCountOrHaveNoClock) {
     LineCounter counter;
     ScanTelegram telegram = scanNumber(0);
-    (void)counter.stamp(telegram, 0);
+    (void)counter.stamp(countOf(telegram), 0);
     telegram.sinceStartUs += 40000;
-    EXPECT_EQ(counter.stamp(telegram, 40'000'000).step, LineStep::Next);
+    EXPECT_EQ(counter.stamp(countOf(telegram), 40'000'000).step, LineStep::Next);
     LineCounter clockless;
-    (void)clockless.stamp(telegram, 0);
+    (void)clockless.stamp(countOf(telegram), 0);
     telegram.telegramCounter = static_cast<std::uint16_t>(telegram.telegramCounter + 3);
     telegram.scanCounter = static_cast<std::uint16_t>(telegram.scanCounter + 3);
-    const LineStamp stamp = clockless.stamp(telegram, 120'000'000);
+    const LineStamp stamp = clockless.stamp(countOf(telegram), 120'000'000);
     EXPECT_EQ(stamp.step, LineStep::Next);
     EXPECT_EQ(stamp.lost, 2);
 }

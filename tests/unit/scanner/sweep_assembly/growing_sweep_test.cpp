@@ -33,8 +33,8 @@ TEST(GrowingSweep, ScansOfOneSweepContinueEachOther) {
                 const int turn = n % 60;
                 telegram.encoders.push_back({static_cast<std::uint32_t>(1000 + (turn < 30 ? turn : 60 - turn)), 0});
             }
-            assembler.push(telegram, hostNsOfLine(n));
-            if (random() % 15 == 0) assembler.push(telegram, hostNsOfLine(n)); // twice
+            pushTelegram(assembler, telegram, hostNsOfLine(n));
+            if (random() % 15 == 0) pushTelegram(assembler, telegram, hostNsOfLine(n)); // twice
             const SweepState now{assembler.snapshot(), assembler.progress()};
             if (!now.scan || n < 20) continue;
             auto& before = last[now.progress.number];
@@ -77,7 +77,7 @@ TEST(GrowingSweep, LostLinesDoNotOutnumberTheOthersByFar) {
             }
         };
         for (int n = 0; n < telegrams; ++n) {
-            assembler.push(telegramOfLine(n * apart, {.beams = beams, .step = 10}), hostNsOfLine(n * apart));
+            pushTelegram(assembler, telegramOfLine(n * apart, {.beams = beams, .step = 10}), hostNsOfLine(n * apart));
             collect();
         }
         assembler.finish();

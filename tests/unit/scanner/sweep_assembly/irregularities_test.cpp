@@ -55,7 +55,7 @@ Result_ played(const Stream& stream, const SweepSettings& settings = {}) {
         }
     };
     for (const Sent& sent : stream) {
-        assembler.push(sent.telegram, sent.hostNs);
+        pushTelegram(assembler, sent.telegram, sent.hostNs);
         EXPECT_TRUE(assembler.progress().account.addsUp());
         collect();
     }
@@ -202,7 +202,7 @@ TEST(Irregularities, AClockThatRunsBackwardJumpsOrStops) {
             settings.degPerLine.reset(); // line angles are computed from time
             settings.degPerSecond = 4.5;
             SweepAssembler assembler(settings);
-            for (const Sent& sent : stream) assembler.push(sent.telegram, sent.hostNs);
+            for (const Sent& sent : stream) pushTelegram(assembler, sent.telegram, sent.hostNs);
             const Result_ result = played(stream, settings);
             EXPECT_TRUE(keepsAll(result, stream));
             EXPECT_EQ(result.lines, 100);

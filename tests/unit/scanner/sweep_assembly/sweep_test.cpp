@@ -17,7 +17,7 @@ namespace {
 SweepAssembler assembled(const SweepSettings& settings, int lines, const std::set<int>& dropped, const LineStyle& style = {}) {
     SweepAssembler assembler(settings);
     for (int n = 0; n < lines; ++n) {
-        if (!dropped.contains(n)) assembler.push(telegramOfLine(n, style), hostNsOfLine(n));
+        if (!dropped.contains(n)) pushTelegram(assembler, telegramOfLine(n, style), hostNsOfLine(n));
     }
     return assembler;
 }
@@ -84,7 +84,7 @@ TEST(Sweep, CountersWrapWithoutFalseGaps) {
 TEST(Sweep, DuplicatesAreDroppedAndCounted) {
     SweepAssembler assembler;
     for (int n = 0; n < 40; ++n) {
-        for (int copy = 0; copy <= n % 3; ++copy) assembler.push(telegramOfLine(n), hostNsOfLine(n) + copy * 1000);
+        for (int copy = 0; copy <= n % 3; ++copy) pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n) + copy * 1000);
     }
     expectRows(assembler, {});
     EXPECT_EQ(assembler.progress().duplicates, 13 * 3);
@@ -100,8 +100,8 @@ TEST(Sweep, RandomLossesAndDuplicatesAlwaysAddUp) {
             if (n > 0 && random() % 4 == 0) continue;
             for (int row = last + 1; row < n; ++row) dropped.insert(row);
             last = n;
-            assembler.push(telegramOfLine(n, {.beams = 9}), hostNsOfLine(n));
-            if (random() % 5 == 0) assembler.push(telegramOfLine(n, {.beams = 9}), hostNsOfLine(n));
+            pushTelegram(assembler, telegramOfLine(n, {.beams = 9}), hostNsOfLine(n));
+            if (random() % 5 == 0) pushTelegram(assembler, telegramOfLine(n, {.beams = 9}), hostNsOfLine(n));
             if (n % 17 == 0) {
                 ASSERT_TRUE(addsUp(*assembler.snapshot(), assembler.progress()));
             }
@@ -118,7 +118,7 @@ TEST(Sweep, InterlacedLinesAreWovenIntoOneGrid) {
             const bool odd = n % 2 == 1;
             return telegramOfLine(n, {.beams = odd ? 570 : 571, .startAngle = odd ? -48333 : -50000, .step = 3333, .frequency = 5000});
         };
-        for (int n = firstHalf; n < 41; ++n) assembler.push(half(n), kEpochNs + n * kPeriodNs / 2);
+        for (int n = firstHalf; n < 41; ++n) pushTelegram(assembler, half(n), kEpochNs + n * kPeriodNs / 2);
         assembler.finish();
         const auto scan = assembler.snapshot();
         ASSERT_EQ(scan->beams(), 1141);
@@ -149,8 +149,9 @@ TEST(Sweep, ALostHalfOfAnInterlacedLineIsLostAlone) {
     for (int n = 0; n < 40; ++n) {
         if (n == 21) continue;
         const bool odd = n % 2 == 1;
-        assembler.push(telegramOfLine(n, {.beams = odd ? 30 : 31, .startAngle = odd ? -48333 : -50000, .step = 3333, .frequency = 5000}),
-                       kEpochNs + n * kPeriodNs / 2);
+        pushTelegram(assembler,
+                     telegramOfLine(n, {.beams = odd ? 30 : 31, .startAngle = odd ? -48333 : -50000, .step = 3333, .frequency = 5000}),
+                     kEpochNs + n * kPeriodNs / 2);
     }
     const auto scan = assembler.snapshot();
     ASSERT_EQ(scan->lines(), 20);
@@ -165,8 +166,8 @@ TEST(Sweep, FourfoldInterlacing) {
     for (int n = 0; n < 48; ++n) {
         const int part = kOrder[n % 4];
         const int start = static_cast<int>(std::lround(-50000 + part * 10000.0 / 6));
-        assembler.push(telegramOfLine(n, {.beams = part == 0 ? 21 : 20, .startAngle = start, .step = 6667, .frequency = 10000}),
-                       kEpochNs + n * kPeriodNs / 4);
+        pushTelegram(assembler, telegramOfLine(n, {.beams = part == 0 ? 21 : 20, .startAngle = start, .step = 6667, .frequency = 10000}),
+                     kEpochNs + n * kPeriodNs / 4);
     }
     const auto scan = assembler.snapshot();
     ASSERT_EQ(scan->beams(), 81);
@@ -186,7 +187,7 @@ TEST(Sweep, EncoderCountsBecomeAnglesAndAReversalStartsTheNextSweep) {
     for (int n = 0; n < 180; ++n) {
         ScanTelegram telegram = telegramOfLine(n);
         telegram.encoders = {{static_cast<std::uint32_t>(4'294'950'000U + static_cast<unsigned>(angleOf(n) * 1000)), 0}}; // wraps
-        assembler.push(telegram, hostNsOfLine(n));
+        pushTelegram(assembler, telegram, hostNsOfLine(n));
     }
     assembler.finish();
     const auto sweeps = assembler.takeFinished();
@@ -212,7 +213,7 @@ TEST(Sweep, EncoderWithoutScaleIsReportedAndNotUsed) {
     for (int n = 0; n < 10; ++n) {
         ScanTelegram telegram = telegramOfLine(n);
         telegram.encoders = {{static_cast<std::uint32_t>(n * 77), 0}};
-        assembler.push(telegram, hostNsOfLine(n));
+        pushTelegram(assembler, telegram, hostNsOfLine(n));
     }
     EXPECT_EQ(assembler.progress().angleSource, AngleSource::Steps);
     EXPECT_TRUE(warns(*assembler.snapshot(), "encoder"));
@@ -225,7 +226,7 @@ TEST(Sweep, StepperReadingsLatchedWithTheirLines) {
         const StepperReading reading{n, 7 + 0.2 * n, 5.0, true, hostNsOfLine(n)};
         const bool before = random() % 2 == 0;
         if (before) assembler.push(reading);
-        if (n != 30) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+        if (n != 30) pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n));
         if (!before) assembler.push(reading);
     }
     const auto scan = assembler.snapshot();
@@ -242,7 +243,7 @@ TEST(Sweep, StepperReadingsAtTheirOwnTimes) {
     for (int n = 0; n < 100; ++n) {
         for (; nextReading < hostNsOfLine(n); nextReading += 17'000'000)
             assembler.push(StepperReading{0, phiAt(nextReading), 4.5, true, nextReading});
-        assembler.push(telegramOfLine(n), hostNsOfLine(n));
+        pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n));
     }
     const auto scan = assembler.snapshot();
     // A line's stamp is its transmission time (40.6 ms) before its arrival.
@@ -275,12 +276,12 @@ TEST(Sweep, SplitBySizeWithLinesLostAcrossTheEnd) {
 
 TEST(Sweep, ScannerRestartedAfterAReconnect) {
     SweepAssembler assembler;
-    for (int n = 0; n < 20; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    for (int n = 0; n < 20; ++n) pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n));
     assembler.reconnected();
     for (int n = 0; n < 20; ++n) { // ten lines were missed in between
         ScanTelegram telegram = telegramOfLine(n, {.firstTelegram = 1, .firstScan = 1, .firstUs = 900'000});
         telegram.channels16[0].values = telegramOfLine(n + 30).channels16[0].values;
-        assembler.push(telegram, hostNsOfLine(n + 30));
+        pushTelegram(assembler, telegram, hostNsOfLine(n + 30));
     }
     std::set<int> lost;
     for (int row = 20; row < 30; ++row) lost.insert(row);
@@ -290,9 +291,9 @@ TEST(Sweep, ScannerRestartedAfterAReconnect) {
 
 TEST(Sweep, ReconnectWithoutARestartKeepsCounting) {
     SweepAssembler assembler;
-    for (int n = 0; n < 20; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    for (int n = 0; n < 20; ++n) pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n));
     assembler.reconnected();
-    for (int n = 45; n < 60; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n));
+    for (int n = 45; n < 60; ++n) pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n));
     std::set<int> lost;
     for (int row = 20; row < 45; ++row) lost.insert(row);
     expectRows(assembler, lost);
@@ -301,10 +302,10 @@ TEST(Sweep, ReconnectWithoutARestartKeepsCounting) {
 
 TEST(Sweep, OneOddLineIsLostTwoAreAnotherScan) {
     SweepAssembler assembler;
-    for (int n = 0; n < 40; ++n) assembler.push(telegramOfLine(n, {.step = n == 25 ? 5000 : 1667}), hostNsOfLine(n));
+    for (int n = 0; n < 40; ++n) pushTelegram(assembler, telegramOfLine(n, {.step = n == 25 ? 5000 : 1667}), hostNsOfLine(n));
     expectRows(assembler, {25});
     EXPECT_EQ(assembler.progress().misfits, 1);
-    for (int n = 40; n < 50; ++n) assembler.push(telegramOfLine(n, {.beams = 31, .step = 3333}), hostNsOfLine(n));
+    for (int n = 40; n < 50; ++n) pushTelegram(assembler, telegramOfLine(n, {.beams = 31, .step = 3333}), hostNsOfLine(n));
     EXPECT_EQ(assembler.snapshot()->beams(), 31);
     EXPECT_EQ(assembler.snapshot()->lines(), 10);
     EXPECT_TRUE(rowHolds(*assembler.snapshot(), 0, 40));
@@ -318,7 +319,7 @@ TEST(Sweep, StatusCodesScaleAndDeviceFlags) {
         telegram.channels16[0].scale = 2.0F;
         for (int beam = 0; beam < 17; ++beam) telegram.channels16[0].values[std::size_t(beam)] = static_cast<std::uint16_t>(beam);
         if (n == 3) telegram.status[0] = 2;
-        assembler.push(telegram, hostNsOfLine(n));
+        pushTelegram(assembler, telegram, hostNsOfLine(n));
     }
     const auto scan = assembler.snapshot();
     EXPECT_EQ(scan->unitMm, 2.0);
@@ -342,7 +343,7 @@ TEST(Sweep, LastEchoIsTheFarthest) {
     SweepSettings settings;
     settings.echo = Echo::Last;
     SweepAssembler assembler(settings);
-    assembler.push(telegram, hostNsOfLine(0));
+    pushTelegram(assembler, telegram, hostNsOfLine(0));
     EXPECT_EQ(assembler.snapshot()->rangeMm.cells, (std::vector<float>{5000, 1000, 0}));
 }
 
@@ -351,8 +352,8 @@ TEST(Sweep, ACopyGoesItsOwnWay) {
     const auto before = first.snapshot();
     const Scan kept = *before;
     SweepAssembler second = first;
-    for (int n = 10; n < 20; ++n) first.push(telegramOfLine(n), hostNsOfLine(n));
-    for (int n = 30; n < 35; ++n) second.push(telegramOfLine(n), hostNsOfLine(n));
+    for (int n = 10; n < 20; ++n) pushTelegram(first, telegramOfLine(n), hostNsOfLine(n));
+    for (int n = 30; n < 35; ++n) pushTelegram(second, telegramOfLine(n), hostNsOfLine(n));
     EXPECT_EQ(first.snapshot()->lines(), 20);
     EXPECT_EQ(second.snapshot()->lines(), 35);
     EXPECT_TRUE(rowIsLost(*second.snapshot(), 15));
@@ -395,7 +396,7 @@ void expectInterlaced(const std::filesystem::path& path, int beams) {
     for (const ColaFrame& frame : scanFramesOf(path)) {
         const auto telegram = decodeScanTelegram(frame);
         ASSERT_TRUE(telegram);
-        assembler.push(*telegram, kEpochNs + telegrams++ * 20'000'000LL);
+        pushTelegram(assembler, *telegram, kEpochNs + telegrams++ * 20'000'000LL);
     }
     assembler.finish();
     const auto scan = assembler.snapshot();
@@ -436,10 +437,10 @@ TEST(Sweep, IntensitiesComeWithTheEchoThatIsTakenAndOnlyWhereTheTelegramHasThem)
         SweepSettings settings;
         settings.echo = echo;
         SweepAssembler assembler(settings);
-        for (int n = 0; n < 6; ++n) assembler.push(telegramOfLine(n), hostNsOfLine(n)); // before RSSI was switched on
+        for (int n = 0; n < 6; ++n) pushTelegram(assembler, telegramOfLine(n), hostNsOfLine(n)); // before RSSI was switched on
         EXPECT_EQ(assembler.snapshot()->intensity.size(), 0U);
         for (int n = 6; n < 30; ++n) {
-            if (n != 12) assembler.push(bright(n, true), hostNsOfLine(n));
+            if (n != 12) pushTelegram(assembler, bright(n, true), hostNsOfLine(n));
         }
         const auto scan = assembler.snapshot();
         ASSERT_TRUE(scan);

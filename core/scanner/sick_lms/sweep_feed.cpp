@@ -1,5 +1,7 @@
 // Decodes received frames for the sweep.
-#include "core/scanner/sweep_assembly/sweep_feed.h"
+#include "core/scanner/sick_lms/sweep_feed.h"
+
+#include "core/scanner/sick_lms/telegram_line.h"
 
 namespace edgescan::scanner {
 
@@ -10,7 +12,7 @@ bool SweepFeed::frame(const ColaFrame& frame, std::int64_t hostNs) {
         if (++undecodable_ == 1) whyUndecodable_ = telegram.error().what;
         return false;
     }
-    assembler_.push(*telegram, hostNs);
+    assembler_.push(sweepLine(*telegram, assembler_.settings().echo), hostNs);
     return true;
 }
 

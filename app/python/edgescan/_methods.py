@@ -1,0 +1,73 @@
+"""The methods of the classes, and what pickle and copy do with a Scan and a Result."""
+# mypy: ignore-errors
+from __future__ import annotations
+
+from typing import Literal, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _edgescan
+from ._edgescan import Connection, Result, Rocks, Scan, Simulation, Sweep
+from ._values import Path, method
+from .reports import Detected, Info
+
+
+@method(Scan)
+def xyz(self, frame: Literal["scanner", "local", "mine"] = "scanner") -> NDArray[np.float64]:
+    """float64, lines x beams x 3, m: the point of every cell, NaN where the cell has no range.
+
+    frame: 'scanner', 'local' (east, north, up from `origin`) or 'mine' (Easting, Northing, Elevation).
+    """
+    return _edgescan.scan_xyz(self, frame)
+
+
+@method(Scan)
+def info(self) -> Info:
+    """The JSON of `edgescan-cli info` as a dict."""
+    return _edgescan.scan_info(self)
+
+
+@method(Result)
+def report(self) -> Detected:
+    """The JSON of `edgescan-cli detect --json` as a dict. edgescan.report() writes the page."""
+    return _edgescan.result_report(self)
+
+
+@method(Rocks)
+def at(self, level: float) -> Rocks:
+    """The same at another level, without computing the segments again."""
+    return _edgescan.rocks_at(self, level)
+
+
+@method(Simulation)
+def save_truth(self, folder: Path) -> None:
+    """Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does."""
+    _edgescan.save_truth(self, folder)
+
+
+@method(Connection)
+def next(self, timeout: Optional[float] = None) -> Sweep:
+    """The next change. Error if none comes within `timeout` seconds, by default those of connect(); it says what the session waits for."""
+    return _edgescan.connection_next(self, timeout)
+
+
+@method(Connection)
+def stop(self) -> None:
+    """Ends the session and closes the recording."""
+    _edgescan.connection_stop(self)
+
+
+def scan_again(content):
+    return _edgescan.scan_of_bytes(content)
+
+
+def result_again(scan, content):
+    return _edgescan.result_of_bytes(scan, content)
+
+
+Scan.__reduce__ = lambda self: (scan_again, (_edgescan.bytes_of_scan(self),))
+Result.__reduce__ = lambda self: (result_again, (self.scan, _edgescan.bytes_of_result(self)))
+for _unchanging in (Scan, Result):
+    _unchanging.__copy__ = lambda self: self
+    _unchanging.__deepcopy__ = lambda self, memo: self

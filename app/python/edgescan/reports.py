@@ -1,0 +1,129 @@
+"""The dicts of reports, for type checkers: the keys of the command line's JSON (docs/command-line.md)."""
+from typing import Any, Dict, List, Optional, TypedDict
+
+
+class Limits(TypedDict):
+    min: float
+    max: float
+
+
+class _Info(TypedDict):
+    input: str
+    name: str
+    format: str
+    sha256: str
+    lines: int
+    beams: int
+    cells: Dict[str, int]
+    range_mm: Limits
+    unit_mm: float
+    frame: str
+    pose: Optional[Dict[str, Any]]
+    warnings: List[str]
+    geometry: str
+
+
+class Info(_Info, total=False):
+    """Of Scan.info()."""
+    axis: str
+    line_direction: float
+    beam_deg: Dict[str, Any]
+    line_deg: Dict[str, Any]
+    sensor_m: List[float]
+    intensity: Dict[str, Any]
+    attached_points: int
+    points: Dict[str, int]
+    acquisition: Dict[str, Any]
+    note: str
+
+
+class _Detected(TypedDict):
+    input: str
+    sha256: str
+    lines: int
+    beams: int
+    cells: Dict[str, int]
+    range_mm: Limits
+    settings: Dict[str, Any]
+    upper: float
+    gray: Dict[str, Any]
+    edges: int
+    classes: Optional[Dict[str, int]]
+    noise_mm_at_5_m: Optional[float]
+    noise: Optional[Dict[str, Any]]
+    jump_mm: Optional[float]
+    edge_mask_sha256: str
+    frame: str
+    pose: Optional[Dict[str, Any]]
+    attached_points: int
+    timings_ms: Dict[str, float]
+    warnings: List[str]
+    version: str
+
+
+class Detected(_Detected, total=False):
+    """Of Result.report()."""
+    points: Dict[str, int]
+    filled: Dict[str, Any]
+
+
+_Class = TypedDict("_Class", {"class": Optional[str]})
+
+
+class Why(_Class):
+    """Of why()."""
+    input: str
+    line: int
+    beam: int
+    state: str
+    range_mm: Optional[float]
+    gray: int
+    smoothed: Optional[float]
+    takes_part: bool
+    method: str
+    edge: bool
+    gradient: Optional[Dict[str, Any]]
+    measured: Optional[Dict[str, Any]]
+    response_class: Optional[str]
+    round_gap: bool
+    unit: str
+    strength: float
+    thresholds: Dict[str, Any]
+    standing: str
+    suppressed_by: Optional[Dict[str, Any]]
+    chain: List[Dict[str, Any]]
+    chain_cells: int
+    chain_strongest: Optional[Dict[str, Any]]
+    appears_at: Optional[Dict[str, float]]
+    verdict: str
+    text: List[str]
+
+
+class Region(TypedDict):
+    change: str
+    by_m: float
+    tolerance_m: float
+    area_m2: float
+    cells: int
+    line: int
+    beam: int
+    range_m: float
+    lines: List[int]
+    beams: List[int]
+    mine: Optional[List[float]]
+
+
+class Compared(TypedDict):
+    """Of compare()."""
+    before: str
+    now: str
+    lined_up_by: str
+    same_cells: bool
+    surfaces: Optional[Dict[str, Any]]
+    out_of_spec: bool
+    warnings: List[str]
+    edges: Dict[str, int]
+    cells: Optional[Dict[str, int]]
+    median_difference_mm: Optional[float]
+    change_limit_mm: Optional[Dict[str, float]]
+    regions: List[Region]

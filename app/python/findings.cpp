@@ -1,0 +1,125 @@
+// What else is found from results: why a cell is an edge, what changed between two scans, and the report as a page.
+#include "app/python/result.h"
+
+#include "core/base/inputs.h"
+#include "core/base/shell_quoted.h"
+#include "core/base/utc_time.h"
+#include "core/base/whole_file.h"
+#include "core/containers/png/png.h"
+#include "core/edges/explain/why.h"
+#include "core/edges/pipeline/pipeline.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/edges/settings/command_text.h"
+#include "core/exports/html/scan_page.h"
+#include "core/exports/why_report.h"
+#include "core/inspect/change_detection/change_report.h"
+#include "core/scan/grid/reading_options.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace edgescan::python {
+namespace {
+
+py::object why(const ResultObject& result, const py::int_& lineGiven, const py::int_& beamGiven) {
+    const Scan& scan = *result.detection->scan;
+    const std::int64_t line = wholeOf(lineGiven), beam = wholeOf(beamGiven);
+    if (line < 0 || beam < 0 || line >= scan.lines() || beam >= scan.beams())
+        throw Refused{
+            {"there is no cell at line " + std::to_string(line) + ", beam " + std::to_string(beam), "line, beam",
+             "lines run from 0 to " + std::to_string(scan.lines() - 1) + ", beams from 0 to " + std::to_string(scan.beams() - 1)}};
+    return objectOf(unlocked([&] {
+        taken(edges::checkMemoryFor(edges::Work::Explain, scan));
+        const auto detection = whole(result);
+        return exports::whyReport(*detection,
+                                  edges::whyCell(*detection, scan.rangeMm.index(static_cast<int>(line), static_cast<int>(beam))));
+    }));
+}
+
+inspect::SceneChange changeOf(const edges::Detection& before, const edges::Detection& now, const inspect::RegistrationRequest& wish = {}) {
+    taken(edges::checkMemoryFor(edges::Work::Compare, *before.scan));
+    return taken(inspect::sceneChange({now.scan, now.mask}, {before.scan, before.mask}, wish));
+}
+
+py::object compare(const ResultObject& before, const ResultObject& now, const std::vector<std::string>& poses, bool bySurfaces,
+                   const std::string& picture) {
+    return objectOf(unlocked([&] {
+        const BindInputs inputs;
+        inspect::RegistrationRequest wish;
+        wish.bySurfaces = bySurfaces;
+        if (!poses.empty()) wish.poses = std::array{taken(inspect::open3dtkPose(poses[1])), taken(inspect::open3dtkPose(poses[0]))};
+        const Scan& later = *now.detection->scan;
+        for (const Scan* scan : {&later, before.detection->scan.get()}) {
+            if (!scan->path.empty()) claimInput(scan->path);
+        }
+        const inspect::SceneChange change = changeOf(*before.detection, *now.detection, wish);
+        if (!picture.empty()) taken(containers::savePngRgb(inspect::changePicture(later, change), picture));
+        nlohmann::ordered_json report{{"before", before.detection->scan->path}, {"now", later.path}};
+        report.update(inspect::changeReport(later, change));
+        return report;
+    }));
+}
+
+/// The command that makes the report; of a scan that is in no file, how to get one.
+std::string commandOf(const edges::Detection& detection, const std::string& path, const std::string& more) {
+    const Scan& scan = *detection.scan;
+    if (scan.path.empty()) return "edgescan.save(scan, FILE), because this scan was made in memory; then edgescan-cli report FILE" + more;
+    std::string command = "edgescan-cli report " + shellQuoted(scan.path) + " -o " + shellQuoted(path);
+    const auto options = parseReadingOptions(scan.openedWith, scan.path);
+    if (const std::string flags = options ? readingFlags(*options) : std::string(); !flags.empty()) command += " " + flags;
+    command += " " + edges::settingsFlags(detection.settings) + more;
+    return scan.placement ? command + "  # with --pose and --calibration: " + scan.placement->source : command;
+}
+
+/// `rockSettings`: JSON, or empty for a page without rocks.
+std::size_t report(const ResultObject& result, const std::string& path, const std::string& rockSettings, const std::string& targets,
+                   const ScanObject* before, const std::string& operatorName, const std::string& role) {
+    return unlocked([&] {
+        const BindInputs inputs;
+        const ScanPtr scan = result.detection->scan;
+        if (!scan->path.empty()) claimInput(scan->path);
+        const bool withRocks = !rockSettings.empty();
+        taken(edges::checkMemoryFor(withRocks ? edges::Work::Rocks : edges::Work::Detect, *scan));
+        const auto detection = withRocks ? edges::detectEdges(scan, result.detection->settings, edges::KeepFor::Rocks) : whole(result);
+        std::string more;
+        exports::PageNotes notes{nullptr, nullptr, nullptr, {}};
+        std::optional<rocks::Study> study;
+        if (withRocks) {
+            const auto settings = taken(rocks::rockSettingsFromJson(nlohmann::json::parse(rockSettings), "rocks"));
+            notes.rocks = &study.emplace(rocks::studyRocks(rocks::rockInputs(*detection), settings));
+            more += " --rocks";
+            if (const std::string flags = rocks::rockSettingsFlags(settings); !flags.empty()) more += " " + flags;
+        }
+        std::optional<inspect::Notebook> notebook;
+        if (!targets.empty()) {
+            const auto bytes = taken(readInput(targets));
+            notes.notebook =
+                &notebook.emplace(taken(inspect::notebookFromText(edgescan::textOf(bytes), inspect::notebookScan(*scan), targets)));
+            more += " --targets " + shellQuoted(targets);
+        }
+        std::optional<inspect::SceneChange> change;
+        if (before != nullptr) {
+            notes.change = &change.emplace(changeOf(*edges::detectEdges(before->scan, detection->settings), *detection));
+            notes.earlier = before->scan->path.empty() ? before->scan->name : before->scan->path;
+            more += " --before " + shellQuoted(notes.earlier);
+        }
+        if (!operatorName.empty()) more += " --operator " + shellQuoted(operatorName);
+        if (!role.empty()) more += " --role " + shellQuoted(role);
+        const exports::PageWords words{commandOf(*detection, path, more), operatorName, role, utcText(utcNow())};
+        const std::string page = exports::scanPage(*detection, words, notes);
+        taken(writeWholeFile(path, page));
+        return page.size();
+    });
+}
+
+} // namespace
+
+void bindFindings(py::module_& module) {
+    module.def("why", &why);
+    module.def("compare", &compare);
+    module.def("report", &report, py::arg("result"), py::arg("path"), py::arg("rocks"), py::arg("targets"), py::arg("before").none(true),
+               py::arg("operator"), py::arg("role"));
+}
+
+} // namespace edgescan::python

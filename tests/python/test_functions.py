@@ -1,0 +1,119 @@
+"""why, compare, report and benchmark against the programs."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+import edgescan
+from support import HERE, LAB, bell_file, cli
+
+
+def document(text):
+    said = json.loads(text)
+    del said["schema"]
+    return said
+
+
+class SameAsThePrograms(unittest.TestCase):
+    def test_why(self):
+        path = bell_file()
+        for settings, flags in (({}, []), ({"method": "canny", "lower": 9}, ["--method", "canny", "--lower", 9])):
+            result = edgescan.detect(edgescan.open(path), **settings)
+            for cell in (0, int(result.edges[3]), int(result.edges[-1]), 5000):
+                line, beam = divmod(cell, result.scan.beams)
+                said = cli("why", path, "--line", line, "--beam", beam, *flags).stdout
+                self.assertEqual(edgescan.why(result, line, beam), document(said))
+        with self.assertRaises(edgescan.Error) as raised:
+            edgescan.why(result, result.scan.lines, 0)
+        self.assertIn("lines run from 0 to 149", raised.exception.hint)
+
+    def test_compare(self):
+        before, now = bell_file(), HERE / "after.json"
+        cli("simulate", "-o", now, "--after-blast", "--seed", 7, "--lines", 150, "--beams", 191)
+        cli("change", before, now, "--by-surfaces", "--json", HERE / "change.json", "--picture", HERE / "cli-change.png")
+        change = edgescan.compare(edgescan.detect(edgescan.open(before)), edgescan.detect(edgescan.open(now)), by_surfaces=True,
+                                  picture=HERE / "change.png")
+        self.assertEqual(change, document((HERE / "change.json").read_text()))
+        self.assertEqual((HERE / "change.png").read_bytes(), (HERE / "cli-change.png").read_bytes())
+        self.assertTrue(change["regions"])
+
+    def test_compare_with_poses(self):
+        one = edgescan.detect(edgescan.open(bell_file()))
+        still, moved = HERE / "still.pose", HERE / "moved.pose"
+        still.write_text("0 0 0\n0 0 0\n")
+        moved.write_text("0 0 5\n0 0 0\n")
+        other = edgescan.detect(edgescan.open(bell_file("other.json", 8)))
+        cli("change", bell_file(), bell_file("other.json", 8), "--poses", still, moved, "--json", HERE / "posed.json")
+        self.assertEqual(edgescan.compare(one, other, poses=(still, moved)), document((HERE / "posed.json").read_text()))
+        with self.assertRaises(edgescan.Error):
+            edgescan.compare(one, other, poses=(still, HERE / "none.pose"))
+
+    def test_a_picture_never_replaces_an_input(self):
+        path = HERE / "input.pcd"
+        cli("convert", bell_file(), path)
+        before = path.read_bytes()
+        result = edgescan.detect(edgescan.open(path))
+        for call in (lambda: edgescan.compare(result, result, picture=path), lambda: edgescan.report(result, path)):
+            with self.assertRaisesRegex(edgescan.Error, "read as an input"):
+                call()
+        self.assertEqual(path.read_bytes(), before)
+
+    def page(self, path):
+        """Without what differs from run to run: the time and the milliseconds."""
+        return re.sub(r"\d{4}-\d\d-\d\dT[\d:.]+Z|\d+(\.\d+)? ms", "", path.read_text())
+
+    def test_report(self):
+        path, out = bell_file(), HERE / "page.html"
+        result = edgescan.detect(edgescan.open(path), jump=45)
+        for more, flags in (({}, []), ({"rocks": edgescan.rocks(result, level=0.5)}, ["--rocks", "--level", 0.5]),
+                            ({"before": edgescan.open(bell_file("other.json", 8)), "operator": "A. Miner", "role": "surveyor"},
+                             ["--before", bell_file("other.json", 8), "--operator", "A. Miner", "--role", "surveyor"])):
+            with self.subTest(flags=flags):
+                self.assertEqual(edgescan.report(result, out, **more), out.stat().st_size)
+                ours = self.page(out)
+                command = re.search(r'<pre id="command">(.*?)</pre>', ours, re.S).group(1)
+                out.unlink()
+                cli("report", path, "-o", out, "--jump", 45, *flags)
+                theirs = self.page(out)
+                other = re.search(r'<pre id="command">(.*?)</pre>', theirs, re.S).group(1)
+                self.assertEqual(ours.replace(command, ""), theirs.replace(other, ""))
+                for flag in flags:
+                    self.assertIn(str(flag).replace(" ", " "), command.replace("&#39;", "'"))
+        with self.assertRaises(edgescan.Error):
+            edgescan.report(result, HERE / "nowhere" / "x.html")
+
+    def test_report_of_a_scan_in_memory(self):
+        result = edgescan.detect(edgescan.simulate(lines=60, beams=80).scan)
+        edgescan.report(result, HERE / "memory.html")
+        self.assertIn("edgescan.save(scan, FILE)", (HERE / "memory.html").read_text())
+
+
+class Benchmark(unittest.TestCase):
+    def test_the_json_of_the_program(self):
+        path, truth = bell_file(), HERE / "bell-truth"
+        figures = edgescan.benchmark(path, truth=truth, only=["edgescan+", "canny"], repeats=1, program=LAB)
+        said = subprocess.run([LAB, "benchmark", path, "--truth", truth, "--only", "edgescan+,canny", "--repeats", "1", "--json", "-"],
+                              capture_output=True, text=True, check=True)
+        for one, other in zip(figures["methods"], json.loads(said.stdout)["methods"], strict=True):
+            self.assertEqual((one["method"], one["score"], one.get("edges")), (other["method"], other["score"], other.get("edges")))
+        scan = edgescan.benchmark(edgescan.open(path), only="edgescan+", program=pathlib.Path(LAB))
+        self.assertEqual([row["edges"] for row in scan["methods"] if row["method"] == "edgescan+"],
+                         [row["edges"] for row in figures["methods"] if row["method"] == "edgescan+"])
+
+    def test_refused(self):
+        for call, part in ((lambda: edgescan.benchmark(HERE / "none.pcd", program=LAB), "none.pcd"),
+                           (lambda: edgescan.benchmark(bell_file(), only="magic", program=LAB), "magic"),
+                           (lambda: edgescan.benchmark(bell_file(), program=HERE / "no-lab"), "install the package edgescan-cli")):
+            with self.assertRaisesRegex(edgescan.Error, part):
+                call()
+
+    def test_the_module_has_no_code_of_the_laboratory(self):
+        binary = next(pathlib.Path(edgescan.__file__).parent.glob("_edgescan*.so"))
+        needed = subprocess.run(["nm", "-C", "--defined-only", os.fspath(binary)], capture_output=True, text=True, check=False).stdout
+        self.assertNotIn("edgescan::lab::", needed)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
