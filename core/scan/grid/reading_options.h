@@ -27,11 +27,13 @@ struct ReadingOptions {
     std::optional<double> beamStartDeg; ///< angle of the first beam
     std::optional<double> beamStepDeg;  ///< from beam to beam
     std::optional<double> lineStartDeg; ///< angle of the first line
-    std::optional<double> lineStepDeg;  ///< how the stepper turns; decides between the two for range CSV and point lists that fit both
-    std::optional<Axis> axis;     ///< millimetres per number in the file; overrides the unit that the file states or that EdgeScan detects
-    std::optional<double> unitMm; ///< position of the sensor, metres, in the frame of the cloud's points
-    std::optional<Eigen::Vector3d> sensorM; ///< cell size of a projected cloud; empty = from the spacing of its points
-    std::optional<double> gridStepDeg;      ///< cells of a projected cloud; empty = from the spacing of its points
+    std::optional<double> lineStepDeg;  ///< from line to line
+    /// how the stepper turns; decides between the two for range CSV and point lists that fit both
+    std::optional<Axis> axis;
+    /// millimetres per number in the file; overrides the unit that the file states or that EdgeScan detects
+    std::optional<double> unitMm;
+    std::optional<Eigen::Vector3d> sensorM; ///< position of the sensor, metres, in the frame of the cloud's points
+    std::optional<double> gridStepDeg;      ///< size of a projected cloud's cells; empty: from the spacing of its points
     Projection projection = Projection::Auto;
     std::string pose;          ///< pose file; together with the calibration it gives the scan its place in the mine
     std::string calibration;   ///< the robot's calibration file
