@@ -53,13 +53,16 @@ void FrameTree::add(const containers::RosValue& tfMessage) {
 void FrameTree::finish() {
     for (auto& [child, link] : links_) {
         std::ranges::stable_sort(link.poses, {}, &TimedPose::ns);
-        const auto again = std::unique(link.poses.begin(), link.poses.end(), [](const TimedPose& a, const TimedPose& b) { return a.ns == b.ns; });
+        const auto again =
+            std::unique(link.poses.begin(), link.poses.end(), [](const TimedPose& a, const TimedPose& b) { return a.ns == b.ns; });
         link.poses.erase(again, link.poses.end());
     }
     if (unusable_ > 0)
-        warnings_.push_back(std::to_string(unusable_) + " transforms of the bag have no rotation, no name or no finite numbers and were left out.");
+        warnings_.push_back(std::to_string(unusable_) +
+                            " transforms of the bag have no rotation, no name or no finite numbers and were left out.");
     if (moved_ > 0)
-        warnings_.push_back(std::to_string(moved_) + " transforms name another parent for their frame than the first one and were left out.");
+        warnings_.push_back(std::to_string(moved_) +
+                            " transforms name another parent for their frame than the first one and were left out.");
     for (const auto& [child, link] : links_) {
         const std::vector<std::string> up = chain(child);
         if (links_.contains(up.back())) {
@@ -92,7 +95,8 @@ std::optional<RigidTransform> FrameTree::inParent(const std::string& frame, std:
     const TimedPose& before = *std::prev(after);
     if (after == of->poses.end()) return rigid(before);
     const double share = static_cast<double>(ns - before.ns) / static_cast<double>(after->ns - before.ns);
-    return rigid({ns, before.rotation.slerp(share, after->rotation), before.translationM + share * (after->translationM - before.translationM)});
+    return rigid(
+        {ns, before.rotation.slerp(share, after->rotation), before.translationM + share * (after->translationM - before.translationM)});
 }
 
 } // namespace edgescan::files

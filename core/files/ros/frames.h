@@ -37,7 +37,8 @@ public:
 
     /// Frames from `frame` up to its root, itself first. A loop ends it.
     [[nodiscard]] std::vector<std::string> chain(const std::string& frame) const;
-    /// Where a frame is in its parent: between two poses the rotation by slerp, before the first and after the last theirs. Empty: no parent.
+    /// Where a frame is in its parent: between two poses the rotation by slerp, before the first and after the last theirs. Empty: no
+    /// parent.
     [[nodiscard]] std::optional<RigidTransform> inParent(const std::string& frame, std::int64_t ns) const;
     [[nodiscard]] const FrameLink* link(const std::string& frame) const;
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }

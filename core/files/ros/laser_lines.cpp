@@ -32,7 +32,9 @@ std::vector<double> echoesOf(const RosValue& message, const char* name, scanner:
     std::vector<double> all;
     for (const RosValue& beam : values->inside) {
         const std::vector<double> echoes = beam.numbers("echoes");
-        all.push_back(echoes.empty() ? std::numeric_limits<double>::quiet_NaN() : echo == scanner::Echo::First ? echoes.front() : echoes.back());
+        all.push_back(echoes.empty()                 ? std::numeric_limits<double>::quiet_NaN()
+                      : echo == scanner::Echo::First ? echoes.front()
+                                                     : echoes.back());
     }
     return all;
 }
@@ -132,8 +134,8 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
         all.lines.push_back(std::move(*line));
     }
     if (all.lines.empty())
-        return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""), where,
-                     "choose another topic"};
+        return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""),
+                     where, "choose another topic"};
     std::ranges::stable_sort(all.lines, {}, &LaserLine::stampNs);
     all.periodS = medianPeriodS(all.lines);
     count(all);

@@ -22,8 +22,8 @@ struct LaserLine {
 struct LaserLines {
     std::string frame; ///< of the fan, as frameNameOf()
     std::vector<LaserLine> lines;
-    bool reversed = false;    ///< the beams run clockwise; they were put into ascending order
-    double periodS = 0.04;    ///< from line to line, the median
+    bool reversed = false;      ///< the beams run clockwise; they were put into ascending order
+    double periodS = 0.04;      ///< from line to line, the median
     std::size_t disordered = 0; ///< messages that came before one with an earlier stamp
     std::size_t unreadable = 0; ///< messages that do not fit their definition, or hold no beams
     std::string whyUnreadable;

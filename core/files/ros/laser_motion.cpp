@@ -12,7 +12,7 @@ namespace edgescan::files {
 namespace {
 
 constexpr double kLeastTurnDeg = 1.0;
-constexpr double kMostWobbleDeg = 1.0;     // of a rotation about one axis
+constexpr double kMostWobbleDeg = 1.0;      // of a rotation about one axis
 constexpr double kMostOutOfPlaneDeg = 30.0; // a fan that turns in its own plane, or nearly so, is no sweep
 
 /// The axis of most of the rotations from the first pose, as a unit vector in the frame; the angle of the largest.
@@ -118,8 +118,7 @@ Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::stri
             const containers::RosValue* names = message->at("name");
             for (std::size_t n = 0; names != nullptr && n < std::min(positions.size(), names->inside.size()); ++n) {
                 const ByteView name = names->inside[n].bytes;
-                if (std::isfinite(positions[n]))
-                    joints[std::string(name.begin(), name.end())].push_back({*ns, degrees(positions[n])});
+                if (std::isfinite(positions[n])) joints[std::string(name.begin(), name.end())].push_back({*ns, degrees(positions[n])});
             }
         }
     }

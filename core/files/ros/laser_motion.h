@@ -20,7 +20,7 @@ struct TimedAngle {
 struct LaserMotion {
     Axis axis = Axis::Spin;
     bool axisAssumed = false;
-    double beamShiftDeg = 0; ///< is taken off the beam angles: the axis is the beam at 90 degrees (spin) or at 0 degrees (sweep)
+    double beamShiftDeg = 0;        ///< is taken off the beam angles: the axis is the beam at 90 degrees (spin) or at 0 degrees (sweep)
     std::vector<TimedAngle> angles; ///< by time
     double outOfPlaneDeg = 0;       ///< between the axis and the plane of the fan
     double offAxisM = 0;            ///< distance of the laser's origin from the axis
@@ -36,7 +36,8 @@ struct AngleAt {
 
 /// The lowest link above `frame` that turned between two times, about an axis in the plane of the fan. Error: none turned, or about an
 /// axis across the fan, or about several.
-Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, std::int64_t fromNs, std::int64_t toNs, const std::string& where);
+Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, std::int64_t fromNs, std::int64_t toNs,
+                                   const std::string& where);
 
 /// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest.
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
