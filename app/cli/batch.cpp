@@ -249,11 +249,17 @@ Json elementsOf(const std::vector<std::string>& missing, int of) {
 
 int tell(const Batch& batch, const Running& running, const AllRows& all, double seconds) {
     std::size_t refused = 0, failed = 0;
+    Json frames = Json::object(); // files with coordinates, by frame
     for (const std::string& text : all.rows) {
         const auto row = parseOrderedJson(text, "");
         const std::string outcome = row ? row->value("outcome", "") : "";
         refused += outcome == "refused" ? 1 : 0;
         failed += outcome == "failed" ? 1 : 0;
+        for (const Json& output : row ? row->value("outputs", Json::array()) : Json::array()) {
+            if (!output.contains("frame")) continue;
+            Json& files = frames[output.value("frame", "")];
+            files = files.is_null() ? 1 : files.get<int>() + 1;
+        }
     }
     Json report{{"results", batch.results},
                 {"scans", running.work.inputs.size()},
@@ -261,6 +267,7 @@ int tell(const Batch& batch, const Running& running, const AllRows& all, double 
                 {"refused", refused},
                 {"failed", failed},
                 {"missing", all.missing.size()},
+                {"frames", frames},
                 {"unchanged", running.counts.unchanged},
                 {"worked", running.counts.ended() - running.counts.unchanged},
                 {"seconds", static_cast<double>(static_cast<long long>(seconds * 1000)) / 1000}};

@@ -92,11 +92,6 @@ FileState stateOf(const fs::path& path) {
     return {status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
-bool isThere(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
-}
-
 fs::path folderOf(const BatchWork& work, std::size_t job) { return work.results / "scans" / work.names[job]; }
 
 Json beginRow(const BatchWork& work, std::size_t job) {
@@ -125,7 +120,7 @@ bool addInputFiles(Json& row, const std::string& input, const InputClaims& claim
     row["bytes"] = files[0]["bytes"];
     row["sha256"] = files[0]["sha256"];
     row["files"] = files;
-    row["record_beside"] = isThere(files::sidecarPath(input));
+    row["record_beside"] = files::sidecarOf(input).has_value();
     row["times"]["modified"] = modified;
     return files[0]["bytes"] >= 0 && files[0]["sha256"].is_string();
 }
@@ -172,9 +167,10 @@ std::string reportCommand(const BatchWork& work, const Scan& scan) {
     return command;
 }
 
+// Adds what is said of the coordinates of the file to the row, for moveIntoPlace().
 Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edges::Detection& detection,
-                      const std::shared_ptr<const rocks::Study>& rocks, double loadMs, const fs::path& folder) {
-    exports::ExportOptions options = exportOptions(work.write, usualFrame(*detection.scan));
+                      const std::shared_ptr<const rocks::Study>& rocks, double loadMs, const fs::path& folder, Json& row) {
+    exports::ExportOptions options = exportOptions(work.write, *detection.scan);
     options.sidecar = work.sidecars;
     options.rocks = rocks;
     if (wanted.extension == ".html") {
@@ -187,6 +183,9 @@ Result<Done> writeOne(const BatchWork& work, const WantedFile& wanted, const edg
     const std::string name = exports::exportFileName(*wanted.kind, wanted.extension, options.frame);
     const auto written = exports::exportWithProvenance(wanted.kind->content, detection, folder / name, options);
     if (!written) return written.error();
+    if (written->coordinates)
+        row["coordinates"][name] = {{"frame", frameName(written->coordinates->frame)},
+                                    {"coordinates", exports::coordinatesText(*written->coordinates)}};
     return Done{};
 }
 
@@ -219,9 +218,11 @@ Result<Done> moveIntoPlace(const fs::path& from, const fs::path& to, const Json&
         if (!hash) return hash.error();
         Json output{{"file", name.string()}};
         if (!holdsTimes(name)) output.update(Json{{"bytes", fs::file_size(from / name, problem)}, {"sha256", *hash}});
+        if (row.contains("coordinates") && row["coordinates"].contains(name.string())) output.update(row["coordinates"][name.string()]);
         row["outputs"].push_back(output);
         moves.push_back({from / name, to / name});
     }
+    row.erase("coordinates");
     if (auto moved = moveWholeFiles(moves); !moved) {
         Json& outputs = row["outputs"]; // only those that moved
         for (std::size_t n = moves.size(); n-- > 0;) {
@@ -282,7 +283,7 @@ std::string fillRow(const BatchWork& work, const std::string& input, const fs::p
         addRockStudy(row, *rocks);
     }
     for (const WantedFile& wanted : work.wanted) {
-        const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging);
+        const auto written = writeOne(work, wanted, *detection, rocks, loadMs, staging, row);
         if (!written) {
             refuse(row, "failed", written.error());
             return {};
@@ -330,7 +331,7 @@ bool isUnchanged(const BatchWork& work, std::size_t job, const Json& row) {
     const Json& times = row["times"];
     const bool triedAgain = work.retry || work.memoryBytes > times.value("memory_bytes", std::uint64_t{0});
     if (outcome != "done" && (outcome != "refused" || triedAgain)) return false;
-    if (isThere(files::sidecarPath(work.inputs[job])) != row["record_beside"]) return false;
+    if (files::sidecarOf(work.inputs[job]).has_value() != row["record_beside"]) return false;
     const Json modified = times.value("modified", Json::array());
     for (std::size_t i = 0; i < row["files"].size(); ++i) {
         const Json& file = row["files"][i];

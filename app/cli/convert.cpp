@@ -1,10 +1,10 @@
 // edgescan-cli convert: any readable scan to any writable format.
 #include "app/cli/commands.h"
+#include "app/cli/export_flags.h"
 #include "app/shared/options.h"
 #include "core/base/foreign_text.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/scan/georef/placed_points.h"
 
 #include <memory>
 
@@ -30,17 +30,18 @@ int run(const Convert& convert) {
     edges::Detection detection;
     detection.scan = std::make_shared<const Scan>(std::move(*opened));
     const Scan& scan = *detection.scan;
-    // A scan in the scanner's frame opens again unchanged; its pose is a property of the file if the format can hold it.
-    const exports::ExportOptions options =
-        exportOptions(convert.write, files::writtenFormat(convert.out)->keepsPlace ? CoordinateFrame::Scanner : usualFrame(scan));
+    const exports::ExportOptions options = exportOptions(convert.write, scan, convert.out);
     const std::vector<std::string> lost = files::lostOnSaving(
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
     for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
     const auto saved = exports::exportWithProvenance(exports::ExportContent::WholeScan, detection, convert.out, options);
-    if (saved) return kDone;
-    printError(saved.error());
-    return kRefused;
+    if (!saved) {
+        printError(saved.error());
+        return kRefused;
+    }
+    printError(placesText({convert.out}) + ": " + exports::coordinatesText(*saved->coordinates));
+    return kDone;
 }
 
 } // namespace

@@ -12,7 +12,6 @@
 #include "core/exports/provenance.h"
 #include "core/exports/report.h"
 #include "core/scan/gap_filling/gap_filling.h"
-#include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
 
@@ -50,14 +49,15 @@ struct Outputs {
 };
 
 Outputs outputsOf(const Detect& detect, const Scan& scan) {
-    const CoordinateFrame frame = exportOptions(detect.write, usualFrame(scan)).frame;
+    const CoordinateFrame frame = exportOptions(detect.write, scan).frame;
     Outputs out{detect.json, wantedExports(detect.out, exports::ExportKind::Needs::Edges, scan.name, frame)};
     if (out.json.empty() && !detect.out.folder.empty()) out.json = (fs::path(detect.out.folder) / scan.name).string() + "_edges.json";
     return out;
 }
 
-Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const edges::Detection& detection, double loadMs) {
-    const exports::ExportOptions options = exportOptions(detect.write, usualFrame(*detection.scan));
+// Returns what is said of the coordinates in the files.
+Result<std::string> writeOutputs(const Detect& detect, const Outputs& out, const edges::Detection& detection, double loadMs) {
+    const exports::ExportOptions options = exportOptions(detect.write, *detection.scan);
     WrittenOutputs outputs;
     for (const auto& [kind, path] : out.exports) // after a failure too
         outputs.add(path, exports::exportWithProvenance(kind->content, detection, path, options));
@@ -67,7 +67,8 @@ Result<Done> writeOutputs(const Detect& detect, const Outputs& out, const edges:
     } else if (!out.json.empty()) {
         outputs.leftOut(out.json);
     }
-    return outputs.outcome();
+    if (auto all = outputs.outcome(); !all) return all.error();
+    return outputs.coordinates();
 }
 
 std::string filledText(const edges::Detection& detection) {
@@ -93,13 +94,15 @@ Result<Done> detectOne(const Detect& detect, const std::string& file) {
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
     const Outputs out = outputsOf(detect, *detection->scan);
     if (auto distinct = checkDistinct(out.paths()); !distinct) return distinct;
-    if (auto written = writeOutputs(detect, out, *detection, loadMs); !written) return written;
+    const auto coordinates = writeOutputs(detect, out, *detection, loadMs);
+    if (!coordinates) return coordinates.error();
     const std::string places = detect.out.folder.empty() ? placesText(out.paths()) : printable(detect.out.folder);
     const std::string found = printable(file) + ": " + summary(*detection);
     if (places.empty())
         printResult(found);
     else
         reportWritten(found + "; written to " + places + ".", detect.read);
+    if (!coordinates->empty()) printError(places + ": " + *coordinates);
     return Done{};
 }
 

@@ -54,7 +54,8 @@ std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::Expor
         }
         if (paths.folder.empty()) continue;
         for (const exports::ExportFile& file : kind->files) {
-            if (file.inFolder)
+            using Coordinates = exports::ExportFile::Coordinates;
+            if (file.inFolder && (file.coordinates != Coordinates::MineOnly || frame == CoordinateFrame::Mine))
                 wanted.push_back(
                     {kind, (fs::path(paths.folder) / scanName).string() + "_" + exports::exportFileName(*kind, file.extension, frame)});
         }

@@ -15,7 +15,6 @@
 #include "core/exports/rock_report.h"
 #include "core/rocks/attributes/size_curve.h"
 #include "core/rocks/attributes/study.h"
-#include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
 
@@ -85,7 +84,7 @@ Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {
 }
 
 Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
-    exports::ExportOptions options = exportOptions(flags.write, usualFrame(*detection.scan));
+    exports::ExportOptions options = exportOptions(flags.write, *detection.scan);
     options.rocks = study;
     const std::vector<WantedExport> files = wantedExports(flags.out, kRocks, detection.scan->name, options.frame);
     std::vector<std::string> paths{flags.writeEdits};
@@ -105,14 +104,14 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
         outputs.add(flags.writeEdits, writeWholeFile(flags.writeEdits, rocks::rockPresetText(preset, scan.lines(), scan.beams())));
     }
     if (auto all = outputs.outcome(); !all) return all;
-    if (!flags.why.empty()) return Done{};
     const bool inFolder = !flags.out.folder.empty();
     std::string places = inFolder ? printable(flags.out.folder) : placesText({paths.begin() + 1, paths.end()});
     if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
-    if (places.empty())
+    if (flags.why.empty() && places.empty())
         printResult(summary(*study, flags.file));
-    else
+    else if (flags.why.empty())
         reportWritten(summary(*study, flags.file) + "; written to " + places + ".", flags.read);
+    if (const std::string coordinates = outputs.coordinates(); !coordinates.empty()) printError(places + ": " + coordinates);
     return Done{};
 }
 

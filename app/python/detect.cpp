@@ -11,7 +11,6 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/report.h"
 #include "core/files/formats/formats.h"
-#include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
 
@@ -93,9 +92,8 @@ std::size_t write(const edges::Detection& detection, exports::ExportContent cont
         if (points && (format == nullptr || (exports::isCloud(content) && format->write == nullptr)))
             throw Refused{
                 {"the extension names no format for points", path, "use " + files::writtenExtensions(!exports::isCloud(content))}};
-        const bool asMeasured = content == exports::ExportContent::WholeScan && format->keepsPlace;
-        const exports::ExportOptions options = cli::exportOptions(flags, asMeasured ? CoordinateFrame::Scanner : usualFrame(scan));
-        return taken(exports::exportWithProvenance(content, detection, path, options));
+        const exports::ExportOptions options = cli::exportOptions(flags, scan, path);
+        return taken(exports::exportWithProvenance(content, detection, path, options)).count;
     });
 }
 

@@ -13,6 +13,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <string>
@@ -80,6 +81,9 @@ py::array vectorArray(const std::vector<T>& values, const std::shared_ptr<Owner>
 /// A whole number; beyond 64 bits the last one on its side.
 [[nodiscard]] std::int64_t wholeOf(const py::int_& number);
 
+/// The frame of that name: scanner, local or mine. Refused if there is no such frame, or if the scan has no place in it.
+[[nodiscard]] CoordinateFrame frameOf(const Scan& scan, const std::string& name);
+
 /// Names in it are as nameOf() gives them.
 [[nodiscard]] py::object objectOf(const nlohmann::ordered_json& json);
 
@@ -92,7 +96,9 @@ public:
         this->attr("__module__") = "edgescan";
         auto* made = reinterpret_cast<PyTypeObject*>(this->ptr());
         made->tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
-            PyErr_Format(PyExc_TypeError, "objects of %s are made by the functions of edgescan", of->tp_name);
+            const char* dot = std::strrchr(of->tp_name, '.');
+            PyErr_Format(PyExc_TypeError, "%s(): objects of this class are made by the functions of edgescan",
+                         dot == nullptr ? of->tp_name : dot + 1);
             return nullptr;
         };
         PyType_Modified(made);

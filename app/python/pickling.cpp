@@ -39,8 +39,8 @@ auto partsOf(T& of) {
 }
 template <Some<Placement> T>
 auto partsOf(T& of) {
-    auto& [mount, poses, origin, scale, grid, source, time, age, outOfSpec, warnings, boom] = of;
-    return std::tie(mount, poses, origin, scale, grid, source, time, age, outOfSpec, warnings, boom);
+    auto& [mount, poses, origin, scale, grid, source, robot, scanStart, scanEnd, time, age, outOfSpec, warnings, boom] = of;
+    return std::tie(mount, poses, origin, scale, grid, source, robot, scanStart, scanEnd, time, age, outOfSpec, warnings, boom);
 }
 template <Some<Acquisition> T>
 auto partsOf(T& of) {

@@ -1,24 +1,21 @@
-// Rocks in Python: labels and a row per region. Segments are computed once per result, so another level costs little.
+// Rocks in Python: labels and a row per rock. Segments are computed once per result, so another level costs little.
 #include "app/python/result.h"
 
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
-#include "core/rocks/selection/rock_map.h"
+#include "core/files/open_save/save_scan.h"
+#include "core/rocks/attributes/rock_columns.h"
 
 #include <nlohmann/json.hpp>
+
+#include <span>
+#include <variant>
 
 namespace edgescan::python {
 namespace {
 
-/// The part that does not depend on the settings.
-struct Pieces {
-    rocks::Segmentation leaves;
-    rocks::MergeTree tree;
-};
-
 struct RocksObject {
-    std::shared_ptr<const Pieces> pieces;
-    std::shared_ptr<const rocks::RegionMap> map;
+    std::shared_ptr<const rocks::Study> study;
     std::shared_ptr<const Grid<std::uint32_t>> labels, regions;
 };
 
@@ -40,69 +37,102 @@ rocks::RockSettings settingsOf(const std::map<std::string, double>& numbers, con
     return settings;
 }
 
-RocksObject at(std::shared_ptr<const Pieces> pieces, const rocks::RockSettings& settings) {
-    auto map = std::make_shared<const rocks::RegionMap>(rocks::rocksAt(pieces->leaves, pieces->tree, settings));
-    auto labels = std::make_shared<const Grid<std::uint32_t>>(rocks::rockLabels(pieces->leaves, *map));
-    auto regions = std::make_shared<const Grid<std::uint32_t>>(rocks::regionLabels(pieces->leaves, *map));
-    return {std::move(pieces), std::move(map), std::move(labels), std::move(regions)};
+RocksObject rocksOf(rocks::Study made) {
+    auto study = std::make_shared<const rocks::Study>(std::move(made));
+    auto labels = std::make_shared<const Grid<std::uint32_t>>(rocks::rockLabels(*study->segmentation, study->map));
+    auto regions = std::make_shared<const Grid<std::uint32_t>>(rocks::regionLabels(*study->segmentation, study->map));
+    return {std::move(study), std::move(labels), std::move(regions)};
 }
 
 RocksObject rocks(const ResultObject& result, const std::map<std::string, double>& numbers, const std::string& region) {
     const rocks::RockSettings settings = settingsOf(numbers, region);
-    return unlocked([&] {
-        auto pieces = std::make_shared<Pieces>();
-        pieces->leaves = rocks::segmentRocks(rocks::rockInputs(*whole(result)));
-        pieces->tree = rocks::mergeTree(pieces->leaves.count(), pieces->leaves.borders);
-        return at(std::move(pieces), settings);
-    });
+    return unlocked([&] { return rocksOf(rocks::studyRocks(rocks::rockInputs(*whole(result)), settings)); });
 }
 
-py::list tableOf(const rocks::RegionMap& map) {
+RocksObject atLevel(const RocksObject& self, double level) {
+    rocks::RockSettings settings = self.study->settings;
+    settings.level = settingsOf({{"level", level}}, "").level;
+    return unlocked([&] { return rocksOf(rocks::studyRocks(self.study->segmentation->inputs, settings, {}, self.study.get())); });
+}
+
+struct AsPython {
+    py::object operator()(std::monostate) const { return py::none(); }
+    py::object operator()(std::span<const std::uint32_t> list) const {
+        py::list rocks;
+        for (const std::uint32_t rock : list) rocks.append(rock);
+        return std::move(rocks);
+    }
+    template <class Value>
+    py::object operator()(const Value& value) const {
+        return py::cast(value);
+    }
+};
+
+py::list tableOf(const RocksObject& self, const std::string& name) {
+    const Scan& scan = *self.study->segmentation->inputs.scan;
+    const CoordinateFrame frame = name == "auto" ? files::usualFrame(scan) : frameOf(scan, name);
+    const rocks::RockRows rows(*self.study, frame);
+    py::list table;
+    for (const rocks::Rock& rock : self.study->rocks) {
+        const rocks::RockRow row = rows.of(rock);
+        py::dict values;
+        for (const rocks::RockColumn& column : rocks::rockColumns(frame)) values[column.key] = std::visit(AsPython{}, column.value(row));
+        table.append(values);
+    }
+    return table;
+}
+
+py::list regionTableOf(const rocks::RegionMap& map) {
     py::list rows;
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         const rocks::Region& region = map.regions[n];
-        // NaN for a region without a measured cell
-        const Eigen::Vector3d centre = region.sums.sumM / static_cast<double>(region.sums.cells);
-        rows.append(py::dict(py::arg("label") = n, py::arg("kind") = rocks::regionKindName(region.kind),
-                             py::arg("cells") = region.sums.cells, py::arg("area_m2") = region.sums.areaM2,
-                             py::arg("long_m") = region.longM, py::arg("x_m") = centre.x(), py::arg("y_m") = centre.y(),
-                             py::arg("z_m") = centre.z(), py::arg("evidence") = region.evidence,
+        rows.append(py::dict(py::arg("region") = n, py::arg("kind") = rocks::regionKindName(region.kind),
+                             py::arg("cells") = region.sums.cells, py::arg("visible_area_m2") = region.sums.areaM2,
+                             py::arg("four_sd_m") = region.longM, py::arg("evidence") = region.evidence,
                              py::arg("confidence") = region.confidence));
     }
     return rows;
 }
 
+std::string tableHelp() {
+    std::string help =
+        "A dict per rock, the columns of `edgescan-cli rocks --csv`: coordinates in the mine grid where the scan has a place, "
+        "otherwise in the scanner's frame.\n";
+    for (const rocks::RockColumn& column : rocks::rockColumns(CoordinateFrame::Mine))
+        help += "\n    " + std::string(column.key) + ": " + column.help;
+    return help;
+}
+
 } // namespace
 
 void bindRocks(py::module_& module) {
+    const std::string help = tableHelp();
     Class<RocksObject> type(module, "Rocks", "Candidates for rocks at one level: geometry only, from one viewpoint.");
     const auto property = [&](const char* name, const auto& get, const char* help) {
         type.def_property_readonly(
             name, [get](const RocksObject& self) { return get(self); }, help);
     };
     property(
-        "count", [](const RocksObject& r) { return r.map->rocks; }, "Number of rocks.");
+        "count", [](const RocksObject& r) { return r.study->map.rocks; }, "Number of rocks.");
     property(
         "labels", [](const RocksObject& r) { return gridArray(*r.labels, r.labels); },
         "uint32, lines x beams: 0 none, then the rocks 1 to count, the largest visible area first. No copy, read only.");
     property(
         "regions", [](const RocksObject& r) { return gridArray(*r.regions, r.regions); },
-        "uint32, lines x beams: 0 none, else the label of a row of `table`, whatever its kind. No copy, read only.");
+        "uint32, lines x beams: 0 none, else `region` of a row of `region_table`, whatever its kind. No copy, read only.");
     property(
-        "table", [](const RocksObject& r) { return tableOf(*r.map); },
-        "A dict per region, rocks first: label, kind (rock, not_rock, fines, outside), cells (measured, without spikes), area_m2 (seen, "
-        "across the beams), long_m (4 "
-        "standard deviations along its longest axis), x_m, y_m, z_m (mean, metres from the sensor), evidence, confidence.");
+        "table", [](const RocksObject& r) { return tableOf(r, "auto"); }, help.c_str());
     property(
-        "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.map->settings)); }, "What it was made with.");
+        "region_table", [](const RocksObject& r) { return regionTableOf(r.study->map); },
+        "A dict per region, rocks first: region, kind (rock, not_rock, fines, outside), cells (measured, without spikes), visible_area_m2 "
+        "(across the beams), four_sd_m (4 standard deviations of its points along their longest axis), evidence, confidence.");
+    property(
+        "settings", [](const RocksObject& r) { return objectOf(rocks::rockSettingsToJson(r.study->settings)); }, "What it was made with.");
     type.def("__repr__", [](const RocksObject& r) {
-        return "<edgescan.Rocks: " + std::to_string(r.map->rocks) + " rocks at level " + shortestText(r.map->settings.level) + ">";
+        return "<edgescan.Rocks: " + std::to_string(r.study->map.rocks) + " rocks at level " + shortestText(r.study->settings.level) + ">";
     });
-    module.def("rocks_at", [](const RocksObject& self, double level) {
-        rocks::RockSettings settings = self.map->settings;
-        settings.level = settingsOf({{"level", level}}, "").level;
-        return unlocked([&] { return at(self.pieces, settings); });
-    });
+    module.def("rocks_at", &atLevel);
+    module.def("rocks_table", &tableOf);
     module.def("rocks", &rocks);
     module.def("rock_parameters", [] {
         py::list rows;

@@ -31,17 +31,6 @@ ScanObject openFile(const std::string& path, const Typed& typed) {
     return {std::make_shared<const Scan>(taken(std::move(scan)))};
 }
 
-CoordinateFrame frameOf(const Scan& scan, const std::string& name) {
-    const CoordinateFrame frame = name == "local"  ? CoordinateFrame::MineLocal
-                                  : name == "mine" ? CoordinateFrame::Mine
-                                                   : CoordinateFrame::Scanner;
-    if (frame == CoordinateFrame::Scanner && name != "scanner")
-        throw Refused{{"\"" + name + "\" names no frame", "frame", "use scanner, local or mine"}};
-    if (frame != CoordinateFrame::Scanner && scan.placement == nullptr)
-        throw Refused{{"the scan has no place in the mine", scan.path, "open it with pose and calibration"}};
-    return frame;
-}
-
 py::array_t<double> pointsOf(const ScanPtr& scan, const std::string& name) {
     const CoordinateFrame frame = frameOf(*scan, name);
     py::array_t<double> array({scan->lines(), scan->beams(), 3});
@@ -101,6 +90,17 @@ std::string textOf(const Scan& scan) {
 }
 
 } // namespace
+
+CoordinateFrame frameOf(const Scan& scan, const std::string& name) {
+    const CoordinateFrame frame = name == "local"  ? CoordinateFrame::MineLocal
+                                  : name == "mine" ? CoordinateFrame::Mine
+                                                   : CoordinateFrame::Scanner;
+    if (frame == CoordinateFrame::Scanner && name != "scanner")
+        throw Refused{{"\"" + name + "\" names no frame", "frame", "use scanner, local or mine"}};
+    if (frame != CoordinateFrame::Scanner && scan.placement == nullptr)
+        throw Refused{{"the scan has no place in the mine", scan.path, "open it with pose and calibration"}};
+    return frame;
+}
 
 void bindScan(py::module_& module) {
     Class<ScanObject> type(module, "Scan", "A sweep as measured: lines x beams cells, each with a range and a state.");

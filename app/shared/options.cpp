@@ -88,7 +88,7 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     command
         .add_option("--frame", flags.frame,
                     "Coordinates of clouds: mine (Easting, Northing, Elevation), local (metres from an origin in the header), scanner, "
-                    "or auto: the usual one")
+                    "or auto: mine if the scan has a place, else scanner")
         ->check(CLI::IsMember({"auto", "scanner", "local", "mine"}))
         ->group(group);
     command.add_flag("--ascii", flags.ascii, "PCD and PLY as text")->group(group);

@@ -42,6 +42,17 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
     return Done{};
 }
 
+void WrittenOutputs::add(const std::string& path, const Result<exports::Written>& written) {
+    add<exports::Written>(path, written);
+    if (!written || !written->coordinates) return;
+    if (coordinates_)
+        coordinates_->add(*written->coordinates);
+    else
+        coordinates_ = written->coordinates;
+}
+
+std::string WrittenOutputs::coordinates() const { return coordinates_ ? exports::coordinatesText(*coordinates_) : std::string(); }
+
 Result<Done> WrittenOutputs::outcome() const {
     if (!first_) return Done{};
     Error error = *first_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/exports/provenance.h"
 
 #include <optional>
 #include <span>
@@ -26,14 +27,18 @@ public:
         else
             first_ = written.error();
     }
+    void add(const std::string& path, const Result<exports::Written>& written);
     /// Was not tried because another one failed.
     void leftOut(const std::string& path) { missing_.push_back(path); }
     [[nodiscard]] bool allWritten() const { return !first_; }
     /// Error: the first one, with the names of what was written and of what else was not.
     [[nodiscard]] Result<Done> outcome() const;
+    /// The frame and the extent of all of them: the last line of a command. Empty where none has coordinates.
+    [[nodiscard]] std::string coordinates() const;
 
 private:
     std::optional<Error> first_;
+    std::optional<exports::WrittenCoordinates> coordinates_;
     std::vector<std::string> written_, missing_; ///< missing: besides the first
 };
 

@@ -6,6 +6,7 @@
 #include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
+#include "core/files/open_save/save_scan.h"
 
 #include <algorithm>
 #include <optional>
@@ -105,12 +106,12 @@ Result<edges::Settings> settingsFor(const MethodFlags& flags, const Scan& scan) 
     return settings;
 }
 
-exports::ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual) {
+exports::ExportOptions exportOptions(const WriteFlags& flags, const Scan& scan, const std::filesystem::path& file) {
     exports::ExportOptions options;
     options.frame = flags.frame == "scanner" ? CoordinateFrame::Scanner
                     : flags.frame == "local" ? CoordinateFrame::MineLocal
                     : flags.frame == "mine"  ? CoordinateFrame::Mine
-                                             : usual;
+                                             : files::usualFrame(scan, file);
     options.ascii = flags.ascii;
     options.includeAttached = flags.includeAttached;
     options.choices = flags.choices;

@@ -6,6 +6,7 @@
 #include "core/exports/provenance.h"
 #include "core/scan/grid/scan.h"
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -51,7 +52,7 @@ struct WriteFlags {
     files::WritingChoices choices;
 };
 
-/// The export options for one command; `usual` is the frame of "auto".
-[[nodiscard]] exports::ExportOptions exportOptions(const WriteFlags& flags, CoordinateFrame usual);
+/// The export options for one command. "auto" is files::usualFrame(); `file` is given where its format may hold no coordinates.
+[[nodiscard]] exports::ExportOptions exportOptions(const WriteFlags& flags, const Scan& scan, const std::filesystem::path& file = {});
 
 } // namespace edgescan::cli

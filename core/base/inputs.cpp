@@ -61,6 +61,13 @@ void claimInput(const fs::path& path) {
     bound->add(inputs.emplace(*number, path));
 }
 
+std::vector<fs::path> namesOf(const fs::path& input) {
+    std::error_code none;
+    if (!fs::is_symlink(input, none)) return {input};
+    const fs::path target = fs::canonical(input, none);
+    return none ? std::vector{input} : std::vector{input, target};
+}
+
 Result<std::vector<std::byte>> readInput(const fs::path& path) {
     claimInput(path);
     return readWholeFile(path);

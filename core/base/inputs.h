@@ -20,6 +20,9 @@ void claimInput(const std::filesystem::path& path);
 /// Claims the file and reads all of it, as readWholeFile() does.
 Result<std::vector<std::byte>> readInput(const std::filesystem::path& path);
 
+/// The names by which files that belong to an input are found: its own, and for a link also that of the file it leads to.
+[[nodiscard]] std::vector<std::filesystem::path> namesOf(const std::filesystem::path& input);
+
 /// The claimed paths, in the order in which they were claimed.
 [[nodiscard]] std::vector<std::filesystem::path> claimedPaths(const InputClaims& claims);
 

@@ -5,6 +5,7 @@
 #include "core/containers/png/png.h"
 #include "core/edges/gray/gray.h"
 #include "core/exports/rock_files.h"
+#include "core/exports/rock_outlines.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/georef/placed_points.h"
@@ -46,6 +47,7 @@ Files rockLabelPicture(const ExportInput& in) {
     return one(in, containers::png16Bytes(*picture, in.path.string(), in.record));
 }
 Files rockOutlines(const ExportInput& in) { return one(in, outlineBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
+Files rockPictureOutlines(const ExportInput& in) { return one(in, pictureOutlines(*in.options.rocks, in.record)); }
 Files rockHullFile(const ExportInput& in) { return one(in, hullBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 constexpr std::array kCloudFile{ExportFile{".pcd", nullptr, Coordinates::InName}};
 constexpr std::array kPictureFile{ExportFile{".png", nullptr, Coordinates::None}};
@@ -53,7 +55,8 @@ constexpr std::array kReportFile{ExportFile{".json", "Report with settings and e
 constexpr std::array kTableFile{ExportFile{".csv", "Table, one row per rock", Coordinates::InName}};
 constexpr std::array kLabelFile{ExportFile{".png", "Labels as a 16-bit picture", Coordinates::None}};
 constexpr std::array kOutlineFiles{ExportFile{".dxf", "Outlines in space", Coordinates::InName},
-                                   ExportFile{".geojson", "Outlines in the picture", Coordinates::None}};
+                                   ExportFile{".geojson", "Outlines in the mine grid", Coordinates::MineOnly}};
+constexpr std::array kPictureOutlineFile{ExportFile{".json", nullptr, Coordinates::None}};
 constexpr std::array kHullFiles{ExportFile{".ply", "Convex hulls of the visible points", Coordinates::InName},
                                 ExportFile{".obj", "Convex hulls of the visible points", Coordinates::InName, false}};
 
@@ -81,7 +84,9 @@ constexpr ExportKind kKinds[]{
     {ExportContent::RockLabels, "rock-labels", "rock labels", Needs::Rocks, Holds::Picture, Counts::Cells, "rocks", kLabelFile,
      "--labels", "16-bit PNG: 0 none, then 1..n, the largest visible area first", rockLabelPicture},
     {ExportContent::RockOutlines, "rock-outlines", "rock outlines", Needs::Rocks, Holds::Shapes, Counts::Rocks, "rocks", kOutlineFiles,
-     "--outlines", "Closed polylines in space (.dxf), or polygons in the picture (.geojson)", rockOutlines},
+     "--outlines", "Around the visible surfaces: closed polylines and numbers (.dxf), or lines in the mine grid (.geojson)", rockOutlines},
+    {ExportContent::RockPictureOutlines, "rock-picture-outlines", "rock outlines in the picture", Needs::Rocks, Holds::Picture, Counts::Rocks,
+     "picture-outlines", kPictureOutlineFile, "--picture-outlines", "Polygons around the labels, x = beam, y = line: .json", rockPictureOutlines},
     {ExportContent::RockHulls, "rock-hulls", "rock hulls", Needs::Rocks, Holds::Shapes, Counts::Rocks, "hulls", kHullFiles,
      "--hulls", "Convex hulls of the visible points, never a volume: .ply or .obj", rockHullFile},
     {ExportContent::RockCloud, "rock-cloud", "rock cloud", Needs::Rocks, Holds::Points, Counts::Points, "rocks", kCloudFile,

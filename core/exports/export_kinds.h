@@ -36,6 +36,7 @@ enum class ExportContent : std::uint8_t {
     RockTable,
     RockLabels,
     RockOutlines,
+    RockPictureOutlines,
     RockHulls,
     RockCloud,
     End ///< how many there are
@@ -65,7 +66,8 @@ struct ExportInput {
 
 /// A file that an export can be written to.
 struct ExportFile {
-    enum class Coordinates : std::uint8_t { None, Inside, InName }; ///< none; the frame's; the frame's, which the file's name says
+    /// None; the frame's; the frame's, which the file's name says; those of the mine grid and no others.
+    enum class Coordinates : std::uint8_t { None, Inside, InName, MineOnly };
     const char* extension;
     const char* title; ///< in the window's list of files; null: not in the list
     Coordinates coordinates;

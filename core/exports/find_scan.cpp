@@ -1,6 +1,7 @@
 // Finds a file by its hash.
 #include "core/exports/find_scan.h"
 
+#include "core/base/inputs.h"
 #include "core/base/sha256.h"
 
 #include <algorithm>
@@ -34,9 +35,11 @@ void likelyFirst(std::vector<fs::path>& files, const std::string& oldName) {
 Result<fs::path> findScan(const std::string& sha256, const std::string& oldName, const fs::path& exported,
                           const std::optional<fs::path>& scansFolder) {
     std::error_code problem;
-    const fs::path folder = exported.has_parent_path() ? exported.parent_path() : fs::path(".");
     std::vector<fs::path> files;
-    addFiles(files, fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, problem));
+    for (const fs::path& name : namesOf(exported)) {
+        const fs::path folder = name.has_parent_path() ? name.parent_path() : fs::path(".");
+        addFiles(files, fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, problem));
+    }
     likelyFirst(files, oldName);
     if (scansFolder) {
         if (!fs::is_directory(*scansFolder, problem))

@@ -16,6 +16,8 @@
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/study.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/grid/cartesian.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +34,10 @@ constexpr double kToleranceM = 6e-4; // LAS rounds to half a millimetre; whole m
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-Json vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Json vectorJson(const Eigen::Vector3d& v) {
+    constexpr double kPerM = 1e6; // the digits behind a micrometre are those of arithmetic
+    return {rounded(v.x(), kPerM), rounded(v.y(), kPerM), rounded(v.z(), kPerM)};
+}
 
 /// The expected content of the file, in addition to its bytes.
 struct Expected {
@@ -66,8 +71,7 @@ GridBeside gridBeside(ExportContent content, const edges::Detection& detection, 
     const bool whole = exportKind(content).holds == ExportKind::Holds::Scan;
     if (format == nullptr || format->write == nullptr || !(isCloud(content) || whole)) return {};
     const bool everyCell = whole && (!options.includeAttached || detection.scan->attached.empty());
-    const bool holdsGrid = (format->keepsPlace && options.frame == CoordinateFrame::Scanner) ||
-                           (format->keeps == files::Keeps::Sidecar && options.choices.comments);
+    const bool holdsGrid = format->keeps == files::Keeps::States || (format->keeps == files::Keeps::Sidecar && options.choices.comments);
     if (everyCell && holdsGrid) return {};
     const bool edges = exportKind(content).counts == ExportKind::Counts::EdgePoints;
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
@@ -94,6 +98,28 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     if (const auto description = parseOrderedJson(grid.description, ""); !grid.description.empty() && description)
         sidecar["grid"] = *description;
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
+}
+
+/// The box of the points; of the cells of all rocks where rocks are written.
+Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, const edges::Detection& detection,
+                             const ExportOptions& options) {
+    Eigen::AlignedBox3d box;
+    if (expected.bounds && expected.count > 0) box = {expected.bounds->leastM, expected.bounds->mostM};
+    const ExportKind& kind = exportKind(content);
+    if (kind.counts != ExportKind::Counts::Rocks || kind.holds == ExportKind::Holds::Picture) return box;
+    const Scan& scan = *detection.scan;
+    const CartesianTables tables(scan);
+    std::optional<PlacedPoints> placed;
+    if (options.frame != CoordinateFrame::Scanner) placed.emplace(scan);
+    const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
+    for (int line = 0; line < scan.lines(); ++line) {
+        for (int beam = 0; beam < scan.beams(); ++beam) {
+            if (labels.at(line, beam) == 0 || scan.state.at(line, beam) != CellState::Valid) continue;
+            const Eigen::Vector3d point = tables.point(line, beam);
+            box.extend(placed ? placed->inFrame(options.frame, line, beam, point) : point);
+        }
+    }
+    return box;
 }
 
 /// Reads the bytes before they are written: if a format cannot hold the numbers, the error must not blame the disk.
@@ -133,8 +159,8 @@ std::string embeddedRecord(std::string_view bytes) {
     return files::formatOfContent({{}, std::as_bytes(std::span(bytes)), &options}).record(bytes);
 }
 
-Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const fs::path& path,
-                                         const ExportOptions& options) {
+Result<Written> exportWithProvenance(ExportContent content, const edges::Detection& detection, const fs::path& path,
+                                     const ExportOptions& options) {
     const std::string record = exportRecord(content, detection, options);
     const auto files = exportFiles(content, detection, path, record, options);
     if (!files) return files.error();
@@ -142,10 +168,12 @@ Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Det
     for (const FileBytes& file : *files) {
         if (auto told = checkTold(file, expected); !told) return told.error();
     }
+    const Written done{expected.count,
+                       coordinatesOf(content, *detection.scan, path, options, extentOf(content, expected, detection, options))};
     if (isDevice(path)) {
         if (files->size() > 1) return Error{"this format is of two files and a device takes one", path.string(), "choose a file"};
         if (auto written = writeWholeFile(path, files->front().bytes); !written) return written.error();
-        return expected.count;
+        return done;
     }
     const FileBytes& named = fileOf(*files, path);
     const std::string sidecar = sidecarText(named, record, gridBeside(content, detection, named.path, options), expected, *files);
@@ -153,7 +181,7 @@ Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Det
     for (const FileBytes& file : *files) contents.push_back({file.path, bytesOf(file.bytes)});
     if (options.sidecar) contents.push_back({files::sidecarPath(named.path), bytesOf(sidecar)});
     if (auto written = writeWholeFiles(contents); !written) return written.error();
-    return expected.count;
+    return done;
 }
 
 } // namespace edgescan::exports

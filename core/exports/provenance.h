@@ -6,10 +6,12 @@
 #include "core/base/result.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/exports/export_kinds.h"
+#include "core/exports/written_coordinates.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +33,16 @@ Result<std::vector<FileBytes>> exportFiles(ExportContent content, const edges::D
 /// The record inside an export's bytes; empty if there is none.
 [[nodiscard]] std::string embeddedRecord(std::string_view bytes);
 
+/// What an export wrote.
+struct Written {
+    std::size_t count = 0;                           ///< points, cells or rocks
+    std::optional<WrittenCoordinates> coordinates{}; ///< empty for pictures
+};
+
 /// Writes the export and, unless the options say otherwise, its sidecar: both completely, or neither (core/base/whole_file.h). Count and
-/// bounds of the bytes are compared with those of the scan before. Returns the number of points or cells written. A device or pipe gets the
-/// export only. Error: the scan has no pose for the requested frame, the format cannot hold its values, or the file cannot be written.
-Result<std::size_t> exportWithProvenance(ExportContent content, const edges::Detection& detection, const std::filesystem::path& path,
-                                         const ExportOptions& options = {});
+/// bounds of the bytes are compared with those of the scan before. A device or pipe gets the export only. Error: the scan has no pose for
+/// the requested frame, the format cannot hold its values, or the file cannot be written.
+Result<Written> exportWithProvenance(ExportContent content, const edges::Detection& detection, const std::filesystem::path& path,
+                                     const ExportOptions& options = {});
 
 } // namespace edgescan::exports

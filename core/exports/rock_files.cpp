@@ -1,130 +1,21 @@
-// Writes outlines and hulls of rocks.
+// Writes labels, rows and hulls of rocks.
 #include "core/exports/rock_files.h"
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/exports/frame_points.h"
 #include "core/exports/rock_report.h"
-#include "core/files/formats/dxf_text.h"
 #include "core/files/open_save/save_scan.h"
-#include "core/files/point_tables/cloud_columns.h"
 #include "core/files/point_tables/source.h"
 #include "core/rocks/attributes/hulls.h"
-#include "core/rocks/attributes/outlines.h"
-#include "core/scan/georef/placed_points.h"
-#include "core/scan/grid/cartesian.h"
 
 #include <nlohmann/json.hpp>
-
-#include <array>
-#include <optional>
 
 namespace edgescan::exports {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kSureLayer = "ROCKS";
-constexpr const char* kDoubtfulLayer = "ROCKS_DOUBTFUL";
-constexpr std::array<files::DxfLayer, 2> kRockLayers{{{kSureLayer, "3"}, {kDoubtfulLayer, "2"}}};
-constexpr std::size_t kFewestCorners = 3;
-
-// Points of cells in the requested frame.
-class FramePoints {
-public:
-    FramePoints(const Scan& scan, CoordinateFrame frame) : scan_(scan), tables_(scan), frame_(frame) {
-        if (frame == CoordinateFrame::Scanner) return;
-        placed_.emplace(scan);
-        cloud_.frame = frame;
-        cloud_.originM = placed_->originEnhM();
-    }
-    [[nodiscard]] Eigen::Vector3d at(std::uint32_t k) const {
-        const Eigen::Vector3d point = tables_.point(k);
-        if (!placed_) return point;
-        const auto beams = static_cast<std::uint32_t>(scan_.beams());
-        return placed_->inFrame(frame_, static_cast<int>(k / beams), static_cast<int>(k % beams), point);
-    }
-    /// One line that describes the frame of the numbers.
-    [[nodiscard]] std::string text() const { return files::frameText(cloud_); }
-    [[nodiscard]] int decimals() const { return frame_ == CoordinateFrame::Mine ? 4 : 6; }
-
-private:
-    const Scan& scan_;
-    CartesianTables tables_;
-    CoordinateFrame frame_;
-    std::optional<PlacedPoints> placed_;
-    files::CloudColumns cloud_; // without points
-};
-
-Error noSuchFormat(const std::filesystem::path& path, const char* formats) {
-    return {"the extension names no format for this", path.string(), std::string("use ") + formats};
-}
-
-std::string dxfOutlines(const rocks::Study& study, const FramePoints& points, const std::string& record) {
-    const auto outlines = rocks::outlinesOf(rocks::rockLabels(*study.segmentation, study.map), study.map.rocks);
-    const Scan& scan = *study.segmentation->inputs.scan;
-    const auto placesOf = [&](const rocks::OutlineRing& ring) {
-        std::vector<Eigen::Vector3d> places;
-        for (const std::uint32_t k : ring.inside) {
-            if (scan.state[k] == CellState::Valid) places.push_back(points.at(k));
-        }
-        return places;
-    };
-    Eigen::AlignedBox3d box;
-    for (const auto& rings : outlines) {
-        for (const rocks::OutlineRing& ring : rings) {
-            for (const Eigen::Vector3d& place : placesOf(ring)) box.extend(place);
-        }
-    }
-    files::DxfText drawing(false);
-    drawing.comment(points.text());
-    drawing.comment(rocks::kRockCaveat);
-    for (const std::string& line : files::commentLines(record, files::kRecordMark)) drawing.comment(line);
-    drawing.begin(box, kRockLayers);
-    for (const rocks::Rock& rock : study.rocks) {
-        const char* layer = rock.confidence < rocks::kSureConfidence && !rock.byHand ? kDoubtfulLayer : kSureLayer;
-        for (const rocks::OutlineRing& ring : outlines[rock.label]) {
-            const std::vector<Eigen::Vector3d> places = placesOf(ring);
-            if (places.size() < kFewestCorners) continue;
-            drawing.beginLine(layer, true);
-            for (const Eigen::Vector3d& place : places) drawing.vertex(layer, place);
-            drawing.endLine(layer);
-        }
-    }
-    return drawing.end();
-}
-
-Json cornersJson(const rocks::OutlineRing& ring) {
-    Json corners = Json::array();
-    for (const rocks::CellCorner& corner : ring.corners) corners.push_back({corner.beam, corner.line});
-    if (!ring.corners.empty()) corners.push_back({ring.corners.front().beam, ring.corners.front().line});
-    return corners;
-}
-
-std::string geoJsonOutlines(const rocks::Study& study, CoordinateFrame frame, const std::string& record) {
-    const auto outlines = rocks::outlinesOf(rocks::rockLabels(*study.segmentation, study.map), study.map.rocks);
-    const Json report = rocksReport(study, frame);
-    Json features = Json::array();
-    for (const rocks::Rock& rock : study.rocks) {
-        Json polygons = Json::array();
-        for (const rocks::OutlineRing& ring : outlines[rock.label]) {
-            if (!ring.hole) polygons.push_back(Json::array());
-            polygons.back().push_back(cornersJson(ring));
-        }
-        features.push_back({{"type", "Feature"},
-                            {"id", rock.label},
-                            {"properties", report["rocks"][rock.label - 1]},
-                            {"geometry", {{"type", "MultiPolygon"}, {"coordinates", polygons}}}});
-    }
-    const auto parsed = parseOrderedJson(record, "");
-    const Json collection{{"type", "FeatureCollection"},
-                          {"note", rocks::kRockCaveat},
-                          {"coordinates", "of the picture: x = beam, y = line, corners of cells; lines go down"},
-                          {"frame", report["frame"]},
-                          {"edgescan-record", parsed ? *parsed : Json()},
-                          {"features", features}};
-    return jsonText(collection, -1) + "\n";
-}
 
 void appendPlace(std::string& text, const Eigen::Vector3d& place, int decimals) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -210,21 +101,13 @@ Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame
     return jsonText(whole, 2) + "\n";
 }
 
-Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
-                                 const std::string& record) {
-    const Scan& scan = *study.segmentation->inputs.scan;
-    if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
-    if (files::Source::lowerCase(path.extension()) == ".dxf") return dxfOutlines(study, FramePoints(scan, frame), record);
-    if (files::Source::lowerCase(path.extension()) == ".geojson") return geoJsonOutlines(study, frame, record);
-    return noSuchFormat(path, ".dxf or .geojson");
-}
-
 Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                               const std::string& record) {
     const Scan& scan = *study.segmentation->inputs.scan;
     if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
     const bool isPly = files::Source::lowerCase(path.extension()) == ".ply";
-    if (!isPly && files::Source::lowerCase(path.extension()) != ".obj") return noSuchFormat(path, ".ply or .obj");
+    if (!isPly && files::Source::lowerCase(path.extension()) != ".obj")
+        return Error{"the extension names no format for this", path.string(), "use .ply or .obj"};
     const std::vector<rocks::Hull> hulls = rocks::rockHulls(*study.segmentation, study.map);
     return (isPly ? plyHulls : objHulls)(hulls, FramePoints(scan, frame), record);
 }

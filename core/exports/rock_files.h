@@ -1,4 +1,4 @@
-// Rocks as files: outlines, hulls, and their part of a record.
+// Rocks as files: labels, rows, hulls, and their part of a record.
 #pragma once
 
 #include "core/base/result.h"
@@ -21,12 +21,7 @@ Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame,
 Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                                 const std::string& record);
 
-/// Outlines by extension: .dxf (closed polylines in space on the layers ROCKS and ROCKS_DOUBTFUL, and the positions of the numbers) or
-/// .geojson (polygons in the picture, x = beam, y = line, corners of cells). Error: another extension, no placement for the frame.
-Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
-                                 const std::string& record);
-
-/// Convex hulls of the visible points by extension: .ply or .obj. Error: as above.
+/// Convex hulls of the visible points by extension: .ply or .obj. Error: another extension, no placement for the frame.
 Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
                               const std::string& record);
 

@@ -5,13 +5,13 @@
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/rocks/attributes/size_curve.h"
-#include "core/scan/georef/placed_points.h"
+#include "core/rocks/attributes/rock_columns.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <span>
+#include <type_traits>
+#include <variant>
 
 namespace edgescan::exports {
 namespace {
@@ -21,53 +21,16 @@ using Json = nlohmann::ordered_json;
 double millimetres(double metres) { return rounded(metres, 1000); }
 double thousandths(double share) { return rounded(share, 1000); }
 
-// A row's columns in order, as JSON; the table uses the same columns.
-class RowWriter {
-public:
-    RowWriter(const rocks::Study& study, CoordinateFrame frame)
-        : scan_(*study.segmentation->inputs.scan), frame_(frame), curve_(rocks::sizeCurve(study.rocks, study.settings.oversizeM)) {
-        if (frame != CoordinateFrame::Scanner) placed_.emplace(scan_);
-    }
-
-    [[nodiscard]] Json row(const rocks::Rock& rock) const {
-        const auto beams = static_cast<std::uint32_t>(scan_.beams());
-        const int line = static_cast<int>(rock.cell / beams);
-        const int beam = static_cast<int>(rock.cell % beams);
-        const Eigen::Vector3d centre = placed_ ? placed_->inFrame(frame_, line, beam, rock.centreM) : rock.centreM;
-        return {{"rock", rock.label},
-                {"line", line},
-                {"beam", beam},
-                {"cells", rock.cells},
-                {"x_m", millimetres(centre.x())},
-                {"y_m", millimetres(centre.y())},
-                {"z_m", millimetres(centre.z())},
-                {"distance_m", millimetres(rock.distanceM)},
-                {"visible_long_m", millimetres(rock.longestCaliperM)},
-                {"visible_wide_m", millimetres(rock.shortestCaliperM)},
-                {"tolerance_m", millimetres(rock.toleranceM)},
-                {"visible_area_m2", rounded(rock.areaM2, 1e4)},
-                {"unoccluded_share", thousandths(rock.unoccluded)},
-                {"in_front_of", rock.rocksBehind},
-                {"behind", rock.rocksInFront},
-                {"contacts_at_least", rock.contacts},
-                {"touches_other", rock.touchesOther},
-                {"free_below_at_least_m", rounded(rock.freeHeightM, 100)},
-                {"arch_deg", rock.archDeg ? Json(rounded(*rock.archDeg, 1)) : Json()},
-                {"arch_tolerance_deg", rock.archDeg ? Json(rocks::kArchToleranceDeg) : Json()},
-                {"hangs_below", rock.archDeg ? Json(rock.isBelowContacts) : Json()},
-                {"finer_share", thousandths(curve_.shareUpTo(rock.shortestCaliperM))},
-                {"confidence", thousandths(rock.confidence)},
-                {"by_hand", rock.byHand},
-                {"note", rocks::kRockCaveat}};
-    }
-    [[nodiscard]] const rocks::SizeCurve& curve() const { return curve_; }
-
-private:
-    const Scan& scan_;
-    CoordinateFrame frame_;
-    rocks::SizeCurve curve_;
-    std::optional<PlacedPoints> placed_;
-};
+Json jsonOf(const rocks::RockValue& value) {
+    return std::visit(
+        [](const auto& held) -> Json {
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>)
+                return nullptr;
+            else
+                return held;
+        },
+        value);
+}
 
 Json curveJson(const rocks::SizeCurve& curve) {
     const bool isSaid = curve.oversizeM > 0;
@@ -85,16 +48,18 @@ Json countsJson(const rocks::RegionCounts& counts) {
     return {{"regions", counts.regions}, {"cells", counts.cells}, {"visible_area_m2", rounded(counts.areaM2, 1e4)}};
 }
 
-std::string cellText(const Json& value) {
-    if (value.is_null()) return {};
-    if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-    if (value.is_string()) return csvCell(value.get<std::string>());
-    if (value.is_number_float()) return shortestText(value.get<double>());
-    if (!value.is_array()) return std::to_string(value.get<std::int64_t>());
-    std::string text;
-    for (const Json& item : value) text += (text.empty() ? "" : " ") + std::to_string(item.get<std::int64_t>());
-    return text;
-}
+struct CsvText {
+    std::string operator()(std::monostate) const { return {}; }
+    std::string operator()(bool truth) const { return truth ? "1" : "0"; }
+    std::string operator()(std::uint32_t whole) const { return std::to_string(whole); }
+    std::string operator()(double number) const { return shortestText(number); }
+    std::string operator()(const char* words) const { return csvCell(words); }
+    std::string operator()(std::span<const std::uint32_t> list) const {
+        std::string text;
+        for (const std::uint32_t item : list) text += (text.empty() ? "" : " ") + std::to_string(item);
+        return text;
+    }
+};
 
 } // namespace
 
@@ -103,9 +68,7 @@ std::string labelsSha256(const Grid<std::uint32_t>& labels) { return sha256Hex(s
 Json rocksReport(const rocks::Study& study, CoordinateFrame frame) {
     const Scan& scan = *study.segmentation->inputs.scan;
     const rocks::UpDirection up = rocks::upOf(scan);
-    const RowWriter writer(study, frame);
-    Json rows = Json::array();
-    for (const rocks::Rock& rock : study.rocks) rows.push_back(writer.row(rock));
+    const rocks::RockRows rows(study, frame);
     Json report{{"input", scan.path},
                 {"sha256", scan.sha256},
                 {"lines", scan.lines()},
@@ -116,33 +79,40 @@ Json rocksReport(const rocks::Study& study, CoordinateFrame frame) {
                 {"frame", frameName(frame)},
                 {"up", {{"direction", {up.up.x(), up.up.y(), up.up.z()}}, {"assumed", up.assumed}}},
                 {"rock_count", study.rocks.size()},
-                {"size_curve", curveJson(writer.curve())},
+                {"size_curve", curveJson(rows.curve())},
                 {"fines", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::Fines))},
                 {"not_rock", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::NotRock))},
                 {"outside_region", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::Outside))},
                 {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
-                {"rocks", rows},
+                {"rocks", rockRowsJson(study, frame)},
                 {"warnings", scan.warnings},
                 {"version", version()}};
     return report;
 }
 
+Json rockRowsJson(const rocks::Study& study, CoordinateFrame frame) {
+    const rocks::RockRows rows(study, frame);
+    Json all = Json::array();
+    for (const rocks::Rock& rock : study.rocks) {
+        const rocks::RockRow row = rows.of(rock);
+        Json object = Json::object();
+        for (const rocks::RockColumn& column : rocks::rockColumns(frame)) object[column.key] = jsonOf(column.value(row));
+        all.push_back(std::move(object));
+    }
+    return all;
+}
+
 std::string rocksTable(const rocks::Study& study, CoordinateFrame frame) {
-    const RowWriter writer(study, frame);
+    const rocks::RockRows rows(study, frame);
     std::string text;
-    const Json names = writer.row(rocks::Rock{}); // also for the header of a table without rocks
-    for (const auto& [key, value] : names.items()) text += (text.empty() ? "" : ",") + key;
+    for (const rocks::RockColumn& column : rocks::rockColumns(frame)) text += (text.empty() ? "" : ",") + std::string(column.key);
     text += '\n';
     for (const rocks::Rock& rock : study.rocks) {
+        const rocks::RockRow row = rows.of(rock);
         std::string line;
-        bool first = true;
-        const Json row = writer.row(rock);
-        for (const auto& [key, value] : row.items()) {
-            if (!first) line += ',';
-            first = false;
-            line += cellText(value);
-        }
-        text += line + '\n';
+        for (const rocks::RockColumn& column : rocks::rockColumns(frame)) line += std::visit(CsvText{}, column.value(row)) + ',';
+        line.back() = '\n';
+        text += line;
     }
     return text;
 }
@@ -162,7 +132,7 @@ Json whyReport(const rocks::Study& study, const rocks::BorderWhy& why) {
                 {"edges", thousandths(r.edgeShare)},
                 {"depth", thousandths(r.depthRatio)},
                 {"fill", thousandths(r.boxShare)},
-                {"long_m", millimetres(r.longM)},
+                {"four_sd_m", millimetres(r.longM)},
                 {"score", thousandths(r.score)},
                 {"confidence", thousandths(r.confidence)}};
     };

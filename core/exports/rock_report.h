@@ -16,6 +16,9 @@ inline constexpr const char* kRocksSchema = "edgescan-rocks/1";
 /// The same for the same scan, settings and edits, independent of time and folder. Frames other than Scanner need a scan with a placement.
 [[nodiscard]] nlohmann::ordered_json rocksReport(const rocks::Study& study, CoordinateFrame frame);
 
+/// An array with an object per rock: the values of rocks::rockColumns() by their keys.
+[[nodiscard]] nlohmann::ordered_json rockRowsJson(const rocks::Study& study, CoordinateFrame frame);
+
 /// A header and a row per rock, separated by commas; elements of lists are separated by blanks.
 [[nodiscard]] std::string rocksTable(const rocks::Study& study, CoordinateFrame frame);
 

@@ -72,7 +72,8 @@ void compareSidecar(const Json& sidecar, const std::string& bytes, Verification&
 /// The record and its place; faults of either place are added to the findings.
 Result<Json> recordOf(const std::string& bytes, Verification& v) {
     Json fromSidecar;
-    if (const auto sidecar = readWholeFile(files::sidecarPath(v.exported))) {
+    const auto path = files::sidecarOf(v.exported);
+    if (const auto sidecar = readWholeFile(path.value_or(files::sidecarPath(v.exported)))) {
         const Json whole = parsed(textOf(*sidecar));
         if (const auto known = knownFormat(whole, files::kSidecarFormat, v); !known) return known.error();
         if (wordAt(whole, "/format") == files::kSidecarFormat) fromSidecar = at(whole, "/record");

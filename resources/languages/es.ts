@@ -511,27 +511,6 @@ mantenga \ para verla</translation></message>
 <message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
-<message><source>Rock</source><translation>Roca</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
-<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Mayor extensión visible transversal a la línea de visión</translation></message>
-<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Menor extensión visible transversal a la línea de visión</translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
-<message><source>distance [m]</source><translation>distancia [m]</translation></message>
-<message><source>From the scanner: median of its ranges</source><translation>Desde el escáner: mediana de sus distancias</translation></message>
-<message><source>area [m²]</source><translation>área [m²]</translation></message>
-<message><source>Visible area across the beams</source><translation>Área visible transversal a los haces</translation></message>
-<message><source>in front [%]</source><translation>delante [%]</translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation>Parte de su contorno donde es el lado más cercano</translation></message>
-<message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
-<message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
-<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
-<message><source>p</source><translation>p</translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grueso</translation></message>
 <message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rocas, %2 achuradas (p &lt; 0.85); %3 regiones de finos</translation></message>
@@ -1030,8 +1009,29 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
 <message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>
 <message><source>Outlines in space</source><translation>Contornos en el espacio</translation></message>
-<message><source>Outlines in the picture</source><translation>Contornos en la imagen</translation></message>
+<message><source>Outlines in the mine grid</source><translation>Contornos en coordenadas mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
+<message><source>Rock</source><translation>Roca</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
+<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Mayor extensión visible transversal a la línea de visión</translation></message>
+<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Menor extensión visible transversal a la línea de visión</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
+<message><source>distance [m]</source><translation>distancia [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>Desde el escáner: mediana de sus distancias</translation></message>
+<message><source>area [m²]</source><translation>área [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Área visible transversal a los haces</translation></message>
+<message><source>in front [%]</source><translation>delante [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Parte de su contorno donde es el lado más cercano</translation></message>
+<message><source>contacts (≥)</source><translation>contactos (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Rocas que se ve que toca: al menos estas</translation></message>
+<message><source>free below [m]</source><translation>libre debajo [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
+<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>

@@ -511,27 +511,6 @@ tenez \ pour la voir</translation></message>
 <message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
-<message><source>Rock</source><translation>Bloc</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
-<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Plus grande étendue visible en travers de la ligne de visée</translation></message>
-<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Plus petite étendue visible en travers de la ligne de visée</translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
-<message><source>distance [m]</source><translation>distance [m]</translation></message>
-<message><source>From the scanner: median of its ranges</source><translation>Depuis le scanner : médiane de ses distances</translation></message>
-<message><source>area [m²]</source><translation>surface [m²]</translation></message>
-<message><source>Visible area across the beams</source><translation>Surface visible en travers des faisceaux</translation></message>
-<message><source>in front [%]</source><translation>devant [%]</translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation>Part de son contour où il est le côté le plus proche</translation></message>
-<message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
-<message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
-<message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
-<message><source>p</source><translation>p</translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>fine</source><translation>fin</translation></message>
 <message><source>coarse</source><translation>grossier</translation></message>
 <message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 blocs, %2 hachurés (p &lt; 0.85) ; %3 régions de fines</translation></message>
@@ -1030,8 +1009,29 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
 <message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>
 <message><source>Outlines in space</source><translation>Contours dans l'espace</translation></message>
-<message><source>Outlines in the picture</source><translation>Contours dans l'image</translation></message>
+<message><source>Outlines in the mine grid</source><translation>Contours en coordonnées de la mine</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
+<message><source>Rock</source><translation>Bloc</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
+<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Plus grande étendue visible en travers de la ligne de visée</translation></message>
+<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Plus petite étendue visible en travers de la ligne de visée</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
+<message><source>distance [m]</source><translation>distance [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>Depuis le scanner : médiane de ses distances</translation></message>
+<message><source>area [m²]</source><translation>surface [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Surface visible en travers des faisceaux</translation></message>
+<message><source>in front [%]</source><translation>devant [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Part de son contour où il est le côté le plus proche</translation></message>
+<message><source>contacts (≥)</source><translation>contacts (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Blocs qu'on le voit toucher : au moins ceux-ci</translation></message>
+<message><source>free below [m]</source><translation>libre dessous [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
+<message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>

@@ -511,27 +511,6 @@ segure \ para vê-la</translation></message>
 <message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
-<message><source>Rock</source><translation>Rocha</translation></message>
-<message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
-<message><source>a visible [m]</source><translation>a visível [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Maior extensão visível transversal à linha de visada</translation></message>
-<message><source>b visible [m]</source><translation>b visível [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Menor extensão visível transversal à linha de visada</translation></message>
-<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
-<message><source>distance [m]</source><translation>distância [m]</translation></message>
-<message><source>From the scanner: median of its ranges</source><translation>A partir do scanner: mediana das suas distâncias</translation></message>
-<message><source>area [m²]</source><translation>área [m²]</translation></message>
-<message><source>Visible area across the beams</source><translation>Área visível transversal aos feixes</translation></message>
-<message><source>in front [%]</source><translation>na frente [%]</translation></message>
-<message><source>Share of its outline where it is the nearer side</source><translation>Parte do seu contorno onde ela é o lado mais próximo</translation></message>
-<message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
-<message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
-<message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
-<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
-<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
-<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
-<message><source>p</source><translation>p</translation></message>
-<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grosso</translation></message>
 <message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rochas, %2 hachuradas (p &lt; 0.85); %3 regiões de finos</translation></message>
@@ -1030,8 +1009,29 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
 <message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>
 <message><source>Outlines in space</source><translation>Contornos no espaço</translation></message>
-<message><source>Outlines in the picture</source><translation>Contornos na imagem</translation></message>
+<message><source>Outlines in the mine grid</source><translation>Contornos em coordenadas da mina</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
+<message><source>Rock</source><translation>Rocha</translation></message>
+<message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
+<message><source>a visible [m]</source><translation>a visível [m]</translation></message>
+<message><source>Largest visible span across the line of sight</source><translation>Maior extensão visível transversal à linha de visada</translation></message>
+<message><source>b visible [m]</source><translation>b visível [m]</translation></message>
+<message><source>Smallest visible span across the line of sight</source><translation>Menor extensão visível transversal à linha de visada</translation></message>
+<message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
+<message><source>distance [m]</source><translation>distância [m]</translation></message>
+<message><source>From the scanner: median of its ranges</source><translation>A partir do scanner: mediana das suas distâncias</translation></message>
+<message><source>area [m²]</source><translation>área [m²]</translation></message>
+<message><source>Visible area across the beams</source><translation>Área visível transversal aos feixes</translation></message>
+<message><source>in front [%]</source><translation>na frente [%]</translation></message>
+<message><source>Share of its outline where it is the nearer side</source><translation>Parte do seu contorno onde ela é o lado mais próximo</translation></message>
+<message><source>contacts (≥)</source><translation>contatos (≥)</translation></message>
+<message><source>Rocks that it is seen to touch: at least these</source><translation>Rochas que se vê que ela toca: pelo menos estas</translation></message>
+<message><source>free below [m]</source><translation>livre abaixo [m]</translation></message>
+<message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
+<message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
+<message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
+<message><source>p</source><translation>p</translation></message>
+<message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>

@@ -279,7 +279,7 @@ TEST(CliBatch, RocksOfEachScanEqualThoseOfTheCommandAlone) {
     for (int n = 0; n < 3; ++n)
         ASSERT_TRUE(files::saveScan(*test::rockScene("hangup", 70U + static_cast<unsigned>(n), 160, 183).scan,
                                     folder / "archive" / ("bell" + std::to_string(n) + ".json")));
-    const std::string wanted = "--results rocks,rock-table,rock-labels,rock-outlines.geojson,rock-hulls.obj,rock-cloud.pcd,report ";
+    const std::string wanted = "--results rocks,rock-table,rock-labels,rock-outlines.dxf,rock-hulls.obj,rock-cloud.pcd,report ";
     const auto run = runCli(inArchive(folder, "r", wanted + "--min-cells 60 --oversize 0.4"));
     ASSERT_EQ(run.code, 0) << run.err;
     const auto rows = rowsOf(folder / "r");

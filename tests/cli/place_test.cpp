@@ -2,6 +2,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/files/recording/writer.h"
 #include "core/scan/georef/calibration.h"
+#include "tests/support/folders.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/placements.h"
 #include "tests/support/robot_files.h"
@@ -11,13 +12,21 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <fstream>
+#include <map>
 
 namespace edgescan {
 namespace {
 
 using nlohmann::json;
 using test::runCli;
+
+std::string lastLine(const std::string& text) {
+    const std::size_t end = text.find_last_not_of('\n') + 1;
+    const std::size_t before = text.rfind('\n', end == 0 ? 0 : end - 1);
+    return text.substr(before == std::string::npos ? 0 : before + 1, end);
+}
 
 void write(const std::filesystem::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
@@ -88,6 +97,131 @@ TEST_F(CliPlace, ConvertLeavesARecordThatVerifies) {
     }
     EXPECT_NE(runCli("convert " + placed() + " " + path("w.obj")).err.find("The file holds points and no grid"), std::string::npos);
     EXPECT_EQ(json::parse(runCli("info " + path("w.pcd")).out)["pose"], json::parse(runCli("info " + placed()).out)["pose"]);
+}
+
+// One rule for every format: the mine grid where the scan has a place, and the same scan again.
+TEST_F(CliPlace, EveryFormatIsInTheMineGridIfThereIsAPoseAndOpensAsTheSameScan) {
+    struct Case {
+        const char* name;
+        const char* flags;
+        bool opens = true;
+    };
+    constexpr std::array<Case, 15> kCases{{{"w.pcd", ""},
+                                           {"t.pcd", "--ascii"},
+                                           {"d.pcd", "--doubles"},
+                                           {"w.ply", ""},
+                                           {"t.ply", "--ascii"},
+                                           {"w.las", ""},
+                                           {"w.csv", ""},
+                                           {"c.csv", "--comments"},
+                                           {"w.xyz", ""},
+                                           {"w.obj", ""},
+                                           {"w.ptx", ""},
+                                           {"w.foxglove.mcap", ""},
+                                           {"w.json", ""},
+                                           {"w.mcap", ""},
+                                           {"w.dxf", "", false}}};
+    for (const bool posed : {false, true}) {
+        const std::string in = posed ? placed() : path("boxes.json");
+        const json before = json::parse(runCli("detect " + in + " --json -").out);
+        for (const Case& one : kCases) {
+            SCOPED_TRACE(std::string(one.name) + " " + one.flags + (posed ? " with a pose" : " without a pose"));
+            const auto run = runCli("convert " + in + " " + path(one.name) + " " + one.flags);
+            ASSERT_EQ(run.code, 0) << run.err;
+            const std::string name = one.name;
+            const bool measurements = name == "w.json" || name == "w.mcap";
+            const json record = json::parse(test::fileText(folder / (name + ".provenance.json")))["record"];
+            EXPECT_EQ(record["coordinates"]["frame"], posed && !measurements ? "mine grid" : "scanner");
+            const std::string last = lastLine(run.err);
+            EXPECT_NE(last.find(name + ": " +
+                                (measurements ? "Ranges and angles of the scanner, "
+                                 : posed      ? "Mine grid: E 6207"
+                                              : "Scanner frame, as the scan has no pose: x ")),
+                      std::string::npos)
+                << last;
+            if (!one.opens) continue;
+            const json after = json::parse(runCli("detect " + path(one.name) + " --json -").out);
+            for (const char* key : {"edge_mask_sha256", "lines", "beams", "frame", "pose"}) EXPECT_EQ(after[key], before[key]) << key;
+            if (name != "w.csv" && name != "w.xyz" && name != "w.obj" && name != "w.ptx") {
+                EXPECT_EQ(after["cells"], before["cells"]);
+            }
+        }
+    }
+}
+
+TEST_F(CliPlace, TheLastLineOfEveryExportNamesWhatNeedsTheLocalFrame) {
+    const auto ply = runCli("convert " + placed() + " " + path("w.ply"));
+    EXPECT_NE(
+        lastLine(ply.err).find("For MeshLab, ParaView and Blender use the local frame (--frame local): 4-byte numbers are up to 250 mm "
+                               "off here."),
+        std::string::npos)
+        << ply.err;
+    const auto pcd = runCli("convert " + placed() + " " + path("w.pcd"));
+    EXPECT_NE(lastLine(pcd.err).find(".pcd: 4-byte metres from E 620700, N 6200100, elevation 280."), std::string::npos) << pcd.err;
+    const auto local = runCli("convert " + placed() + " " + path("w.obj") + " --frame local");
+    EXPECT_NE(lastLine(local.err).find("Local metres from E 620700, N 6200100, elevation 280 in the mine grid: east "), std::string::npos)
+        << local.err;
+    EXPECT_EQ(local.err.find("MeshLab"), std::string::npos) << local.err;
+    const auto detect = runCli("detect " + placed() + " -o " + path("all"));
+    EXPECT_NE(lastLine(detect.err).find(path("all") + ": Mine grid: E 6207"), std::string::npos) << detect.err;
+    const auto rocks = runCli("rocks " + placed() + " --frame scanner --csv " + path("r.csv"));
+    EXPECT_NE(lastLine(rocks.err).find("r.csv: Scanner frame: x "), std::string::npos) << rocks.err;
+    EXPECT_EQ(runCli("detect " + path("boxes.json") + " --mask " + path("m.png")).err, "") << "a picture has no coordinates";
+}
+
+TEST_F(CliPlace, BatchStatesTheFrameOfEveryFile) {
+    const auto run = runCli("batch " + placed() + " --no-survey --results edges.csv,mask -o " + path("results"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["frames"], json({{"mine grid", 1}}));
+    const json row = json::parse(test::fileText(folder / "results/results.ndjson"));
+    for (const json& output : row["outputs"]) {
+        const bool holds = output["file"] == "edges.csv";
+        EXPECT_EQ(output.contains("frame"), holds) << output;
+        EXPECT_EQ(holds, output.value("coordinates", "").starts_with("Mine grid: E 6207")) << output;
+    }
+}
+
+// The examples of the page are files that work: one calibration for each mounting.
+TEST_F(CliPlace, TheExamplesOfThePageAreUsable) {
+    std::map<std::string, std::string> examples; // "edgescan-pose/1", and a calibration by its axis
+    const std::string page = test::fileText(std::filesystem::path(test::sourceFolder()) / "docs/coordinates.md");
+    const std::string fence = "```json\n";
+    for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at + 1)) {
+        const std::string text = page.substr(at + fence.size(), page.find("```", at + fence.size()) - at - fence.size());
+        const json example = json::parse(text);
+        examples[example.contains("stepper") ? example["stepper"]["axis"].dump() : example["format"].get<std::string>()] = text;
+    }
+    ASSERT_EQ(examples.size(), 3U) << page;
+    write(folder / "pose.json", examples.at("edgescan-pose/1"));
+    const std::map<std::string, Axis> mountings{{"[0,0,1]", Axis::Spin}, {"[1,0,0]", Axis::Sweep}};
+    for (const auto& [axis, mounting] : mountings) {
+        SCOPED_TRACE(axis);
+        write(folder / "robot.json", examples.at(axis));
+        Scan scan = test::boxesScan(20, 30, 3, 0.05);
+        std::get<PolarGeometry>(scan.geometry).axis = mounting;
+        ASSERT_TRUE(files::saveScan(scan, folder / "boxes.json"));
+        const auto info = runCli("info " + placed());
+        ASSERT_EQ(info.code, 0) << info.err;
+        EXPECT_EQ(json::parse(info.out)["frame"], "mine grid");
+        const auto csv = runCli("convert " + placed() + " " + path("w.csv"));
+        EXPECT_EQ(csv.code, 0) << csv.err;
+    }
+}
+
+TEST_F(CliPlace, LinksLeadToWhatIsBesideTheirFiles) {
+    ASSERT_EQ(runCli("convert " + placed() + " " + path("w.csv")).code, 0);
+    std::filesystem::create_directory(folder / "links");
+    for (const char* name : {"boxes.json", "boxes.u16", "w.csv"}) {
+        const std::filesystem::path link = folder / "links" / (std::string("link") + std::filesystem::path(name).extension().string());
+        std::filesystem::create_symlink(folder / name, link);
+        const auto info = runCli("info " + link.string());
+        EXPECT_EQ(info.code, 0) << info.err;
+        const json opened = json::parse(info.out);
+        EXPECT_EQ(opened["lines"], 40) << name;
+        EXPECT_EQ(opened["frame"], std::string(name) == "w.csv" ? "mine grid" : "scanner");
+        EXPECT_EQ(runCli("verify " + link.string()).code, std::string(name) == "w.csv" ? 0 : 1) << "only exports have records";
+        std::filesystem::remove(link);
+    }
 }
 
 TEST_F(CliPlace, ReplayPlacesTheSweepAsDetectDoes) {

@@ -4,6 +4,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/inspect/measure/cell_target.h"
 #include "core/inspect/measure/notebook.h"
+#include "tests/support/robot_files.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
@@ -122,15 +123,14 @@ TEST(CliReport, TextOfFilesAndNamesStaysText) {
     EXPECT_NE(text.find("&lt;img src=x onerror=alert(2)&gt;"), std::string::npos);
 }
 
-// A page with an added script that acts like an operator and writes the result into the document.
-std::string inBrowser(const fs::path& folder, const fs::path& page, const std::string& script) {
-    std::string text = fileText(page);
-    text.insert(text.rfind("</body>"), "<script>" + script + "</script>");
+// What the script of a page writes into its attribute data-found.
+std::string foundIn(const fs::path& folder, const std::string& text) {
     std::ofstream(folder / "tried.html", std::ios::binary) << text;
     const std::string command =
         "cd " + folder.string() +
         " && timeout 300 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
-        "--user-data-dir=profile --window-size=1200,900 --enable-logging=stderr --virtual-time-budget=3000 --dump-dom "
+        "--user-data-dir=profile --allow-file-access-from-files --window-size=1400,900 --enable-logging=stderr --virtual-time-budget=3000 "
+        "--dump-dom "
         "tried.html >dom 2>log";
     EXPECT_EQ(std::system(command.c_str()), 0) << fileText(folder / "log");
     EXPECT_EQ(fileText(folder / "log").find("CONSOLE"), std::string::npos) << fileText(folder / "log");
@@ -140,6 +140,29 @@ std::string inBrowser(const fs::path& folder, const fs::path& page, const std::s
     if (at == std::string::npos) return {};
     const std::string value = dom.substr(at + 12, dom.find('"', at + 12) - at - 12);
     return std::regex_replace(value, std::regex("&quot;"), "\"");
+}
+
+// A page with an added script that acts like an operator and writes the result into the document.
+std::string inBrowser(const fs::path& folder, const fs::path& page, const std::string& script) {
+    std::string text = fileText(page);
+    text.insert(text.rfind("</body>"), "<script>" + script + "</script>");
+    return foundIn(folder, text);
+}
+
+// The page as on a screen of this width, or as printed on paper of this width; the script sees its document as `page`, and fills `found`.
+std::string inFrame(const fs::path& folder, const fs::path& page, int width, bool printed, const std::string& script) {
+    return foundIn(folder, "<!DOCTYPE html><body><iframe id=\"frame\" src=\"" + page.filename().string() +
+                               "\" style=\"border:0;width:" + std::to_string(width) + R"JS(px;height:800px"></iframe><script>
+        var frame = document.getElementById('frame');
+        frame.onload = function () {
+          var page = frame.contentDocument, view = frame.contentWindow, found = {}, printed = )JS" +
+                               (printed ? "true" : "false") + R"JS(;
+          if (printed) Array.prototype.forEach.call(page.styleSheets[0].cssRules, function (rule) {
+            if (rule.media) rule.media.mediaText = rule.media.mediaText.indexOf('print') >= 0 ? 'all' : 'not all';
+          });
+          )JS" + script + R"JS(
+          document.body.setAttribute('data-found', JSON.stringify(found));
+        };</script></body>)JS");
 }
 
 TEST(CliReport, ItsViewTurnsAndPicksInARealBrowser) {
@@ -201,8 +224,8 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
               1 + std::min<std::size_t>(25, rocks["rocks"].size()));
     double longest = 0;
     for (const json& rock : rocks["rocks"]) longest = std::max(longest, rock["visible_long_m"].get<double>());
-    const std::size_t first = text.find("<td class=\"number\">", text.find("<td class=\"number\">", table) + 1);
-    EXPECT_NEAR(std::stod(text.substr(first + 19)), longest, 0.006);
+    const std::string name = "data-name=\"a visible [m]\">";
+    EXPECT_NEAR(std::stod(text.substr(text.find(name) + name.size())), longest, 0.006);
     EXPECT_EQ(countOf(text, "<svg id=\"sizes\""), 1U);
     EXPECT_NE(text.find("over 0.60 m"), std::string::npos);
     EXPECT_NE(text.find("40 % and more"), std::string::npos);
@@ -234,6 +257,99 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
     EXPECT_EQ(result["rocks"]["green"].get<int>(), 0) << result;
     EXPECT_GT(result["edges"]["green"].get<int>(), 100) << result;
     EXPECT_NE(result["picked"].get<std::string>().find("Line "), std::string::npos) << result;
+}
+
+// A scan with a pose and the files of its robot, and its report with rocks.
+class PlacedReport : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(files::saveScan(*test::rockScene("hangup", 77, 240, 274).scan, folder / "bell.json"));
+        Calibration robot = test::exampleCalibration();
+        robot.axis = {1, 0, 0};
+        robot.robot = "Mule 7";
+        std::ofstream(folder / "robot.json") << test::calibrationText(robot);
+        std::ofstream(folder / "pose.json") << R"({"format": "edgescan-pose/1", "robot": "Mule 7", "boom": {"azimuth_deg": 33.5},
+            "scan_start": "2026-11-20T10:00:00Z", "scan_end": "2026-11-20T10:00:40.500Z",
+            "inclinometer": {"time": "2026-11-20T09:59:58Z", "tilt_x_deg": 14.25, "tilt_y_deg": -3.4},
+            "talin": {"time": "2026-11-20T09:59:58Z", "easting_m": 498765.432, "northing_m": 5150123.456, "elevation_m": 287.654,
+                      "heading_deg": 217.4, "pitch_deg": 5.75, "roll_deg": -2.1, "zone": "17N", "datum": "WGS84"}})";
+        const auto run = runCli("report " + flags + " --rocks --oversize 0.6 -o " + (folder / "s.html").string());
+        ASSERT_EQ(run.code, 0) << run.err;
+        text = fileText(folder / "s.html");
+        rocks = json::parse(runCli("rocks " + flags + " --oversize 0.6 --json -").out)["rocks"];
+        ASSERT_GT(rocks.size(), 25U);
+    }
+    test::TemporaryFolder folder;
+    std::string flags = (folder / "bell.json").string() + " --pose " + (folder / "pose.json").string() + " --calibration " +
+                        (folder / "robot.json").string();
+    std::string text;
+    json rocks;
+};
+
+TEST_F(PlacedReport, SaysWhereEachRockIsAndWhenTheScanWasMade) {
+    const auto value = [](const std::string& row, const std::string& name) {
+        const std::string tag = "data-name=\"" + name + "\">";
+        return std::stod(row.substr(row.find(tag) + tag.size()));
+    };
+    std::size_t rows = 0;
+    for (std::size_t at = text.find("<tr><td class=\"number\" data-name=\"Rock\">"); at != std::string::npos;
+         at = text.find("<tr><td class=\"number\" data-name=\"Rock\">", at + 1)) {
+        const std::string row = text.substr(at, text.find("</tr>", at) - at);
+        const json& rock = rocks[static_cast<std::size_t>(value(row, "Rock")) - 1];
+        EXPECT_NEAR(value(row, "E [m]"), rock["easting_m"].get<double>(), 0.006);
+        EXPECT_NEAR(value(row, "N [m]"), rock["northing_m"].get<double>(), 0.006);
+        EXPECT_NEAR(value(row, "RL [m]"), rock["elevation_m"].get<double>(), 0.006);
+        ++rows;
+    }
+    EXPECT_EQ(rows, 25U);
+    for (const char* phrase :
+         {"<dt>Scanned</dt><dd>2026-11-20 10:00:00 UTC to 2026-11-20 10:00:40 UTC (as the pose says)</dd>", "<dt>Robot</dt><dd>Mule 7</dd>",
+          "<dt>Pose</dt><dd>2026-11-20 09:59:58 UTC, 2 s before the start of the scan</dd>", "<dt>Uncertainty</dt><dd>ranges ± "})
+        EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
+    EXPECT_TRUE(std::regex_search(text, std::regex("<dt>Made</dt><dd>[0-9]{4}-[0-9]{2}-[0-9]{2} [0-9:]{8} UTC</dd>")));
+}
+
+TEST_F(PlacedReport, ShowsEveryColumnAndNumberAtEveryWidthInARealBrowser) {
+    if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
+    constexpr int kPaper = 680; // 180 mm between the margins of A4
+    for (const int width : {390, kPaper, 800, 1280}) {
+        SCOPED_TRACE(width);
+        const json found = json::parse(inFrame(folder.path(), folder / "s.html", width, width == kPaper, R"JS(
+            function box(e) { return e.getBoundingClientRect(); }
+            function isShown(e) { return box(e).width > 0 && view.getComputedStyle(e).visibility === 'visible'; }
+            var edge = page.documentElement.clientWidth, all = Array.prototype.slice;
+            found.wide = page.documentElement.scrollWidth > edge;
+            var cells = all.call(page.querySelectorAll('#rocks td'));
+            found.cells = cells.length;
+            found.outside = cells.filter(function (c) { return !isShown(c) || box(c).right > edge || c.scrollWidth > box(c).width + 1; }).length;
+            var heads = all.call(page.querySelectorAll('#rocks th')).filter(isShown).length;
+            found.named = heads > 0 ? heads : cells.slice(0, 14).filter(function (c) {
+              return view.getComputedStyle(c, '::before').content.length > 2;
+            }).length;
+            found.tables = all.call(page.querySelectorAll('.wide')).filter(function (w) { return w.scrollWidth > w.clientWidth; }).length;
+            var picture = page.querySelector('.numbered'), numbers = {}, image = box(picture.querySelector('img'));
+            all.call(picture.querySelectorAll('text')).filter(isShown).forEach(function (t) {
+              var b = box(t);
+              numbers[t.textContent] = b.left > image.left - 9 && b.right < image.right + 9 && b.top > image.top - 9 && b.bottom < image.bottom + 9 &&
+                b.height > 6;
+            });
+            found.missing = cells.filter(function (c, n) { return n % 14 === 0 && !numbers[c.textContent]; }).length;
+            var labels = all.call(page.querySelectorAll('#sizes text')).map(box);
+            found.labels = labels.length;
+            found.covered = 0;
+            labels.forEach(function (a, n) { labels.slice(n + 1).forEach(function (b) {
+              if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) found.covered++;
+            }); });)JS"));
+        EXPECT_FALSE(found["wide"].get<bool>());
+        EXPECT_EQ(found["cells"], 25 * 14);
+        EXPECT_EQ(found["outside"], 0);
+        EXPECT_EQ(found["named"], 14);
+        EXPECT_EQ(found["tables"], 0);
+        EXPECT_EQ(found["missing"], 0);
+        EXPECT_GT(found["labels"], 10);
+        EXPECT_EQ(found["covered"], 0);
+    }
+    EXPECT_NE(text.find("visible width b [m]</text>"), std::string::npos);
 }
 
 TEST(CliReport, PrintsOnA4InARealBrowser) {

@@ -9,8 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
 
 namespace edgescan {
 namespace {
@@ -24,7 +27,9 @@ protected:
     static void SetUpTestSuite() {
         folder = new test::TemporaryFolder;
         Scan scan = *test::rockScene("hangup", 77, 240, 274).scan;
-        scan.placement = test::randomPlacement(4, 1, true);
+        auto placement = std::make_shared<Placement>(*test::randomPlacement(4, 1, true));
+        placement->grid = "UTM 17N, WGS84";
+        scan.placement = placement;
         ASSERT_TRUE(files::saveScan(scan, *folder / "bell.json"));
     }
     static void TearDownTestSuite() {
@@ -51,7 +56,7 @@ TEST_F(CliRocks, WritesEverythingIntoAFolderAndVerifyMakesItAgain) {
         const std::string name = entry.path().string();
         if (!name.ends_with(".provenance.json")) exports.push_back(name);
     }
-    EXPECT_EQ(exports.size(), 7U);
+    EXPECT_EQ(exports.size(), 9U);
     for (const std::string& name : exports) {
         const auto verify = runCli("verify " + name + " --scans " + folder->path().string());
         EXPECT_EQ(verify.code, 0) << verify.out << verify.err;
@@ -86,7 +91,22 @@ TEST_F(CliRocks, PictureTableAndJsonSayTheSame) {
     }
     const std::string table = test::fileText(path("t.csv"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), report["rocks"].size() + 1);
-    EXPECT_TRUE(table.starts_with("rock,line,beam,cells,x_m,y_m,z_m,distance_m,visible_long_m,visible_wide_m,tolerance_m,"));
+    EXPECT_TRUE(table.starts_with("rock,line,beam,cells,x_m,y_m,z_m,visible_long_m,visible_wide_m,tolerance_m,distance_m,"));
+}
+
+TEST_F(CliRocks, NamesOfCoordinatesSayTheirFrame) {
+    const auto header = [&](const std::string& flags) {
+        const auto run = runCli("rocks " + path("bell.json") + " --csv - " + flags);
+        EXPECT_EQ(run.code, 0) << run.err;
+        return run.out.substr(0, run.out.find('\n'));
+    };
+    EXPECT_NE(header("").find(",easting_m,northing_m,elevation_m,"), std::string::npos);
+    EXPECT_NE(header("--frame local").find(",east_m,north_m,up_m,"), std::string::npos);
+    EXPECT_NE(header("--frame scanner").find(",x_m,y_m,z_m,"), std::string::npos);
+    EXPECT_EQ(header("").find("x_m"), std::string::npos);
+    const json rock = rocks("")["rocks"][0];
+    EXPECT_TRUE(rock.contains("easting_m"));
+    EXPECT_FALSE(rock.contains("x_m"));
 }
 
 TEST_F(CliRocks, LevelSizeAndRegionAreTaken) {
@@ -132,17 +152,17 @@ TEST_F(CliRocks, AClickSplitsAndTheEditsGiveTheSameLabelsAgain) {
     EXPECT_LT(report["joined_from_level"], 0.0);
 }
 
-TEST_F(CliRocks, OutlinesArePolygonsOfThePicture) {
-    const auto run = runCli("rocks " + path("bell.json") + " --outlines -.geojson");
+TEST_F(CliRocks, PictureOutlinesArePolygonsAroundTheLabels) {
+    const auto run = runCli("rocks " + path("bell.json") + " --picture-outlines -.json");
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_EQ(json::parse(run.out)["type"], "FeatureCollection");
-    ASSERT_EQ(runCli("rocks " + path("bell.json") + " --outlines " + path("o.geojson") + " --labels " + path("o.png")).code, 0);
-    const json outlines = json::parse(test::fileText(path("o.geojson")));
+    EXPECT_EQ(json::parse(run.out)["schema"], "edgescan-picture-outlines/1");
+    ASSERT_EQ(runCli("rocks " + path("bell.json") + " --picture-outlines " + path("o.json") + " --labels " + path("o.png")).code, 0);
+    const json outlines = json::parse(test::fileText(path("o.json")));
     const auto picture = containers::pngValues(test::fileText(path("o.png")), "o.png");
     ASSERT_TRUE(picture);
-    for (const json& feature : outlines["features"]) {
+    for (const json& rock : outlines["rocks"]) {
         double area = 0;
-        for (const json& polygon : feature["geometry"]["coordinates"]) {
+        for (const json& polygon : rock["polygons"]) {
             for (const json& ring : polygon) {
                 EXPECT_EQ(ring.front(), ring.back());
                 for (std::size_t n = 1; n < ring.size(); ++n)
@@ -150,9 +170,66 @@ TEST_F(CliRocks, OutlinesArePolygonsOfThePicture) {
                                    ring[n][0].get<double>() * ring[n - 1][1].get<double>());
             }
         }
-        EXPECT_EQ(area, static_cast<double>(std::count(picture->cells.begin(), picture->cells.end(), feature["id"].get<int>())));
+        EXPECT_EQ(area, static_cast<double>(std::count(picture->cells.begin(), picture->cells.end(), rock["rock"].get<int>())));
     }
-    EXPECT_GT(outlines["features"].size(), 10U);
+    EXPECT_GT(outlines["rocks"].size(), 10U);
+}
+
+TEST_F(CliRocks, GeoJsonIsInTheMineGridOrRefused) {
+    ASSERT_EQ(runCli("rocks " + path("bell.json") + " --outlines " + path("o.geojson")).code, 0);
+    const json outlines = json::parse(test::fileText(path("o.geojson")));
+    EXPECT_EQ(outlines["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::32617");
+    ASSERT_GT(outlines["features"].size(), 10U);
+    for (const json& feature : outlines["features"]) {
+        const json& rock = feature["properties"];
+        EXPECT_EQ(feature["id"], rock["rock"]);
+        for (const json& line : feature["geometry"]["coordinates"]) {
+            EXPECT_EQ(line.front(), line.back());
+            for (const json& place : line) {
+                EXPECT_NEAR(place[0].get<double>(), rock["easting_m"].get<double>(), 5);
+                EXPECT_NEAR(place[1].get<double>(), rock["northing_m"].get<double>(), 5);
+                EXPECT_NEAR(place[2].get<double>(), rock["elevation_m"].get<double>(), 5);
+            }
+        }
+    }
+    for (const char* flags : {" --frame scanner", " --frame local"}) {
+        const auto run = runCli("rocks " + path("bell.json") + flags + " --outlines " + path("n.geojson"));
+        EXPECT_EQ(run.code, 1) << flags;
+        EXPECT_NE(run.err.find("--frame mine"), std::string::npos) << run.err;
+    }
+    ASSERT_TRUE(files::saveScan(*test::rockScene("hangup", 77, 120, 137).scan, *folder / "noplace.json"));
+    const auto run = runCli("rocks " + path("noplace.json") + " --outlines " + path("n.geojson"));
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("give a pose"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(path("n.geojson")));
+    ASSERT_EQ(runCli("rocks " + path("noplace.json") + " -o " + path("plain")).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("plain/noplace_rocks.geojson")));
+    EXPECT_TRUE(std::filesystem::exists(path("plain/noplace_rocks_LOCAL.dxf")));
+}
+
+TEST_F(CliRocks, ADrawingHasTheNumberOfEachRockAtItsPlace) {
+    const json report = rocks("--outlines " + path("o.dxf"));
+    std::istringstream drawing(test::fileText(path("o.dxf")));
+    std::map<std::string, std::array<double, 3>> places;
+    std::string code, value, kind, layer;
+    std::array<double, 3> place{};
+    while (std::getline(drawing, code) && std::getline(drawing, value)) {
+        const int number = std::stoi(code);
+        if (number == 0) kind = value;
+        if (number == 8) layer = value;
+        if (kind != "TEXT") continue;
+        if (number == 11 || number == 21 || number == 31) place[static_cast<std::size_t>(number / 10 - 1)] = std::stod(value);
+        if (number == 1) EXPECT_EQ(layer, "ROCK_NUMBERS");
+        if (number == 1) layer = value;
+        if (number == 73) places[layer] = place;
+    }
+    ASSERT_EQ(places.size(), report["rocks"].size());
+    for (const json& rock : report["rocks"]) {
+        const auto& at = places[std::to_string(rock["rock"].get<int>())];
+        EXPECT_NEAR(at[0], rock["easting_m"].get<double>(), 0.0006);
+        EXPECT_NEAR(at[1], rock["northing_m"].get<double>(), 0.0006);
+        EXPECT_NEAR(at[2], rock["elevation_m"].get<double>(), 0.0006);
+    }
 }
 
 TEST_F(CliRocks, WhatIsWrongIsSaidInOneSentence) {

@@ -25,6 +25,10 @@ class Types(unittest.TestCase):
             for call in calls:
                 with self.subTest(bound=bound, call=inspect.getsource(calls[0])), self.assertRaises(TypeError):
                     call()
+        for bound in self.classes():
+            if bound is not edgescan.Scan:
+                with self.assertRaisesRegex(TypeError, rf"^{bound.__name__}\(\): objects of this class are made by"):
+                    bound()
 
     def objects(self):
         if not hasattr(Types, "made"):
@@ -117,7 +121,8 @@ class Sentences(unittest.TestCase):
         self.plain(lambda: edgescan.simulate(surface=5), "simulate(): surface", "a Scan")
         self.plain(lambda: edgescan.benchmark(5), "benchmark(): what", "5")
         self.plain(lambda: edgescan.connect(b"host"), "connect(): address", "a str")
-        self.plain(lambda: scan.xyz(5), "Scan.xyz(): frame", "a str", "5")
+        self.plain(lambda: scan.xyz(5), "Scan.xyz(): frame", "'scanner' or 'local' or 'mine'", "the int 5")
+        self.plain(lambda: edgescan.open(bell_file(), axis=1), "open(): axis", "'spin' or 'sweep'", "the int 1")
         self.plain(lambda: rocks.at("coarse"), "Rocks.at(): level", "a number", "'coarse'")
         self.plain(lambda: bell.save_truth(3), "Simulation.save_truth(): folder", "3")
         self.plain(lambda: edgescan.Scan.info(5), "Scan.info(): self", "a Scan", "5")
@@ -129,11 +134,30 @@ class Sentences(unittest.TestCase):
             self.plain(call, "missing a required argument", repr(part))
         for call in (lambda: scan.info(1), lambda: result.report(1), lambda: scan.xyz("scanner", 1), lambda: edgescan.parameters(1),
                      lambda: edgescan.presets(1), lambda: edgescan.open("a", "b"), lambda: edgescan.connect("a", "b")):
-            self.plain(call, "too many positional arguments")
+            self.plain(call, "given by place, and it takes")
+        self.plain(lambda: edgescan.detect(scan, "canny"), "2 arguments", "at most 1 (scan)", "by name")
+        self.plain(lambda: scan.info(1), "1 argument was", "none")
+        self.plain(lambda: edgescan.Scan(np.ones((2, 2)), [1, 2], [1, 2], "spin"), "4 arguments", "at most 3 (range_mm, beam_deg, line_deg)", "by name")
         for call in (lambda: scan.info(x=1), lambda: scan.xyz(frames="mine"), lambda: edgescan.why(result, 1, 2, deep=True),
                      lambda: edgescan.Scan(np.ones((2, 2)), [1, 2], [1, 2], axes="spin")):
             self.plain(call, "there is no keyword")
         self.plain(lambda: scan.xyz(fram="mine"), "did you mean 'frame'")
+
+    def test_texts_that_are_none(self):
+        _, scan, result, _ = self.things()
+        for value in ("\udcff", "a\ud800b"):
+            for call in (lambda v: edgescan.detect(scan, method=v), lambda v: edgescan.open(bell_file(), axis=v), lambda v: edgescan.connect(v),
+                         lambda v: edgescan.save(scan, HERE / "x.pcd", operator=v), lambda v: edgescan.rocks(result, region=v), lambda v: scan.xyz(v),
+                         lambda v: edgescan.report(result, HERE / "x.html", role=v), lambda v: edgescan.simulate(scene=v),
+                         lambda v: edgescan.Scan(np.ones((2, 2)), [1, 2], [1, 2], axis="spin", name=v)):
+                self.plain(lambda: call(value), "surrogate")
+        for value in ("a\0b.pcd", b"a\0b.pcd"):
+            for call in (edgescan.open, lambda v: edgescan.save(scan, v), edgescan.replay, lambda v: edgescan.report(result, v),
+                         lambda v: edgescan.compare(result, result, picture=v), lambda v: edgescan.detect(scan, preset=v)):
+                self.plain(lambda: call(value), "NUL")
+        self.plain(lambda: edgescan.open("a\ud800"), "os.fsdecode()")
+        with self.assertRaisesRegex(edgescan.Error, "use spin or sweep"):
+            edgescan.open(bell_file(), axis="turn")
 
     def test_every_argument_of_every_function(self):
         """No type reaches the binding unchecked."""

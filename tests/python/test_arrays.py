@@ -132,6 +132,9 @@ class FromArrays(unittest.TestCase):
                         self.make(**{name: wrong})
         with self.assertRaisesRegex(TypeError, "state must be an array of whole numbers"):
             self.make(state=np.zeros((5, 7)))
+        for wrong in (True, b"mm", None, [1]):
+            with self.assertRaisesRegex(TypeError, "unit must be 'mm', 'cm', 'm' or the millimetres"):
+                self.make(unit=wrong)
         with self.assertRaisesRegex(TypeError, "missing a required argument: 'axis'"):
             edgescan.Scan(np.ones((5, 7)), self.BEAMS, self.LINES)
         for wrong, part in ((dict(axis="turn"), "spin or sweep"), (dict(unit="inch"), "mm, cm or m"), (dict(unit=0), "unit"), (dict(unit=float("nan")), "unit"),
@@ -239,8 +242,10 @@ class Pickled(unittest.TestCase):
             edgescan._edgescan.scan_of_bytes(whole.replace(edgescan.__version__.encode(), b"9" * len(edgescan.__version__), 1))
 
     def test_others_cannot(self):
-        for one in (edgescan.simulate(lines=60, beams=80), edgescan.replay(recording_file())):
-            with self.assertRaises(TypeError):
+        bell = edgescan.simulate(lines=60, beams=80)
+        replay = edgescan.replay(recording_file())
+        for one in (bell, replay, next(replay), edgescan.rocks(edgescan.detect(bell.scan))):
+            with self.assertRaisesRegex(TypeError, f"a {type(one).__name__} cannot be pickled"):
                 pickle.dumps(one)
 
 

@@ -166,24 +166,34 @@ class Rocks(unittest.TestCase):
         result = edgescan.detect(edgescan.open(bell_file()))
         rocks = edgescan.rocks(result)
         self.assertGreater(rocks.count, 5)
-        cells = np.bincount(rocks.regions.ravel(), (result.scan.state == 0).ravel(), len(rocks.table) + 1)
-        areas, apart = [], []
+        self.assertEqual(len(rocks.table), rocks.count)
+        cells = np.bincount(rocks.regions.ravel(), (result.scan.state == 0).ravel(), len(rocks.region_table) + 1)
+        for row in rocks.region_table:
+            self.assertLessEqual(row["cells"], cells[row["region"]])  # spikes are measured but not counted
+            self.assertEqual(row["kind"] == "rock", row["region"] <= rocks.count)
+        apart = []
         for row in rocks.table:
-            self.assertLessEqual(row["cells"], cells[row["label"]])  # spikes are measured but not counted
-            if row["kind"] == "rock":
-                self.assertGreaterEqual(row["cells"], 0.9 * cells[row["label"]])
-            self.assertEqual(row["kind"] == "rock", row["label"] <= rocks.count)
-            inside = rocks.regions == row["label"]
-            middle = np.nanmean(result.scan.xyz()[inside], axis=0) if row["cells"] else np.nan
-            if row["kind"] == "rock":
-                apart.append(np.linalg.norm(middle - [row["x_m"], row["y_m"], row["z_m"]]))
-            elif row["cells"] == 0:
-                self.assertTrue(np.isnan(row["x_m"]))
-            areas += [row["area_m2"]] if row["kind"] == "rock" else []
-        self.assertLess(np.median(apart), 0.02)  # a spike, which is measured but not counted, moves the mean of some regions
+            self.assertGreaterEqual(row["cells"], 0.9 * cells[row["rock"]])
+            self.assertEqual(rocks.labels[row["line"], row["beam"]], row["rock"])
+            middle = np.nanmean(result.scan.xyz()[rocks.labels == row["rock"]], axis=0)
+            apart.append(np.linalg.norm(middle - [row["x_m"], row["y_m"], row["z_m"]]))
+        self.assertLess(np.median(apart), 0.02)  # a spike, which is measured but not counted, moves the mean of some rocks
+        areas = [row["visible_area_m2"] for row in rocks.table]
         self.assertEqual(areas, sorted(areas, reverse=True))
         np.testing.assert_array_equal(rocks.labels, np.where(rocks.regions <= rocks.count, rocks.regions, 0))
         np.testing.assert_array_equal(rocks.at(1.5).labels, edgescan.rocks(result, level=1.5).labels)
+
+    def test_the_table_is_that_of_the_command_line(self):
+        result = edgescan.detect(edgescan.open(bell_file()))
+        rocks = edgescan.rocks(result)
+        rows = json.loads(cli("rocks", bell_file(), "--json", "-").stdout)["rocks"]
+        self.assertEqual(rocks.table, rows)
+        self.assertEqual(rocks.table_in("scanner"), rows)
+        header = cli("rocks", bell_file(), "--csv", "-").stdout.splitlines()[0].split(",")
+        self.assertEqual(list(rocks.table[0]), header)
+        self.assertFalse(set(rocks.region_table[0]) - {"region", "kind", "four_sd_m", "evidence"} - set(header))
+        with self.assertRaises(edgescan.Error):
+            rocks.table_in("mine")
 
     def test_refused(self):
         result = edgescan.detect(edgescan.open(bell_file()))
@@ -252,6 +262,8 @@ class Keywords(unittest.TestCase):
                 call()
         with self.assertRaisesRegex(AttributeError, "edgescan-lab evaluate"):
             edgescan.evaluate
+        with self.assertRaisesRegex(AttributeError, "edgescan.compare"):
+            edgescan.change
 
 
 class Threads(unittest.TestCase):

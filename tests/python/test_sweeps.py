@@ -27,7 +27,7 @@ class Sweeps(unittest.TestCase):
         small = bell_file("small.json", 5, 40, 96)
         wanted = edgescan.open(small)
         record = HERE / "recorded.mcap"
-        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, axis="sweep", record=record) as scanner:
+        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, axis="sweep", record=record, timeout=60) as scanner:
             seen = []
             for sweep in scanner:
                 seen.append(sweep.lines)
@@ -58,7 +58,7 @@ class Sweeps(unittest.TestCase):
 
     def test_a_scanner_that_falls_silent(self):
         small = bell_file("small.json", 5, 40, 96)
-        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, timeout=2) as scanner:
+        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, timeout=5) as scanner:
             with self.assertRaises(edgescan.Error):
                 for _ in scanner:  # the emulated scanner stops after the last line
                     pass
@@ -82,8 +82,8 @@ class Sweeps(unittest.TestCase):
 
     def test_next_has_its_own_time(self):
         small = bell_file("small.json", 5, 40, 96)
-        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40) as scanner:
-            while not scanner.next(timeout=30).finished:
+        with served(small, "--rate", 400) as address, edgescan.connect(address, expected_lines=40, timeout=60) as scanner:
+            while not scanner.next(timeout=60).finished:
                 pass
             with self.assertRaises(edgescan.Error):
                 while True:

@@ -28,6 +28,7 @@ inline std::shared_ptr<const Placement> randomPlacement(unsigned seed, int lines
     placement->grid = "UTM 17N";
     placement->source = "test \"pose\"";
     placement->timeUtc = "2026-11-20T10:15:30.250Z";
+    if (seed % 2 == 0) placement->scanStartUtc = "2026-11-20T10:15:20.125Z";
     placement->warnings = {"The pose carries no time, so its age is not known."};
     if (seed % 2 == 1) placement->boom = Boom{{between(-4, -2), between(-1, 1), between(-1, 1)}, {0.1, between(-0.2, 0.2), 0.3}};
     return placement;

@@ -53,9 +53,9 @@ private slots:
             const auto written =
                 exports::exportWithProvenance(content, *on.picture().detection, (folder_ / "filled.ply").string(), dialog.options());
             QVERIFY2(bool(written), written ? "" : written.error().sentence().c_str());
-            QCOMPARE(dialog.count(), *written);
+            QCOMPARE(dialog.count(), written->count);
             if (content == exports::ExportContent::FullCloud) QCOMPARE(dialog.count(), measured + filling.cells.size());
-            QVERIFY(dialog.findChild<QLabel*>("count")->text().remove(',').startsWith(QString::number(*written) + " "));
+            QVERIFY(dialog.findChild<QLabel*>("count")->text().remove(',').startsWith(QString::number(written->count) + " "));
         }
 
         QTest::keyClick(on.slider("fill"), Qt::Key_Home);

@@ -88,8 +88,8 @@ private slots:
             choice(dialog, name).click();
             const auto written = exports::exportWithProvenance(dialog.content(), *detection, folder_ / file, dialog.options());
             QVERIFY2(bool(written), name);
-            QCOMPARE(dialog.count(), *written);
-            QVERIFY2(count->text().remove(',').contains(QString::number(*written)), qPrintable(count->text()));
+            QCOMPARE(dialog.count(), written->count);
+            QVERIFY2(count->text().remove(',').contains(QString::number(written->count)), qPrintable(count->text()));
         }
         choice(dialog, "cloud").click();
         choice(dialog, "local").click();
@@ -142,6 +142,7 @@ private slots:
         window.viewer().engine.save(exports::ExportContent::EdgeCloud, path, options);
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(test::fileText(path.toStdString()).starts_with("easting_m,northing_m,elevation_m,"));
+        QTRY_VERIFY2(window.viewer().notice.text().contains("Mine grid: E 6200"), qPrintable(window.viewer().notice.text()));
     }
 };
 

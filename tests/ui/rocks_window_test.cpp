@@ -540,7 +540,7 @@ private slots:
         const auto run = test::runCli("rocks '" + bell_ + "' --level 1.5 --min-cells 150 --edits '" + edits + "' --labels '" +
                                       place("cli.png") + "' --csv '" + place("cli.csv") + "'");
         QVERIFY2(run.code == 0, run.err.c_str());
-        for (const char* ending : {"csv", "json", "png", "dxf", "geojson", "ply", "obj"}) {
+        for (const char* ending : {"csv", "json", "png", "dxf", "ply", "obj"}) {
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             const std::string path = place("window.") + ending;
             on.viewer.rocks.exportTo(QString::fromStdString(path));

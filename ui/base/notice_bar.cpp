@@ -117,10 +117,11 @@ void NoticeBar::hideEvent(QHideEvent* event) {
     QFrame::hideEvent(event);
 }
 
-void NoticeBar::showSaved(const QString& path, const QString& content) {
+void NoticeBar::showSaved(const QString& path, const QString& content, const QString& more) {
     const QFileInfo file(path);
     showNotice(Kind::Done,
-               tr("Saved %1%2, %3 kB.").arg(path, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000));
+               tr("Saved %1%2, %3 kB.").arg(path, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000) +
+                   (more.isEmpty() ? QString() : " " + more));
     offer(tr("Open folder"), [folder = file.absolutePath()] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
 }
 

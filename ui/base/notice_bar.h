@@ -24,8 +24,8 @@ public:
 
     void showNotice(Kind kind, const QString& text);
     void showError(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
-    /// Reports that a file was written, with its content ("12 points", may be empty) and a button that opens its folder.
-    void showSaved(const QString& path, const QString& content = {});
+    /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens its folder, and `more` sentences.
+    void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
     /// Adds a button to the notice, until the next notice.
     void offer(const QString& label, std::function<void()> action);
     [[nodiscard]] QString text() const;

@@ -23,7 +23,7 @@ from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulatio
 from . import _arrays, _edgescan, _methods
 from ._lab import benchmark
 from .reports import Compared, Why
-from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole
+from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
 
 __all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
            "open", "parameters", "presets", "replay", "report", "rocks", "save", "simulate", "why"]
@@ -128,13 +128,13 @@ def report(result: Result, path: Path, *, rocks: Optional[Rocks] = None, targets
 
 @_keywords(("Parameters of rocks:", _ROCKS))
 def rocks(result: Result, *, region: Union[None, str, Iterable[Iterable[int]]] = None, **parameters) -> Rocks:
-    """Rocks from a Result's edges: a Rocks with labels and a row per region. Candidates, geometry only, from one viewpoint.
+    """Rocks from a Result's edges: a Rocks with labels and a row per rock. Candidates, geometry only, from one viewpoint.
 
     region: cells (line, beam), two opposite corners or a polygon; what lies mostly outside counts as nothing. A Result of another method
     than EdgeScan+ gives the rocks of EdgeScan+ with the same settings.
 
     >>> found = edgescan.rocks(result, min_cells=60)
-    >>> found.count == int(found.labels.max()) == len([row for row in found.table if row["kind"] == "rock"])
+    >>> found.count == int(found.labels.max()) == len(found.table)
     True
     >>> found.at(2.0).settings["level"] == 2   # coarser, at once
     True
@@ -144,7 +144,7 @@ def rocks(result: Result, *, region: Union[None, str, Iterable[Iterable[int]]] =
         if any(len(cell) != 2 for cell in cells):
             raise TypeError("rocks(): region must be a list of cells (line, beam), and one of them does not have two numbers")
         region = " ".join(f"{_whole('rocks(): region', line)},{_whole('rocks(): region', beam)}" for line, beam in cells)
-    return _edgescan.rocks(result, parameters, region or "")
+    return _edgescan.rocks(result, parameters, _word("rocks(): region", region or ""))
 
 
 @_keywords(("Choices of single formats, True or False:", _CHOICES))
@@ -154,7 +154,7 @@ def save(what: Union[Scan, Result], path: Path, content: Optional[str] = None, *
 
     content: of a Result 'edges' (the edge points), 'cloud' (all points), 'mask', 'gray', 'range' (PNG) or 'scan' (every cell with its
     state); a Scan is always written whole. Without it .png is the mask, all else the edge points. The extension chooses the format.
-    frame: 'mine', 'local', 'scanner' or 'auto' (the usual one). ascii: PCD and PLY as text. include_attached: of a cloud that was
+    frame: 'mine', 'local', 'scanner', or 'auto': 'mine' if the scan has a place. ascii: PCD and PLY as text. include_attached: of a cloud that was
     projected also the points behind the nearest of their cell. operator, role: who exports, for the record.
 
     Returns the number of points or cells written. The file that the scan was opened from is never written over.
@@ -202,7 +202,7 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
 
     The session ends with stop(), or at the end of a with block. A lost connection is made again by itself.
 
-    >>> with edgescan.connect(address, expected_lines=40) as scanner:
+    >>> with edgescan.connect(address, expected_lines=40, timeout=30) as scanner:
     ...     for sweep in scanner:
     ...         if sweep.finished:
     ...             break
@@ -239,4 +239,6 @@ def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "swe
 def __getattr__(name):
     if name == "evaluate":
         raise AttributeError("edgescan.evaluate: scores are in another program now; use edgescan-lab evaluate MASK.png --truth FOLDER --json -")
+    if name == "change":
+        raise AttributeError("edgescan.change: it is edgescan.compare(before, now)")
     raise AttributeError(f"module 'edgescan' has no attribute {name!r}")

@@ -2,13 +2,14 @@
 # mypy: ignore-errors
 from __future__ import annotations
 
+from numbers import Real
 from typing import Literal, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _edgescan
-from ._values import Path, given, number, public, refuse
+from ._values import Path, given, public, refuse, wrong
 
 UNITS_MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0}
 
@@ -35,7 +36,9 @@ def millimetres(unit):
         if unit not in UNITS_MM:
             refuse(f'"{unit}" is not a unit', "unit", "use mm, cm or m, or the millimetres per number")
         return UNITS_MM[unit]
-    mm = number("Scan(): unit", unit)
+    if isinstance(unit, bool) or not isinstance(unit, Real):
+        raise wrong("Scan(): unit", "'mm', 'cm', 'm' or the millimetres per number", unit)
+    mm = float(unit)
     if not 1e-6 <= mm <= 1e6:
         refuse(f"{mm} mm per number is out of reason", "unit", "give 1e-6 to 1e6")
     return mm
@@ -83,16 +86,16 @@ def scan(range_mm: ArrayLike, beam_deg: ArrayLike, line_deg: ArrayLike, *, axis:
         refuse(f"its shape is {ranges.shape}", "range_mm", "give an array of lines x beams, with one line and one beam at least")
     if state is not None:
         state = numbers("state", state, ranges.shape, "iu")
-        wrong = np.argwhere((state < 0) | (state > 5))
-        if len(wrong):
-            refuse(f"{state[tuple(wrong[0])]} is not a state", f"state{wrong[0].tolist()}", "give 0 to 5, as in Scan.state")
+        bad = np.argwhere((state < 0) | (state > 5))
+        if len(bad):
+            refuse(f"{state[tuple(bad[0])]} is not a state", f"state{bad[0].tolist()}", "give 0 to 5, as in Scan.state")
         state = np.ascontiguousarray(state, np.uint8)
     if intensity is not None:
         with np.errstate(over="ignore"):
             intensity = np.ascontiguousarray(numbers("intensity", intensity, ranges.shape), np.float32)
-        wrong = np.argwhere(np.isinf(intensity))
-        if len(wrong):
-            refuse("it is infinite", f"intensity{wrong[0].tolist()}", "give a number, or NaN where a cell has none")
+        bad = np.argwhere(np.isinf(intensity))
+        if len(bad):
+            refuse("it is infinite", f"intensity{bad[0].tolist()}", "give a number, or NaN where a cell has none")
     lines, beams = ranges.shape
     for one, value in (("beam_deg", beam_deg), ("line_deg", line_deg)):
         if value is None:

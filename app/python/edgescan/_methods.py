@@ -2,13 +2,13 @@
 # mypy: ignore-errors
 from __future__ import annotations
 
-from typing import Literal, Optional
+from typing import Any, Dict, List, Literal, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _edgescan
-from ._edgescan import Connection, Result, Rocks, Scan, Simulation, Sweep
+from ._edgescan import Connection, Replay, Result, Rocks, Scan, Simulation, Sweep
 from ._values import Path, method
 from .reports import Detected, Info
 
@@ -40,6 +40,15 @@ def at(self, level: float) -> Rocks:
     return _edgescan.rocks_at(self, level)
 
 
+@method(Rocks)
+def table_in(self, frame: Literal["scanner", "local", "mine"]) -> List[Dict[str, Any]]:
+    """`table` with the coordinates of this frame.
+
+    frame: 'scanner', 'local' (east, north, up from the scan's `origin`) or 'mine' (Easting, Northing, Elevation).
+    """
+    return _edgescan.rocks_table(self, frame)
+
+
 @method(Simulation)
 def save_truth(self, folder: Path) -> None:
     """Writes the ground truth as `edgescan-cli simulate --truth FOLDER` does."""
@@ -68,6 +77,15 @@ def result_again(scan, content):
 
 Scan.__reduce__ = lambda self: (scan_again, (_edgescan.bytes_of_scan(self),))
 Result.__reduce__ = lambda self: (result_again, (self.scan, _edgescan.bytes_of_result(self)))
+
+
+def no_pickle(self):
+    kind = type(self).__name__
+    raise TypeError(f"a {kind} cannot be pickled; a Scan and a Result can")
+
+
+for _other in (Connection, Replay, Rocks, Simulation, Sweep):
+    _other.__reduce__ = no_pickle
 for _unchanging in (Scan, Result):
     _unchanging.__copy__ = lambda self: self
     _unchanging.__deepcopy__ = lambda self, memo: self

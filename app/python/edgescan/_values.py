@@ -59,18 +59,28 @@ def switch(name, value):
     return bool(value)
 
 
-def word(name, value):
+def word(name, value, choices=()):
+    """A str; the sentence about other types lists the choices. Unknown words are refused with the words that are allowed, by the core."""
     if not isinstance(value, str):
-        raise wrong(name, "a str", value)
+        raise wrong(name, " or ".join(map(repr, choices)) or "a str", value)
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise TypeError(f"{name} must be a str of Unicode text, and {ascii(value)} has half of a surrogate pair") from None
     return value
 
 
 def path(name, value):
     """The bytes of a path, which need not be UTF-8."""
     try:
-        return os.fsencode(value)
+        encoded = os.fsencode(value)
     except TypeError:
         raise wrong(name, "a path: str, bytes or os.PathLike", value) from None
+    except UnicodeEncodeError:
+        raise TypeError(f"{name} must be a path as os.fsdecode() gives it, and {ascii(value)} is not") from None
+    if b"\0" in encoded:
+        raise TypeError(f"{name} must be a path, and {ascii(value)} has a NUL character")
+    return encoded
 
 
 def each(name, wanted, values):
@@ -99,13 +109,13 @@ def typed(name, value, row):
             return value
         return "on" if switch(name, value) else "off"
     if isinstance(value, str):
-        return value
+        return word(name, value)
     if kind == "three numbers":
         return ",".join(number_text(name, one) for one in each(name, "a str or three numbers", value))
     if row.get("several"):
         return ",".join(word(name, one) for one in each(name, "a str or a list of them", value))
     if choices and not choices[0].isdigit():
-        return word(name, value)
+        return word(name, value, choices)
     return number_text(name, value)
 
 
@@ -123,7 +133,7 @@ def converted(name, hint, value):
     if hint in SIMPLE:
         return SIMPLE[hint](name, value)
     if typing.get_origin(hint) is typing.Literal:
-        return word(name, value)
+        return word(name, value, kinds)
     classes = kinds or (hint,)
     if all(getattr(kind, "__name__", "") in MADE_BY for kind in classes):
         if not isinstance(value, tuple(classes)):
@@ -152,11 +162,16 @@ def bound(title, signature, arguments, keywords):
             continue
         near = [RENAMED[name]] if name in RENAMED else difflib.get_close_matches(name, signature.parameters, 1)
         raise TypeError(f"{title}: there is no keyword {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
+    places = [p.name for p in signature.parameters.values() if p.kind is not p.KEYWORD_ONLY]
+    if len(arguments) > len(places):
+        count, names = len(arguments) - places.count("self"), [name for name in places if name != "self"]
+        allowed = f"at most {len(names)} ({', '.join(names)})" if names else "none"
+        by_name = "; all others are given by name" if len(places) < len(signature.parameters) else ""
+        raise TypeError(f"{title}: {count} argument{' was' if count == 1 else 's were'} given by place, and it takes {allowed}{by_name}")
     try:
         return signature.bind(*arguments, **keywords)
     except TypeError as error:
-        raise TypeError(f"{title}: {error}; it is called as {title[:-2]}{signature.replace(return_annotation=signature.empty)}"
-                        if len(signature.parameters) < 8 else f"{title}: {error}") from None
+        raise TypeError(f"{title}: {error}") from None
 
 
 def public(function, title="", rows=()):
@@ -166,18 +181,18 @@ def public(function, title="", rows=()):
     rows = {name_of(row["key"]): row for row in rows}
     parameters = [p for p in inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
     parameters += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in rows]
-    signature = inspect.Signature(parameters)
-    plain = signature.replace(parameters=[p.replace(annotation=p.empty) for p in parameters])
+    signature = inspect.Signature([p.replace(annotation=p.empty) for p in parameters])
 
     @functools.wraps(function)
     def checked(*arguments, **keywords):
-        values = bound(title, plain, arguments, keywords).arguments
+        values = bound(title, signature, arguments, keywords).arguments
         of_rows = {rows[name]["key"]: typed(f"{title}: {name}", value, rows[name])
                    for name, value in values.items() if name in rows and value is not None}
         own = {name: converted(f"{title}: {name}", hints.get(name), value) for name, value in values.items() if name not in rows}
         return function(**own, **of_rows)
 
-    checked.__signature__ = signature
+    checked.__signature__ = signature  # as help() shows it
+    checked.typed = parameters
     checked.rows = rows
     return checked
 

@@ -2,6 +2,7 @@
 #include "core/batch/archive/listing.h"
 
 #include "core/base/bounded_json.h"
+#include "core/base/inputs.h"
 #include "core/base/number_text.h"
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
@@ -47,17 +48,19 @@ bool isThere(const fs::path& path) {
 
 // A JSON file that describes a grid, not a record, a preset or a result.
 bool describesGrid(const fs::path& path) {
-    if (isThere(fs::path(path).replace_extension(".u16"))) return true;
+    for (fs::path name : namesOf(path)) {
+        if (isThere(name.replace_extension(".u16"))) return true;
+    }
     const auto bytes = readWholeFile(path, kMostDescription);
     return bytes && textOf(*bytes).find("edgescan-raw-grid/") != std::string::npos;
 }
 
 // A result of another run of this program: edges, pictures, clouds.
 bool isExport(const fs::path& path) {
-    const fs::path sidecar = files::sidecarPath(path);
-    if (!isThere(sidecar)) return false;
-    const auto bytes = readWholeFile(sidecar, kMostDescription);
-    const auto record = bytes ? parseJson(textOf(*bytes), sidecar.string()) : Result<nlohmann::json>(nlohmann::json());
+    const auto sidecar = files::sidecarOf(path);
+    if (!sidecar) return false;
+    const auto bytes = readWholeFile(*sidecar, kMostDescription);
+    const auto record = bytes ? parseJson(textOf(*bytes), sidecar->string()) : Result<nlohmann::json>(nlohmann::json());
     const nlohmann::json::json_pointer content("/record/content");
     return record && record->is_object() && record->contains(content) && record->at(content) != "whole scan";
 }

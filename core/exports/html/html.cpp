@@ -4,6 +4,7 @@
 #include "core/base/base64.h"
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
+#include "core/base/utc_time.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,13 @@ std::string scriptJson(const nlohmann::ordered_json& json) {
     std::string text;
     for (const char c : jsonText(json)) text += c == '<' ? std::string("\\u003c") : c == '>' ? std::string("\\u003e") : std::string(1, c);
     return text;
+}
+
+std::string plainUtc(const std::string& time) {
+    const auto seconds = parseUtc(time);
+    if (!seconds) return time;
+    const std::string iso = utcText(*seconds);
+    return iso.substr(0, 10) + " " + iso.substr(11, 8) + " UTC";
 }
 
 std::string htmlImage(const std::string& png, const std::string& alternative) {

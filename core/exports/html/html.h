@@ -15,6 +15,9 @@ namespace edgescan::exports {
 /// JSON for use in a script: without "<", which could end the script.
 [[nodiscard]] std::string scriptJson(const nlohmann::ordered_json& json);
 
+/// "2026-11-20 10:00:40 UTC" for a time in ISO 8601; any other text as it is.
+[[nodiscard]] std::string plainUtc(const std::string& time);
+
 /// A picture inside the page, from PNG bytes; a sentence if `png` is empty.
 [[nodiscard]] std::string htmlImage(const std::string& png, const std::string& alternative);
 

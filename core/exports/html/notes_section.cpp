@@ -24,7 +24,7 @@ std::string targetRow(const Scan& scan, const inspect::PinnedTarget& target) {
     std::string said;
     for (const auto& [row, value] : target.asPinned) said += (said.empty() ? "" : "<br>") + htmlText(row) + ": " + htmlText(value);
     return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) + "</td><td>" + cellText(scan, target.cell) +
-           "</td><td>" + said + "</td><td>" + htmlText(target.pinnedUtc) + "</td></tr>\n";
+           "</td><td>" + said + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
 }
 
 std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure) {

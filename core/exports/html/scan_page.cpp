@@ -16,6 +16,7 @@
 #include "core/exports/provenance.h"
 #include "core/exports/report.h"
 #include "core/files/point_tables/edge_colours.h"
+#include "core/inspect/measure/cell_target.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 
@@ -54,16 +55,43 @@ std::string frameText(const Scan& scan) {
 std::string placeText(const Scan& scan) {
     if (!scan.placement) return "not known: no pose";
     const Eigen::Vector3d at = scan.placement->originEnhM + PlacedPoints(scan).local(0, 0, Eigen::Vector3d::Zero());
-    return "E " + fixedText(at.x(), 2) + ", N " + fixedText(at.y(), 2) + ", elevation " + fixedText(at.z(), 2) + " m (scanner)";
+    return "E " + fixedText(at.x(), 2) + ", N " + fixedText(at.y(), 2) + ", RL " + fixedText(at.z(), 2) + " m (scanner)";
+}
+
+// The file's own times; where it has none, those of the pose.
+std::string whenText(const Scan& scan, const Acquisition& measured) {
+    const bool fromPose = measured.startUtc.empty() && scan.placement;
+    const std::string start = fromPose ? scan.placement->scanStartUtc : measured.startUtc;
+    const std::string end = fromPose ? scan.placement->scanEndUtc : measured.endUtc;
+    if (start.empty()) return {};
+    return plainUtc(start) + (end.empty() ? "" : " to " + plainUtc(end)) +
+           (fromPose                       ? " (as the pose says)"
+            : measured.clockSource.empty() ? ""
+                                           : " (" + measured.clockSource + ")");
+}
+
+std::string poseText(const Placement& place) {
+    if (place.timeUtc.empty()) return "at a time that it does not say";
+    const double age = place.ageSeconds;
+    return plainUtc(place.timeUtc) + (std::isnan(age) ? ", the start of the scan is not known"
+                                      : age > 0       ? ", " + significantText(age, 3) + " s before the start of the scan"
+                                                      : ", " + significantText(-age, 3) + " s after the start of the scan");
+}
+
+std::string uncertaintyText(const edges::Detection& detection) {
+    constexpr double kNearM = 5, kFarM = 10;
+    const RangeNoise noise = inspect::noiseOf(detection);
+    const auto twice = [&](double atM) {
+        return fixedText(inspect::kReportedSigmas * noise.at(atM), 0) + " mm at " + fixedText(atM, 0) + " m";
+    };
+    return "ranges ± " + twice(kNearM) + ", ± " + twice(kFarM) + " (two standard deviations)" +
+           (detection.scan->placement ? "; the pose does not say its own" : "");
 }
 
 std::string factsOf(const edges::Detection& detection, const Json& record, const PageWords& words) {
     const Scan& scan = *detection.scan;
     const Acquisition none;
     const Acquisition& measured = scan.acquisition ? *scan.acquisition : none;
-    std::string when = measured.startUtc;
-    if (!when.empty() && !measured.endUtc.empty()) when += " to " + measured.endUtc;
-    if (!when.empty() && !measured.clockSource.empty()) when += " (" + measured.clockSource + ")";
     std::string scanner = measured.vendor;
     for (const std::string& more : {measured.model, measured.serial.empty() ? "" : "serial " + measured.serial,
                                     measured.firmware.empty() ? "" : "firmware " + measured.firmware}) {
@@ -78,12 +106,16 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     facts += fact("File", scan.path) + fact("Format", scan.format);
     facts += fact("Grid", std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams");
     facts += fact("Ranges", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) : "none was measured");
-    facts += fact("Scanned", when) + fact("Scanner", scanner);
+    facts += fact("Scanned", whenText(scan, measured)) + fact("Scanner", scanner);
     facts += fact("Where", placeText(scan)) + fact("Frame", frameText(scan));
+    if (scan.placement)
+        facts += fact("Robot", scan.placement->robot.empty() ? "the pose does not say" : scan.placement->robot) +
+                 fact("Pose", poseText(*scan.placement));
+    facts += fact("Uncertainty", uncertaintyText(detection));
     facts += fact("Edges", std::to_string(detection.edges->size()) + " cells, " +
                                fixedText(100 * edges / std::max(1.0, static_cast<double>(valid)), 1) + " % of those measured");
     facts += fact("Method", edges::choiceLabel(*edges::findParameter("method"), detection.settings));
-    facts += fact("Report by", by.empty() ? "not said" : by) + fact("Made", words.madeUtc);
+    facts += fact("Report by", by.empty() ? "not said" : by) + fact("Made", plainUtc(words.madeUtc));
     if (const std::string note = textAt(record, "/scan/note"); !note.empty()) facts += fact("Note", note);
     return facts + "</dl>\n";
 }

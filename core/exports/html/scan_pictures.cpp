@@ -87,9 +87,16 @@ bool isChosen(std::size_t number, std::size_t most, std::size_t of) {
     return turn - std::floor(turn) < static_cast<double>(most) / static_cast<double>(of);
 }
 
+constexpr double kNearestM = 0.05; // of what the camera sees
+
 struct Camera {
     Eigen::Vector3d eye, right, up, forward;
     double focal = 1;
+
+    /// Of a point in front of it; `d`: from the eye.
+    [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector3d& d, int width, int height) const {
+        return {width / 2.0 + focal * d.dot(right) / d.dot(forward), height / 2.0 - focal * d.dot(up) / d.dot(forward)};
+    }
 };
 
 // Pixels per unit of tangent, chosen so that almost all points are in the picture; a few far ones may be outside.
@@ -99,7 +106,7 @@ double focalFor(const Camera& camera, const std::vector<Eigen::Vector3d>& points
     for (const Eigen::Vector3d& point : points) {
         const Eigen::Vector3d d = point - camera.eye;
         const double z = d.dot(camera.forward);
-        if (z > 0.05) needed.push_back(std::max(std::abs(d.dot(camera.right)), std::abs(d.dot(camera.up)) * width / height) / z);
+        if (z > kNearestM) needed.push_back(std::max(std::abs(d.dot(camera.right)), std::abs(d.dot(camera.up)) * width / height) / z);
     }
     if (needed.empty()) return width;
     const auto inside = needed.begin() + static_cast<std::ptrdiff_t>(kInside * static_cast<double>(needed.size() - 1));
@@ -161,7 +168,8 @@ std::string rockPicture(const edges::Detection& detection, const rocks::Faces& f
     return bytes ? *bytes : std::string();
 }
 
-CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces) {
+CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces,
+                          const std::vector<std::size_t>& wanted) {
     const PagePoints place(*detection.scan);
     std::vector<Eigen::Vector3d> points;
     std::vector<std::size_t> cells;
@@ -178,10 +186,11 @@ CloudPicture cloudPicture(const edges::Detection& detection, int width, int heig
     for (std::size_t n = 0; n < points.size(); ++n) {
         const Eigen::Vector3d d = points[n] - camera.eye;
         const double z = d.dot(camera.forward);
-        if (!(z > 0.05)) continue;
+        if (!(z > kNearestM)) continue;
         depthSum += z;
-        const int x = static_cast<int>(std::floor(width / 2.0 + camera.focal * d.dot(camera.right) / z));
-        const int y = static_cast<int>(std::floor(height / 2.0 - camera.focal * d.dot(camera.up) / z));
+        const Eigen::Vector2d at = camera.pixel(d, width, height);
+        const int x = static_cast<int>(std::floor(at.x()));
+        const int y = static_cast<int>(std::floor(at.y()));
         const bool edge = faces == nullptr && (*detection.mask)[cells[n]] != 0;
         const auto level = static_cast<std::uint8_t>(60 + detection.gray->levels[cells[n]] * 3 / 5);
         const auto beams = static_cast<std::size_t>(detection.scan->beams());
@@ -199,7 +208,14 @@ CloudPicture cloudPicture(const edges::Detection& detection, int width, int heig
     }
     const auto bytes = containers::pngRgbBytes(picture, "report");
     const double middle = points.empty() ? 1 : std::max(0.1, depthSum / static_cast<double>(points.size()));
-    return {bytes ? *bytes : std::string(), camera.focal / middle};
+    CloudPicture made{bytes ? *bytes : std::string(), camera.focal / middle, {}};
+    for (const std::size_t k : wanted) {
+        const Eigen::Vector3d d = place.local(k) - camera.eye;
+        const Eigen::Vector2d at = camera.pixel(d, width, height);
+        const bool inside = d.dot(camera.forward) > kNearestM && at.x() >= 0 && at.x() < width && at.y() >= 0 && at.y() < height;
+        made.places.push_back(inside ? std::optional(at) : std::nullopt);
+    }
+    return made;
 }
 
 ViewPoints viewPoints(const edges::Detection& detection, std::size_t mostPoints, std::size_t mostEdges, const rocks::Faces* faces) {

@@ -4,7 +4,12 @@
 #include "core/edges/pipeline/detection.h"
 #include "core/rocks/attributes/faces.h"
 
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace edgescan::exports {
 
@@ -21,9 +26,11 @@ namespace edgescan::exports {
 /// width x height pixels.
 struct CloudPicture {
     std::string png;
-    double metrePixels = 0; ///< length of a metre, in pixels, at the distance of the cloud's middle
+    double metrePixels = 0;                             ///< length of a metre, in pixels, at the distance of the cloud's middle
+    std::vector<std::optional<Eigen::Vector2d>> places; ///< of `cells`, pixels; empty: outside the picture
 };
-[[nodiscard]] CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces = nullptr);
+[[nodiscard]] CloudPicture cloudPicture(const edges::Detection& detection, int width, int height, const rocks::Faces* faces = nullptr,
+                                        const std::vector<std::size_t>& cells = {});
 
 /// The cloud's points in metres for the rotating view, and the values that the page shows for each: little endian, one array after the
 /// other.

@@ -52,7 +52,7 @@ Json shownOf(const Json& row, const std::string& picture) {
     return {printable(row.value("input", "")),
             row.value("outcome", ""),
             any ? linkOf(folder) + (hasReport(row) ? "/report.html" : "/") : std::string(),
-            row.contains("scanned_utc") && row["scanned_utc"].is_string() ? row["scanned_utc"] : Json(""),
+            row.contains("scanned_utc") && row["scanned_utc"].is_string() ? plainUtc(row["scanned_utc"].get<std::string>()) : std::string(),
             lines,
             beams,
             share,

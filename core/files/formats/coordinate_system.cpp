@@ -34,26 +34,39 @@ std::pair<int, std::size_t> numberAt(const std::string& text, std::size_t at) {
     return {number, static_cast<std::size_t>(end - first)};
 }
 
-/// "UTM 17N, WGS84", "WGS 84 / UTM zone 17S", "EPSG:32617".
+/// "17N" at the beginning of a bare text, alone or before the name of the datum: no "17South Street".
+std::optional<Zone> zoneIn(std::string_view text) {
+    const auto [number, digits] = numberAt(std::string(text), 0);
+    if (digits == 0 || digits > 2 || text.size() <= digits) return std::nullopt;
+    const char side = text[digits];
+    const std::string_view rest = text.substr(digits + 1);
+    if ((side != 'N' && side != 'S') || !(rest.empty() || rest.starts_with("WGS"))) return std::nullopt;
+    return Zone{number, side == 'S'};
+}
+
+/// "UTM 17N, WGS84", "WGS 84 / UTM zone 17S", "EPSG:32617"; and "17N, WGS84", as the fields zone and datum of a pose give it.
 std::optional<Zone> utmZone(const std::string& grid) {
     const std::string bare = bareText(grid);
     std::optional<Zone> zone;
     if (const std::size_t at = bare.find("EPSG"); at != std::string::npos) {
         const auto [code, digits] = numberAt(bare, at + 4);
         if (digits == 5 && (code / 100 == 326 || code / 100 == 327)) zone = Zone{code % 100, code / 100 == 327};
-    } else if (std::size_t utm = bare.find("UTM"); utm != std::string::npos && bare.find("WGS84") != std::string::npos) {
-        utm += bare.compare(utm + 3, 4, "ZONE") == 0 ? 7 : 3;
-        const auto [number, digits] = numberAt(bare, utm);
-        const char side = utm + digits < bare.size() ? bare[utm + digits] : ' ';
-        const bool last =
-            bare.size() <= utm + digits + 1 || bare.compare(utm + digits + 1, 3, "WGS") == 0; // "17S", and no "17South Street"
-        if (digits > 0 && digits <= 2 && (side == 'N' || side == 'S') && last) zone = Zone{number, side == 'S'};
+    } else if (bare.find("WGS84") != std::string::npos) {
+        std::string_view text = bare;
+        if (const std::size_t utm = bare.find("UTM"); utm != std::string::npos)
+            text.remove_prefix(utm + 3);
+        else if (text.starts_with("WGS84"))
+            text.remove_prefix(5);
+        if (text.starts_with("ZONE")) text.remove_prefix(4);
+        zone = zoneIn(text);
     }
     return zone && zone->number >= 1 && zone->number <= 60 ? zone : std::nullopt;
 }
 
+int codeOf(const Zone& zone) { return (zone.south ? 32700 : 32600) + zone.number; }
+
 std::string utmWkt(const Zone& zone) {
-    const std::string code = std::to_string((zone.south ? 32700 : 32600) + zone.number);
+    const std::string code = std::to_string(codeOf(zone));
     return "PROJCS[\"WGS 84 / UTM zone " + std::to_string(zone.number) + (zone.south ? "S" : "N") +
            "\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563,AUTHORITY[\"EPSG\",\"7030\"]],"
            "AUTHORITY[\"EPSG\",\"6326\"]],PRIMEM[\"Greenwich\",0,AUTHORITY[\"EPSG\",\"8901\"]],UNIT[\"degree\",0.0174532925199433,"
@@ -74,6 +87,11 @@ std::string quotable(std::string name) {
 }
 
 } // namespace
+
+std::optional<int> epsgCode(const std::string& grid) {
+    const auto zone = utmZone(grid);
+    return zone ? std::optional(codeOf(*zone)) : std::nullopt;
+}
 
 std::string coordinateSystemWkt(const CloudColumns& cloud) {
     std::string name = "EdgeScan scanner frame (local)";

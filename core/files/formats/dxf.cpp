@@ -19,10 +19,42 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 260;
 
-constexpr const char* kCloudLayer = "CLOUD";
-constexpr const char* kPointLayer = "EDGE_POINTS";
-constexpr const char* kLineLayer = "EDGE_LINES";
-constexpr std::array<DxfLayer, 3> kLayers{{{kCloudLayer, "8"}, {kPointLayer, "3"}, {kLineLayer, "3"}}};
+constexpr DxfLayer kCloudLayer{"CLOUD", "8"};
+/// Layers of points and of lines, by the number in the column "class"; 0: an edge of a method without classes.
+constexpr std::array<DxfLayer, 6> kPointLayers{{{"EDGE_POINTS", "3"},
+                                                {"EDGE_POINTS_JUMP", "3"},
+                                                {"EDGE_POINTS_CONVEX", "4"},
+                                                {"EDGE_POINTS_CONCAVE", "6"},
+                                                {"EDGE_POINTS_BORDER", "30"},
+                                                {"EDGE_POINTS_SILHOUETTE", "2"}}};
+constexpr std::array<DxfLayer, 6> kLineLayers{{{"EDGE_LINES", "3"},
+                                               {"EDGE_LINES_JUMP", "3"},
+                                               {"EDGE_LINES_CONVEX", "4"},
+                                               {"EDGE_LINES_CONCAVE", "6"},
+                                               {"EDGE_LINES_BORDER", "30"},
+                                               {"EDGE_LINES_SILHOUETTE", "2"}}};
+
+/// The class of a row's edge: an index of the layers above.
+std::size_t classOf(const CloudColumn* classes, std::size_t row) {
+    if (classes == nullptr) return 0;
+    const double number = numberIn(*classes, row);
+    return number >= 0 && number < static_cast<double>(kLineLayers.size()) ? static_cast<std::size_t>(number) : 0;
+}
+
+/// Those of the classes that the cloud has.
+std::vector<DxfLayer> layersOf(const CloudColumns& cloud) {
+    std::array<bool, kLineLayers.size()> isThere{};
+    const CloudColumn* classes = columnNamed(cloud, "class");
+    const CloudColumn* edge = columnNamed(cloud, "edge");
+    for (std::size_t row = 0; row < rowsOf(cloud) && columnNamed(cloud, "state") == nullptr; ++row) {
+        if (edge == nullptr || numberIn(*edge, row) != 0) isThere.at(classOf(classes, row)) = true;
+    }
+    std::vector<DxfLayer> layers{kCloudLayer};
+    for (std::size_t n = 0; n < isThere.size(); ++n) {
+        if (isThere.at(n)) layers.insert(layers.end(), {kPointLayers.at(n), kLineLayers.at(n)});
+    }
+    return layers;
+}
 
 /// The rows that are edges: all, or those that the column says.
 std::vector<std::size_t> edgeRows(const CloudColumns& cloud) {
@@ -40,6 +72,7 @@ void appendPolylines(DxfText& drawing, const CloudColumns& cloud) {
     const CloudColumn* line = columnNamed(cloud, "line");
     const CloudColumn* beam = columnNamed(cloud, "beam");
     const CloudColumn* range = columnNamed(cloud, "range_mm");
+    const CloudColumn* classes = columnNamed(cloud, "class");
     if (line == nullptr || beam == nullptr || range == nullptr) return;
     const std::vector<std::size_t> rows = edgeRows(cloud);
     std::vector<EdgeCell> cells;
@@ -51,10 +84,18 @@ void appendPolylines(DxfText& drawing, const CloudColumns& cloud) {
     const std::size_t least = cloud.choices.shortLines ? 2 : 3; // lines of two points are crumbs: their points are there anyway
     for (const auto& chain : chainsOf(cells)) {
         if (chain.size() < least) continue;
-        const bool closed = chain.size() > 3 && chain.front() == chain.back();
-        drawing.beginLine(kLineLayer, closed);
-        for (std::size_t n = 0; n + (closed ? 1 : 0) < chain.size(); ++n) drawing.vertex(kLineLayer, pointIn(cloud, rows[chain[n]]));
-        drawing.endLine(kLineLayer);
+        const auto kind = [&](std::size_t n) { return classOf(classes, rows[chain[n]]); };
+        // A link belongs to the class of its first cell, so that lines of several classes have no gap.
+        for (std::size_t first = 0; first + 1 < chain.size();) {
+            std::size_t last = first + 1;
+            while (last + 1 < chain.size() && kind(last) == kind(first)) ++last;
+            const bool closed = first == 0 && last + 1 == chain.size() && chain.size() > 3 && chain.front() == chain.back();
+            const char* layer = kLineLayers.at(kind(first)).name;
+            drawing.beginLine(layer, closed);
+            for (std::size_t n = first; n + (closed ? 1 : 0) <= last; ++n) drawing.vertex(layer, pointIn(cloud, rows[chain[n]]));
+            drawing.endLine(layer);
+            first = last;
+        }
     }
 }
 
@@ -65,15 +106,16 @@ Result<std::string> dxfBytes(CloudColumns cloud, const std::string& where, bool)
     for (const std::string& line : commentLines(cloud.record, kRecordMark)) drawing.comment(line);
     const CloudColumn* edge = columnNamed(cloud, "edge");
     const CloudColumn* state = columnNamed(cloud, "state");
+    const CloudColumn* classes = columnNamed(cloud, "class");
     const auto isThere = [&](std::size_t row) { return state == nullptr || numberIn(*state, row) == 0; };
     Eigen::AlignedBox3d box;
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
         if (isThere(row)) box.extend(pointIn(cloud, row));
     }
-    drawing.begin(box, kLayers);
+    drawing.begin(box, layersOf(cloud));
     for (std::size_t row = 0; row < rowsOf(cloud); ++row) {
         const bool cloudOnly = state != nullptr || (edge != nullptr && numberIn(*edge, row) == 0);
-        if (isThere(row)) drawing.point(cloudOnly ? kCloudLayer : kPointLayer, pointIn(cloud, row));
+        if (isThere(row)) drawing.point(cloudOnly ? kCloudLayer.name : kPointLayers.at(classOf(classes, row)).name, pointIn(cloud, row));
     }
     if (state == nullptr) appendPolylines(drawing, cloud);
     return drawing.end();
@@ -123,8 +165,12 @@ Result<PointTable> dxfPoints(const Source& source) {
 } // namespace
 
 Format dxfFormat() {
-    return {
-        .title = "Drawing with edge lines", .writes = {".dxf"}, .read = readingOf<dxfPoints>, .write = dxfBytes, .keeps = Keeps::Points};
+    return {.title = "Drawing with edge lines",
+            .writes = {".dxf"},
+            .read = readingOf<dxfPoints>,
+            .write = dxfBytes,
+            .keeps = Keeps::Points,
+            .inFloats = {"LibreCAD"}};
 }
 
 } // namespace edgescan::files

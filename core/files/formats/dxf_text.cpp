@@ -22,10 +22,9 @@ void DxfText::pair(const char* code, const std::string& value) {
     text_ += '\n';
 }
 
-void DxfText::at(const Eigen::Vector3d& point) {
-    static constexpr std::array<const char*, 3> kCodes{"10\n", "20\n", "30\n"};
+void DxfText::at(const Eigen::Vector3d& point, int place) {
     for (int axis = 0; axis < 3; ++axis) {
-        text_ += kCodes[static_cast<std::size_t>(axis)];
+        text_ += std::to_string(10 * (axis + 1) + place) + '\n';
         appendFixed(text_, point[axis], kDecimals);
         text_ += '\n';
     }
@@ -204,6 +203,19 @@ void DxfText::vertex(const char* layer, const Eigen::Vector3d& position) {
 }
 
 void DxfText::endLine(const char* layer) { entity("SEQEND", layer, line_, nullptr); }
+
+void DxfText::text(const char* layer, const Eigen::Vector3d& position, double heightM, const std::string& words) {
+    entity("TEXT", layer, model_, "AcDbText");
+    at(position);
+    text_ += "40\n";
+    appendFixed(text_, heightM, kDecimals);
+    text_ += '\n';
+    pair("1", words);
+    text_ += "72\n1\n"; // middle of the width
+    at(position, 1);
+    if (release2000_) text_ += "100\nAcDbText\n";
+    text_ += "73\n2\n"; // middle of the height
+}
 
 std::string DxfText::end() {
     text_ += "0\nENDSEC\n";

@@ -28,12 +28,14 @@ public:
     void beginLine(const char* layer, bool closed);
     void vertex(const char* layer, const Eigen::Vector3d& at);
     void endLine(const char* layer);
+    /// Text in the plane of x and y, its middle at the point.
+    void text(const char* layer, const Eigen::Vector3d& at, double heightM, const std::string& words);
     /// The whole file.
     [[nodiscard]] std::string end();
 
 private:
     void pair(const char* code, const std::string& value);
-    void at(const Eigen::Vector3d& point);
+    void at(const Eigen::Vector3d& point, int place = 0); // 0: groups 10, 20, 30; 1: 11, 21, 31
     [[nodiscard]] std::string newHandle();
     void header(const Eigen::AlignedBox3d& box);
     std::string beginTable(const char* name, std::size_t entries);

@@ -14,7 +14,7 @@ namespace edgescan::files {
 
 /// What of a scan's cells comes back from a file.
 enum class Keeps : std::uint8_t {
-    States,    ///< every cell with its state
+    States,    ///< every cell with its state, and the scan's place in the mine, in whatever frame the coordinates are
     NoReturns, ///< every cell; all states but valid become missing returns
     Sidecar,   ///< as NoReturns, by the grid in the sidecar; every state where comment lines are asked for
     Points,    ///< a list of the valid points
@@ -34,9 +34,10 @@ struct Format {
     Keeps keeps = Keeps::States;
     double stepM = 0;            ///< coordinates are rounded to whole steps of it; 0: by a micrometre at most, where the numbers are small
     bool keepsIntensity = false; ///< writes the column of that name
-    bool keepsPlace = false;     ///< a whole scan in the scanner's frame opens again with its place in the mine
-    bool writesByLines = false;  ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes
-    bool placesItself = false;   ///< pose and calibration are taken into account by `read`
+    bool aboutOrigin = false; ///< mine coordinates are 4-byte metres from their origin, which the file holds, unless doubles are asked for
+    std::vector<const char*> inFloats{}; ///< programs that read its coordinates into 4-byte numbers
+    bool writesByLines = false;          ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes
+    bool placesItself = false;           ///< pose and calibration are taken into account by `read`
 };
 
 } // namespace edgescan::files

@@ -139,7 +139,8 @@ Format foxgloveFormat() {
             .read = readingOf<readFoxglovePoints>,
             .write = foxgloveBytes,
             .record = recordOfFoxglove,
-            .keepsIntensity = true};
+            .keepsIntensity = true,
+            .aboutOrigin = true};
 }
 
 } // namespace edgescan::files

@@ -181,8 +181,8 @@ std::string threeNumbers(const Eigen::Vector3d& v) { return jsonText(nlohmann::o
 Result<std::string> foxgloveBytes(CloudColumns cloud, const std::string& where, bool) {
     if (auto enough = checkRoom(cloud, where, 40); !enough) return enough.error();
     const bool timed = !cloud.lineTimesS.empty();
-    const std::uint64_t start = timed ? nsOf(cloud.lineTimesS.front()) : kUnknownTimeNs;
-    const std::uint64_t end = timed ? nsOf(cloud.lineTimesS.back()) : kUnknownTimeNs;
+    const std::uint64_t start = cloud.startS ? nsOf(*cloud.startS) : kUnknownTimeNs;
+    const std::uint64_t end = timed ? nsOf(cloud.lineTimesS.back()) : start;
     const CoordinateFrame frame = cloud.frame;
     FoxgloveFile file;
     const std::string frameId = writeFrames(file, cloud, start);

@@ -177,22 +177,27 @@ void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own,
     if (header.waveformAt > 0) table.remarks.emplace_back("The waveforms of this file were not read.");
 }
 
-/// Lines, beams and ranges of the points, where extra bytes hold them. Each record is `stride` bytes long and begins `from` bytes into its
-/// point.
+/// Lines, beams and ranges of the points, where extra bytes hold them; of a file of ours with all cells the points as they were before they
+/// were placed in the mine. Each record is `stride` bytes long and begins `from` bytes into its point.
 void readColumns(PointTable& table, const LasHeader& header, std::span<const std::byte> records, std::size_t stride, std::size_t from,
-                 const Source& source) {
+                 bool withCells, const Source& source) {
     if (header.format >= las::kFormatBytes.size()) return;
     const std::vector<RecordField> fields = las::extraFields(source.bytes, header.headerBytes, header.records, header.pointsAt,
                                                              las::kFormatBytes[header.format], header.pointBytes);
     std::vector<std::string> names;
     for (const RecordField& field : fields) names.push_back(field.name);
     const NamedColumns named = columnsNamed(names);
-    if (!named.hasCell() || records.size() < table.points.size() * stride) return;
+    if (!(withCells ? named.hasScannerPoint() : named.hasCell()) || records.size() < table.points.size() * stride) return;
     const auto value = [&](ColumnRole role, std::size_t n) {
         const RecordField& field = fields[*named[role]];
         return readScalar(field.scalar, records.data() + n * stride + (field.offset - from), false);
     };
     for (std::size_t n = 0; n < table.points.size(); ++n) {
+        if (withCells) {
+            table.scannerPoints.emplace_back(value(ColumnRole::ScannerX, n), value(ColumnRole::ScannerY, n),
+                                             value(ColumnRole::ScannerZ, n));
+            continue;
+        }
         table.line.push_back(indexOf(value(ColumnRole::Line, n)));
         table.beam.push_back(indexOf(value(ColumnRole::Beam, n)));
         if (named[ColumnRole::RangeMm]) table.rangeMm.push_back(static_cast<float>(value(ColumnRole::RangeMm, n)));
@@ -202,7 +207,8 @@ void readColumns(PointTable& table, const LasHeader& header, std::span<const std
 /// Spreads the valid points over the cells that were saved with them.
 Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Source& source) {
     const std::size_t cells = own.cells.size() / las::kCellBytes;
-    std::vector<Eigen::Vector3d> points(cells, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    std::vector<Eigen::Vector3d> points(cells, none), scannerPoints(table.scannerPoints.empty() ? 0 : cells, none);
     std::vector<float> intensities(table.intensity.empty() ? 0 : cells, std::numeric_limits<float>::quiet_NaN());
     std::size_t next = 0;
     for (std::size_t k = 0; k < cells; ++k) {
@@ -214,6 +220,7 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
         if (table.state.back() != static_cast<std::uint8_t>(CellState::Valid)) continue;
         if (next < table.points.size()) {
             points[k] = table.points[next];
+            if (!scannerPoints.empty()) scannerPoints[k] = table.scannerPoints[next];
             if (!intensities.empty()) intensities[k] = table.intensity[next];
         }
         ++next;
@@ -224,6 +231,7 @@ Result<Done> spreadOverCells(PointTable& table, const OwnRecords& own, const Sou
                               "save the scan again");
     }
     table.points = std::move(points);
+    table.scannerPoints = std::move(scannerPoints);
     table.intensity = std::move(intensities);
     table.description = own.description;
     return Done{};
@@ -260,14 +268,13 @@ Result<PointTable> readLasPoints(const Source& source) {
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     const OwnRecords own = ownRecords(*header, source);
     tellRest(table, *header, own, source);
-    if (own.description.empty() || own.cells.empty()) {
-        const std::size_t extra = read->extra.size() / table.points.size(); // bytes of a point
-        if (!packed)
-            readColumns(table, *header, source.bytes.subspan(header->pointsAt), header->pointBytes, 0, source);
-        else if (extra < header->pointBytes)
-            readColumns(table, *header, read->extra, extra, header->pointBytes - extra, source);
-    }
-    if (!own.description.empty() && !own.cells.empty()) {
+    const bool withCells = !own.description.empty() && !own.cells.empty();
+    const std::size_t extra = read->extra.size() / table.points.size(); // bytes of a point
+    if (!packed)
+        readColumns(table, *header, source.bytes.subspan(header->pointsAt), header->pointBytes, 0, withCells, source);
+    else if (extra < header->pointBytes)
+        readColumns(table, *header, read->extra, extra, header->pointBytes - extra, withCells, source);
+    if (withCells) {
         if (auto enough = checkMemory(productOf({own.cells.size(), 8}), source.path.string()); !enough) return enough.error();
         if (auto spread = spreadOverCells(table, own, source); !spread) return spread.error();
     }
@@ -286,8 +293,7 @@ Format lasFormat() {
             .write = lasBytes,
             .record = lasRecord,
             .stepM = 0.001,
-            .keepsIntensity = true,
-            .keepsPlace = true};
+            .keepsIntensity = true};
 }
 
 } // namespace edgescan::files

@@ -227,9 +227,8 @@ Result<std::string> lasBytes(CloudColumns cloud, const std::string& where, bool)
     if (auto enough = checkMemory(std::uint64_t{rowsOf(cloud)} * (pointBytes + las::kCellBytes), where); !enough) return enough.error();
     const auto frame = extentOf(cloud, where);
     if (!frame) return frame.error();
-    // Points that were read and moved into another frame would not come back as they were.
-    const bool wholeScan = !cloud.description.empty() && columnNamed(cloud, "state") != nullptr &&
-                           columnNamed(cloud, "range_mm") != nullptr && columnNamed(cloud, "scanner_x") == nullptr;
+    const bool wholeScan =
+        !cloud.description.empty() && columnNamed(cloud, "state") != nullptr && columnNamed(cloud, "range_mm") != nullptr;
     const std::string wkt = coordinateSystemWkt(cloud);
     const std::string records =
         recordHeader("LASF_Projection", kWktId, wkt.size() + 1, "coordinate system", false) + wkt + '\0' + extraBytesRecord(extras);

@@ -152,7 +152,8 @@ Format objFormat() {
             .recognises = looksLikeObj,
             .read = readingOf<readObjPoints>,
             .write = objBytes,
-            .keeps = Keeps::Points};
+            .keeps = Keeps::Points,
+            .inFloats = {"MeshLab", "ParaView", "Blender", "PCL"}};
 }
 
 } // namespace edgescan::files

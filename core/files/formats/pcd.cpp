@@ -280,7 +280,7 @@ Format pcdFormat() {
             .read = readingOf<readPcdPoints>,
             .write = pcdBytes,
             .keepsIntensity = true,
-            .keepsPlace = true,
+            .aboutOrigin = true,
             .writesByLines = true};
 }
 

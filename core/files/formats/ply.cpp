@@ -194,7 +194,7 @@ Format plyFormat() {
             .read = readingOf<readPlyPoints>,
             .write = plyBytes,
             .keepsIntensity = true,
-            .keepsPlace = true,
+            .inFloats = {"MeshLab", "ParaView", "Blender"},
             .writesByLines = true};
 }
 

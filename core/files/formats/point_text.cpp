@@ -10,6 +10,7 @@
 #include "core/files/point_tables/point_columns.h"
 #include "core/files/point_tables/text_words.h"
 #include "core/files/point_tables/unnamed_cells.h"
+#include "core/scan/georef/placed_points.h"
 
 #include <algorithm>
 #include <array>
@@ -278,13 +279,6 @@ Result<PointTable> readTextPoints(const Source& source) {
     return table;
 }
 
-/// The names of coordinates in tables: without a comment line they alone name the frame.
-std::array<const char*, 3> coordinateNames(CoordinateFrame frame) {
-    if (frame == CoordinateFrame::Mine) return {"easting_m", "northing_m", "elevation_m"};
-    if (frame == CoordinateFrame::MineLocal) return {"east_m", "north_m", "up_m"};
-    return {"x_m", "y_m", "z_m"};
-}
-
 /// Rows without a point would not be numbers.
 void dropEmptyRows(CloudColumns& cloud) {
     const CloudColumn* state = columnNamed(cloud, "state");
@@ -333,6 +327,7 @@ Result<std::string> xyzBytes(CloudColumns cloud, const std::string& where, bool)
     } else {
         makeAll(cloud);
         dropEmptyRows(cloud);
+        cloud.description.clear(); // the sidecar has it
         cloud.columns.erase(cloud.columns.begin() + 3, cloud.columns.end());
     }
     appendRows(text, cloud, ' ');
@@ -349,6 +344,7 @@ Result<std::string> csvBytes(CloudColumns cloud, const std::string& where, bool)
     } else {
         makeAll(cloud);
         dropEmptyRows(cloud);
+        cloud.description.clear(); // the sidecar has it
         dropColumns(cloud, [](std::string_view name) { return name == "state"; });
     }
     appendNames(text, cloud, ',');
@@ -365,6 +361,7 @@ Format pointListFormat() {
             .read = readingOf<readTextPoints>,
             .write = xyzBytes,
             .keeps = Keeps::Sidecar,
+            .inFloats = {"MeshLab", "PCL"},
             .writesByLines = true};
 }
 

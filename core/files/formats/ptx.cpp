@@ -281,7 +281,8 @@ Format ptxFormat() {
             .read = readPtx,
             .write = ptxBytes,
             .keeps = Keeps::NoReturns,
-            .keepsIntensity = true};
+            .keepsIntensity = true,
+            .inFloats = {"MeshLab"}};
 }
 
 } // namespace edgescan::files

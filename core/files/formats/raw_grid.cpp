@@ -148,15 +148,22 @@ private:
     CountStates states_{};
 };
 
-/// Through the description. The counts are in the file that it names, or in NAME.u16 of the same folder.
+/// The counts are in the file that the description names, or in NAME.u16 of the same folder.
+fs::path countsOf(const GridDescription& grid, const fs::path& describedIn) {
+    std::error_code ignored;
+    for (const fs::path& name : namesOf(describedIn)) {
+        if (grid.dataFile && fs::exists(name.parent_path() / *grid.dataFile, ignored)) return name.parent_path() / *grid.dataFile;
+        if (fs::path counts = withExtension(name, ".u16"); fs::exists(counts, ignored)) return counts;
+    }
+    return withExtension(describedIn, ".u16");
+}
+
+/// Through the description.
 Result<Scan> readRawGridJson(const Source& source) {
     if (source.inMemory) return readBothInOne(source);
     const auto grid = parseDescription(source.text(), source.path.string());
     if (!grid) return grid.error();
-    std::error_code ignored;
-    fs::path countsPath = withExtension(source.path, ".u16");
-    if (grid->dataFile && fs::exists(source.path.parent_path() / *grid->dataFile, ignored))
-        countsPath = source.path.parent_path() / *grid->dataFile;
+    const fs::path countsPath = countsOf(*grid, source.path);
     const bool renamed = grid->dataFile && countsPath.filename() != fs::path(*grid->dataFile).filename();
     const auto counts = readInput(countsPath);
     if (!counts) return counts.error();
@@ -171,7 +178,12 @@ Result<Scan> readRawGridJson(const Source& source) {
 /// Through the counts; the description is NAME.json of the same folder.
 Result<Scan> readRawGridCounts(const Source& source) {
     if (source.inMemory) return source.refused("counts alone are no raw grid", "give the description before them");
-    const fs::path describedIn = withExtension(source.path, ".json");
+    fs::path describedIn = withExtension(source.path, ".json");
+    std::error_code ignored;
+    for (const fs::path& name : namesOf(source.path)) {
+        if (fs::exists(describedIn, ignored)) break;
+        describedIn = withExtension(name, ".json");
+    }
     const auto json = readInput(describedIn);
     if (!json) {
         return source.refused("these counts need their description " + describedIn.filename().string() +
@@ -233,8 +245,7 @@ Format rawGridFormat() {
             .writes = {".json", ".u16"},
             .recognises = looksLikeRawGrid,
             .read = readingOf<readRawGrid>,
-            .writeScan = rawGridFiles,
-            .keepsPlace = true};
+            .writeScan = rawGridFiles};
 }
 
 } // namespace edgescan::files

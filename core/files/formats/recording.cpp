@@ -38,7 +38,6 @@ Format recordingFormat() {
             .recognises = looksLikeRecording,
             .read = readMcapFile,
             .writeScan = recordingFile,
-            .keepsPlace = true,
             .placesItself = true};
 }
 

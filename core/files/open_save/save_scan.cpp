@@ -46,6 +46,12 @@ Result<std::vector<FileBytes>> oneFile(const std::filesystem::path& path, Result
 
 } // namespace
 
+CoordinateFrame usualFrame(const Scan& scan, const std::filesystem::path& file) {
+    const Format* format = writtenFormat(file);
+    const bool measurements = format != nullptr && format->write == nullptr;
+    return scan.placement && !measurements ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
+}
+
 Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where) {
     if (frame == CoordinateFrame::Scanner || scan.placement) return Done{};
     return Error{"the scan has no pose, so its place in the mine grid is not known", where,
@@ -93,9 +99,10 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
                        ".provenance.json beside it, which holds the grid, or write it with --comments.");
     if (scan.intensity.size() > 0 && !format->keepsIntensity && !(bySidecar && options.choices.comments))
         lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
-    if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry))
+    if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry) && options.frame == CoordinateFrame::Scanner)
         lost.push_back("The file rounds the points to whole steps of " + significantText(format->stepM * 1000, 3) + " mm.");
-    if (scan.placement && options.frame == CoordinateFrame::Scanner && !format->keepsPlace && !(bySidecar && options.choices.comments))
+    if (scan.placement && options.frame == CoordinateFrame::Scanner && format->keeps != Keeps::States &&
+        !(bySidecar && options.choices.comments))
         lost.emplace_back(
             "The file is in the scanner's frame and does not hold the scan's place in the mine: --frame mine gives mine coordinates.");
     return lost;

@@ -28,6 +28,10 @@ struct SaveOptions {
     std::vector<CellColumn> columns{}; ///< one more field each in clouds and edges
 };
 
+/// The frame of an export that names none, in every command, the window and Python: the mine grid if the scan has its place there, else the
+/// scanner's. A `file` whose format holds measurements (raw grid, recording) has no other frame than the scanner's.
+[[nodiscard]] CoordinateFrame usualFrame(const Scan& scan, const std::filesystem::path& file = {});
+
 /// Error with the reason when the scan has no place in the mine and the frame asks for one. `where` goes into it.
 Result<Done> checkFrame(const Scan& scan, CoordinateFrame frame, const std::string& where);
 

@@ -75,15 +75,14 @@ Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source&
 
 /// As gridOf(); empty where the file has no sidecar with a grid.
 std::optional<Result<SidecarGrid>> gridBeside(std::size_t points, const Source& source) {
-    const fs::path path = sidecarPath(source.path);
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return std::nullopt;
-    const auto bytes = readInput(path);
-    if (!bytes) return Error{"cannot be read (" + bytes.error().what + ")", path.string(), ""};
-    const auto record = parseJsonObject(textOf(*bytes), kSidecarFormat, path.string());
-    if (!record) return Error{"cannot be read (" + record.error().what + ")", path.string(), ""};
+    const auto path = sidecarOf(source.path);
+    if (!path) return std::nullopt;
+    const auto bytes = readInput(*path);
+    if (!bytes) return Error{"cannot be read (" + bytes.error().what + ")", path->string(), ""};
+    const auto record = parseJsonObject(textOf(*bytes), kSidecarFormat, path->string());
+    if (!record) return Error{"cannot be read (" + record.error().what + ")", path->string(), ""};
     if (!record->contains("grid")) return std::nullopt;
-    return gridOf(*record, points, source, path.string());
+    return gridOf(*record, points, source, path->string());
 }
 
 /// A point in the scanner's frame, and how far its numbers may be off.
@@ -137,6 +136,14 @@ bool lay(const ReadPoint& point, std::size_t n, std::uint32_t cell, const PointT
 } // namespace
 
 fs::path sidecarPath(const fs::path& exported) { return fs::path(exported.string() + ".provenance.json"); }
+
+std::optional<fs::path> sidecarOf(const fs::path& exported) {
+    std::error_code ignored;
+    for (const fs::path& name : namesOf(exported)) {
+        if (fs::path path = sidecarPath(name); fs::is_regular_file(path, ignored)) return path;
+    }
+    return std::nullopt;
+}
 
 std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<WrittenPlace>& place, const Source& source) {
     if (!table.description.empty() || source.options->unitMm || source.inMemory) return std::nullopt;

@@ -9,6 +9,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/scan_time.h"
 
 #include <Eigen/SVD>
 
@@ -155,6 +156,7 @@ CloudColumns columnsFor(const Scan& scan, const Chosen& chosen, bool every, Coor
     cloud.beams = static_cast<std::size_t>(scan.beams());
     cloud.frame = frame;
     if (scan.acquisition) cloud.lineTimesS = scan.acquisition->lineTimesS;
+    cloud.startS = startOfScan(scan);
     const CartesianTables tables(scan);
     cloud.sensorM = tables.sensor();
     const auto* given = std::get_if<PointGeometry>(&scan.geometry);

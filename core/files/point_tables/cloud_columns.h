@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,7 @@ struct CloudColumns {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< scanner's axes -> those of x y z
     std::string grid;                                   ///< name of the mine grid as the pose gives it; may be empty
     std::vector<double> lineTimesS;                     ///< per line, seconds since 1970 UTC; empty where not known
+    std::optional<double> startS;                       ///< of the scan, by startOfScan()
     WritingChoices choices;
     /// Where it is set, the columns have names and types only: it makes those of lines first <= line < last, from any thread. All writers
     /// but those of everyCellByLines() need makeAll() first.

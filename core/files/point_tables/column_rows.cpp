@@ -25,6 +25,7 @@ constexpr std::size_t kRowsAtOnce = 2048;
 constexpr std::size_t kRowsOfPiece = 32768; // what a thread begins costs as much as some hundred rows
 constexpr std::size_t kMostOfNumber = 400;  // bytes of text: the largest double has 309 digits before its point
 constexpr std::size_t kUsualNumber = 8;     // bytes of text with its separator; more is found when it is needed
+constexpr int kListDecimals = 9;            // of metres: the digits behind a nanometre are those of arithmetic
 constexpr int kMineDecimals = 4;            // tenths of a millimetre: seventeen digits of a mine coordinate would say nothing more
 
 template <class Number>
@@ -47,6 +48,15 @@ char* writeShortest(char* to, char* end, Number value) {
     }
 }
 
+// At most so many decimals, without zeros at their end.
+char* writeDecimals(char* to, double value, int decimals, bool shortest, std::string& room) {
+    room.clear();
+    appendFixed(room, value, decimals);
+    if (shortest) room.erase(room.find_last_not_of('0') + 1);
+    if (room.ends_with('.')) room.pop_back();
+    return std::copy(room.begin(), room.end(), to);
+}
+
 // The text of some rows, in a piece that is used again and again and stays in the cache. How much of it is written is returned.
 std::size_t writeRows(std::vector<char>& piece, const CloudColumns& cloud, std::size_t firstRow, std::size_t lastRow, char separator) {
     const std::size_t columns = cloud.columns.size();
@@ -60,10 +70,11 @@ std::size_t writeRows(std::vector<char>& piece, const CloudColumns& cloud, std::
             const CloudColumn& column = cloud.columns[i];
             if (i > 0) *at++ = separator;
             const bool isMine = i < 3 && cloud.frame == CoordinateFrame::Mine;
-            if (isMine && std::isfinite(numberIn(column, row))) {
-                fixed.clear();
-                appendFixed(fixed, numberIn(column, row), kMineDecimals);
-                at = std::copy(fixed.begin(), fixed.end(), at);
+            const auto* doubles = std::get_if<std::vector<double>>(&column.values);
+            // A file with its description opens again as the same scan: there every bit counts.
+            const bool isRounded = doubles != nullptr && cloud.description.empty();
+            if ((isMine || isRounded) && std::isfinite(numberIn(column, row))) {
+                at = writeDecimals(at, numberIn(column, row), isMine ? kMineDecimals : kListDecimals, !isMine, fixed);
             } else {
                 std::visit([&](const auto& values) { at = writeShortest(at, end, values[row]); }, column.values);
             }

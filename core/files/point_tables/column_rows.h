@@ -41,7 +41,8 @@ struct IntensitySpan {
 /// Mine coordinates become metres from their origin: 4-byte floats would step by half a metre there. The sensor stays in mine coordinates.
 void subtractOrigin(CloudColumns& cloud);
 
-/// One line of text per row. Mine coordinates with four decimals, all else with as many digits as it takes.
+/// One line of text per row. Mine coordinates have four decimals, other numbers of eight bytes nine at most unless the cloud has a
+/// description, and all else has as many digits as it takes.
 void appendRows(std::string& text, const CloudColumns& cloud, char separator);
 
 /// One binary record per row: each column's value as it is in memory.

@@ -3,6 +3,7 @@
 
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/scan_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,7 @@ std::optional<CloudColumns> cellsByLines(const Scan& scan, CoordinateFrame frame
     cloud.lines = cloud.height = static_cast<std::size_t>(scan.lines());
     cloud.beams = cloud.width = static_cast<std::size_t>(scan.beams());
     if (scan.acquisition) cloud.lineTimesS = scan.acquisition->lineTimesS;
+    cloud.startS = startOfScan(scan);
     const auto tables = std::make_shared<const CartesianTables>(scan);
     cloud.sensorM = tables->sensor();
     cloud.columns = columnsOf(scan);

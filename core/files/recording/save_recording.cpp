@@ -6,6 +6,7 @@
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
 #include "core/scan/grid/count_states.h"
+#include "core/scan/grid/scan_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +16,12 @@
 namespace edgescan::files {
 namespace {
 
-constexpr std::int64_t kPeriodUs = 40'000;       // 25 Hz
-constexpr std::int64_t kTransmittedUs = 40'600;  // docs/protocol.md, "Time of a beam": 329/360 of a turn + 4.05 ms
-constexpr std::int64_t kStartNs = 1'000'000'000; // no date is known; the same scan gives the same bytes
-constexpr std::int64_t kDelayNs = 500'000;       // on the wire
-constexpr int kMostBeams = 32'000;               // in a payload of 64 KiB
-constexpr int kMostLost = 1000;                  // lines left out in one go; more would start a new sweep
+constexpr std::int64_t kPeriodUs = 40'000;              // 25 Hz
+constexpr std::int64_t kTransmittedUs = 40'600;         // docs/protocol.md, "Time of a beam": 329/360 of a turn + 4.05 ms
+constexpr std::int64_t kUnknownStartNs = 1'000'000'000; // no date is known; the same scan gives the same bytes
+constexpr std::int64_t kDelayNs = 500'000;              // on the wire
+constexpr int kMostBeams = 32'000;                      // in a payload of 64 KiB
+constexpr int kMostLost = 1000;                         // lines left out in one go; more would start a new sweep
 const char* const kUsePcd = "save it as PCD, which carries every scan";
 
 bool lineIsLost(const Scan& scan, int line) {
@@ -91,6 +92,8 @@ Result<std::vector<RecordingMessagePtr>> messagesOf(const Scan& scan, const Pola
     std::vector<RecordingMessagePtr> messages;
     const std::vector<bool> leftOut = linesLeftOut(scan);
     scanner::ScanTelegram telegram = emptyTelegram(scan, polar);
+    const auto start = startOfScan(scan);
+    const std::int64_t startNs = start ? std::llround(*start * 1e6) * 1000 : kUnknownStartNs;
     const auto states = std::make_unique<const CountStates>(countStates(scan.noReturnCodes, {}));
     for (int line = 0; line < scan.lines(); ++line) {
         if (leftOut[static_cast<std::size_t>(line)]) continue;
@@ -102,7 +105,7 @@ Result<std::vector<RecordingMessagePtr>> messagesOf(const Scan& scan, const Pola
             if (!count) return count.error();
             telegram.channels16.front().values[static_cast<std::size_t>(beam)] = *count;
         }
-        const std::int64_t receivedNs = kStartNs + (line * kPeriodUs + kTransmittedUs) * 1000 + kDelayNs;
+        const std::int64_t receivedNs = startNs + (line * kPeriodUs + kTransmittedUs) * 1000 + kDelayNs;
         Bytes frame = scanner::framed(scanner::encodeScanTelegram(telegram, scanner::Dialect::B), scanner::Dialect::B);
         messages.push_back(
             std::make_shared<const RecordingMessage>(RecordingMessage{RecordingTopic::ColaRx, receivedNs, std::move(frame)}));

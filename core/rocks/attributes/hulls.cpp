@@ -3,6 +3,7 @@
 
 #include "core/base/geometry/convex_hull.h"
 #include "core/rocks/attributes/cells.h"
+#include "core/rocks/attributes/visible_surface.h"
 #include "core/scan/grid/cartesian.h"
 
 #include <Eigen/Geometry>
@@ -110,9 +111,15 @@ Hull hullOf(std::uint32_t label, std::span<const std::uint32_t> cells, const Car
 
 std::vector<Hull> rockHulls(const Segmentation& segments, const RegionMap& map) {
     const CellsByRock cells = cellsByRock(segments, map);
+    const Grid<std::uint32_t> visible = visibleSurfaces(segments, map);
     const CartesianTables tables(*segments.inputs.scan);
     std::vector<Hull> hulls;
-    for (std::uint32_t label = 1; label <= map.rocks; ++label) hulls.push_back(hullOf(label, cells.of(label), tables));
+    std::vector<std::uint32_t> seen;
+    for (std::uint32_t label = 1; label <= map.rocks; ++label) {
+        seen.clear();
+        std::ranges::copy_if(cells.of(label), std::back_inserter(seen), [&](std::uint32_t k) { return visible[k] == label; });
+        hulls.push_back(hullOf(label, seen, tables));
+    }
     return hulls;
 }
 

@@ -34,10 +34,11 @@ Result<Done> checkTogether(const Scan& scan, const Calibration& calibration, con
     const Vector3d ideal = polar->axis == Axis::Sweep ? Vector3d::UnitX() : Vector3d::UnitZ();
     const double off = degrees(std::acos(std::clamp(calibration.axis.normalized().dot(ideal), -1.0, 1.0)));
     if (off <= kMountingToleranceDeg) return Done{};
-    return refused(poses,
-                   std::string("the scan turns about ") + (polar->axis == Axis::Sweep ? "x (sweep)" : "z (spin)") +
-                       " and the stepper of the calibration about another axis, " + shortNumber(off) + " degrees away",
-                   "open the scan with the right --axis or correct \"stepper.axis\" of the calibration");
+    return refused(
+        poses,
+        std::string("the scan turns about ") + (polar->axis == Axis::Sweep ? "x (sweep)" : "z (spin)") +
+            " and the stepper of the calibration about another axis, " + shortNumber(off) + " degrees away",
+        "open the scan with the right --axis, or correct \"stepper.axis\" of the calibration: [0, 0, 1] for a spin, [1, 0, 0] for a sweep");
 }
 
 /// Converts the readings of one moment to the transform of the whole chain. Error: angles that exclude each other.
@@ -150,6 +151,9 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
     if (!poses.headInRobotM.allFinite()) placement->boom = boomOf(calibration);
     placement->grid = poses.grid;
     placement->source = poses.source;
+    placement->robot = poses.robot.empty() ? calibration.robot : poses.robot;
+    placement->scanStartUtc = utcText(poses.scanStartS);
+    placement->scanEndUtc = utcText(poses.scanEndS);
     const TalinReading mean = averageTalin(poses.talin);
     placement->originEnhM = chooseOrigin(mean.enhM);
     const double startS = lineTimesS.empty() ? poses.scanStartS : lineTimesS.front();

@@ -103,6 +103,12 @@ const char* frameTail(CoordinateFrame frame) {
     return frame == CoordinateFrame::Scanner ? "_LOCAL" : frame == CoordinateFrame::MineLocal ? "_OFFSET" : "";
 }
 
+std::array<const char*, 3> coordinateNames(CoordinateFrame frame) {
+    if (frame == CoordinateFrame::Mine) return {"easting_m", "northing_m", "elevation_m"};
+    if (frame == CoordinateFrame::MineLocal) return {"east_m", "north_m", "up_m"};
+    return {"x_m", "y_m", "z_m"};
+}
+
 const char* frameName(CoordinateFrame frame) {
     return frame == CoordinateFrame::Scanner ? "scanner"
            : frame == CoordinateFrame::Mine  ? "mine grid"

@@ -4,6 +4,7 @@
 #include "core/scan/grid/placement.h"
 #include "core/scan/grid/scan.h"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -65,9 +66,7 @@ struct MinePoint {
 [[nodiscard]] const char* frameName(CoordinateFrame frame);
 [[nodiscard]] std::optional<CoordinateFrame> frameNamed(std::string_view name);
 
-/// The default frame of an export: Mine if the scan has a placement, otherwise Scanner.
-[[nodiscard]] inline CoordinateFrame usualFrame(const Scan& scan) {
-    return scan.placement ? CoordinateFrame::Mine : CoordinateFrame::Scanner;
-}
+/// The names of coordinates in tables: they alone name the frame where a file has no other place for it. "easting_m", "east_m", "x_m" ...
+[[nodiscard]] std::array<const char*, 3> coordinateNames(CoordinateFrame frame);
 
 } // namespace edgescan

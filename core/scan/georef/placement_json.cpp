@@ -64,6 +64,9 @@ Json placementToJson(const Placement& p) {
                 {"grid_scale", p.gridScale},
                 {"grid", p.grid},
                 {"source", p.source},
+                {"robot", p.robot},
+                {"scan_start", p.scanStartUtc},
+                {"scan_end", p.scanEndUtc},
                 {"time", p.timeUtc},
                 {"age_s", std::isfinite(p.ageSeconds) ? Json(p.ageSeconds) : Json()},
                 {"out_of_spec", p.outOfSpec},
@@ -90,6 +93,9 @@ Result<std::shared_ptr<const Placement>> placementFromJson(const nlohmann::json&
     p.gridScale = fields.number("grid_scale", 1.0, physical::kGridScale.limits);
     p.grid = fields.text("grid");
     p.source = fields.text("source");
+    p.robot = fields.text("robot");
+    p.scanStartUtc = fields.text("scan_start");
+    p.scanEndUtc = fields.text("scan_end");
     p.timeUtc = fields.text("time");
     p.ageSeconds = fields.number("age_s", std::numeric_limits<double>::quiet_NaN());
     p.outOfSpec = fields.boolean("out_of_spec", false);

@@ -62,6 +62,8 @@ struct Placement {
     double gridScale = 1.0;                               ///< grid metres per metre, horizontally (docs/coordinates.md, "Step 5")
     std::string grid;                                     ///< "UTM 17N, WGS84" as the pose file gives it; may be empty
     std::string source;                                   ///< the files that it was computed from
+    std::string robot;                                    ///< its name; may be empty
+    std::string scanStartUtc, scanEndUtc;                 ///< of the scan, as the pose says; ISO 8601, empty if it does not
     std::string timeUtc;                                  ///< of the (last) pose, ISO 8601; empty if unknown
     double ageSeconds = 0.0;                              ///< start of the scan minus time of its pose; NaN if unknown
     bool outOfSpec = false;                               ///< the pose is older than allowed, or the tilt changed; the warnings say why

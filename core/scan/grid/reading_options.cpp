@@ -143,8 +143,11 @@ std::span<const ReadingOption> readingOptionTable() { return table(); }
 
 Result<Done> checked(const ReadingOption& option, const std::string& text) {
     const std::string flag = std::string("--") + option.key;
-    if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end())
-        return Error{"\"" + text + "\" is none of its values", flag, "see --help for these"};
+    if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end()) {
+        std::string words;
+        for (const std::string& word : option.words) words += (words.empty() ? "" : &word == &option.words.back() ? " or " : ", ") + word;
+        return Error{"\"" + text + "\" is none of its values", flag, "use " + words};
+    }
     if (option.limit == nullptr) return Done{};
     const std::vector<double> numbers = numbersOf(text);
     const NumberLimits& limits = option.limit->limits;

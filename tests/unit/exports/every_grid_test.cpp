@@ -5,11 +5,13 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
+#include "core/scan/georef/placement_json.h"
 #include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <functional>
@@ -180,6 +182,22 @@ double farthestMm(const Scan& saved, const Scan& opened) {
     return farthest;
 }
 
+/// Files that hold every cell, its state and the place of the scan hold them in every frame.
+void expectSameScan(const Scan& saved, const Scan& opened, const ExportOptions& options, bool exact) {
+    EXPECT_EQ(saved.state, opened.state);
+    for (std::size_t k = 0; k < saved.cells(); ++k) {
+        if (saved.state[k] != CellState::Valid) continue;
+        ASSERT_EQ(saved.rangeMm[k], opened.rangeMm[k]) << "cell " << k;
+    }
+    ASSERT_EQ(bool(saved.placement), bool(opened.placement));
+    if (saved.placement) {
+        EXPECT_EQ(placementToJson(*saved.placement).dump(), placementToJson(*opened.placement).dump());
+    }
+    if (options.frame != CoordinateFrame::Scanner || exact) {
+        EXPECT_EQ(farthestMm(saved, opened), 0);
+    }
+}
+
 bool speaksOfGrid(const std::vector<std::string>& warnings) {
     return std::ranges::any_of(warnings, [](const std::string& text) {
         return text.find("grid") != std::string::npos || text.find("projected") != std::string::npos ||
@@ -215,6 +233,8 @@ void saveAndOpen(const Scan& scan, const std::filesystem::path& path, const Expo
             ++count.refusedToOpen;
             continue;
         }
+        const bool list = options.includeAttached && !scan.attached.empty();
+        if (files::writtenFormat(path)->keeps == files::Keeps::States && !list) expectSameScan(scan, *opened, options, exact);
         const std::string other = difference(scan, *opened, roundingMm(path, options.frame), exact);
         if (other.empty()) {
             ++count.same;

@@ -42,6 +42,7 @@ TEST(ExportKinds, NamesSayTheFrameOfCoordinatesAlone) {
     EXPECT_EQ(name(ExportContent::EdgeImage, ".png"), "edges.png");
     EXPECT_EQ(name(ExportContent::RockOutlines, ".dxf"), "rocks_OFFSET.dxf");
     EXPECT_EQ(name(ExportContent::RockOutlines, ".geojson"), "rocks.geojson");
+    EXPECT_EQ(name(ExportContent::RockPictureOutlines, ".json"), "picture-outlines.json");
     EXPECT_EQ(name(ExportContent::RockReport, ".json"), "rocks.json");
     EXPECT_EQ(name(ExportContent::RockHulls, ".obj"), "hulls_OFFSET.obj");
 }

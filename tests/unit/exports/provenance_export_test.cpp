@@ -252,7 +252,7 @@ TEST(Provenance, AWholeScanOfEveryFormatVerifies) {
             const auto written = exportWithProvenance(ExportContent::WholeScan, detection, folder / name, {coordinates, true});
             ASSERT_EQ(bool(written), !ranges || coordinates == CoordinateFrame::Scanner);
             if (!written) continue;
-            EXPECT_EQ(*written, ranges ? detection.scan->cells() : countCells(*detection.scan)[0]);
+            EXPECT_EQ(written->count, ranges ? detection.scan->cells() : countCells(*detection.scan)[0]);
             const auto verified = verifyExport(folder / name);
             ASSERT_TRUE(verified) << verified.error().sentence();
             EXPECT_TRUE(verified->identical) << verificationText(*verified);
@@ -288,11 +288,11 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
         SCOPED_TRACE(name);
         const auto all = exportWithProvenance(ExportContent::FullCloud, *detection, folder / name, options);
         ASSERT_TRUE(all) << all.error().sentence();
-        EXPECT_EQ(*all, 6000U) << "every point of the file";
+        EXPECT_EQ(all->count, 6000U) << "every point of the file";
         EXPECT_TRUE(verifyExport(folder / name)->identical) << verificationText(*verifyExport(folder / name));
         const auto edges = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / name, options);
         ASSERT_TRUE(edges) << edges.error().sentence();
-        EXPECT_GT(*edges, detection->edges->size());
+        EXPECT_GT(edges->count, detection->edges->size());
         EXPECT_TRUE(verifyExport(folder / name)->identical);
     }
     const auto ptx = exportWithProvenance(ExportContent::FullCloud, *detection, folder / "c.ptx", options);
@@ -306,7 +306,7 @@ TEST(Provenance, AttachedPointsAreExportedWhenAskedForAndVerify) {
     whole.scan = detection->scan;
     const auto list = exportWithProvenance(ExportContent::WholeScan, whole, folder / "w.pcd", options);
     ASSERT_TRUE(list) << list.error().sentence();
-    EXPECT_EQ(*list, 6000U);
+    EXPECT_EQ(list->count, 6000U);
     EXPECT_TRUE(verifyExport(folder / "w.pcd")->identical);
 }
 
@@ -332,7 +332,7 @@ TEST(Provenance, ASelectionIsPartOfTheRecordAndVerifies) {
         SCOPED_TRACE(one.name);
         const auto written = exportWithProvenance(one.content, *detection, folder / one.name, options);
         ASSERT_TRUE(written) << written.error().sentence();
-        EXPECT_EQ(*written, one.content == ExportContent::EdgeCloud ? edges : points);
+        EXPECT_EQ(written->count, one.content == ExportContent::EdgeCloud ? edges : points);
         const auto verified = verifyExport(folder / one.name);
         ASSERT_TRUE(verified) << verified.error().sentence();
         EXPECT_TRUE(verified->identical) << verificationText(*verified);
@@ -474,7 +474,7 @@ TEST(Provenance, NoEdgesAtAllIsAnExportToo) {
     for (const char* name : {"none.pcd", "none.ply", "none.csv", "none.xyz"}) {
         const auto written = exportWithProvenance(ExportContent::EdgeCloud, *detection, folder / name);
         ASSERT_TRUE(written) << written.error().sentence();
-        EXPECT_EQ(*written, 0U);
+        EXPECT_EQ(written->count, 0U);
         EXPECT_TRUE(verifyExport(folder / name)->identical) << name;
     }
 }

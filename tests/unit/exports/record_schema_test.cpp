@@ -46,13 +46,13 @@ Scan recordedScan(unsigned seed, bool placed) {
 }
 
 // Exports and their files: every format, every content.
-struct Written {
+struct WrittenFile {
     std::filesystem::path path;
     ExportContent content;
 };
 
-std::vector<Written> exportAll(const Folder& folder, const edges::Detection& detection, const ExportOptions& options) {
-    std::vector<Written> written;
+std::vector<WrittenFile> exportAll(const Folder& folder, const edges::Detection& detection, const ExportOptions& options) {
+    std::vector<WrittenFile> written;
     const auto add = [&](ExportContent content, const std::string& name) {
         const auto done = exportWithProvenance(content, detection, folder / name, options);
         EXPECT_TRUE(done) << name << ": " << done.error().sentence();
@@ -76,7 +76,8 @@ std::vector<Written> exportAll(const Folder& folder, const edges::Detection& det
     add(ExportContent::RockReport, "rocks.json");
     add(ExportContent::RockCloud, "rocks.ply");
     add(ExportContent::RockOutlines, "outlines.dxf");
-    add(ExportContent::RockOutlines, "outlines.geojson");
+    if (options.frame == CoordinateFrame::Mine) add(ExportContent::RockOutlines, "outlines.geojson");
+    add(ExportContent::RockPictureOutlines, "outlines.json");
     add(ExportContent::RockHulls, "hulls.ply");
     add(ExportContent::RockHulls, "hulls.obj");
     return written;
@@ -94,7 +95,7 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
                                        CoordinateFrame::Mine};
         ExportOptions options{frames[seed - 1], seed == 1, seed == 1 ? "" : "=A. Operator", "blasting engineer"};
         options.rocks = std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(*detection), {}));
-        for (const Written& one : exportAll(folder, *detection, options)) {
+        for (const WrittenFile& one : exportAll(folder, *detection, options)) {
             SCOPED_TRACE(one.path.filename().string() + ", seed " + std::to_string(seed));
             ++exports;
             const std::string bytes = readText(one.path);

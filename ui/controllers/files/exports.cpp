@@ -96,10 +96,10 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
 }
 
-void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count) {
+void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates) {
     preferences_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
     if (exports::isCloud(what)) preferences_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.showSaved(path, QString("%1 %2").arg(count).arg(exports::countedThings(exports::exportKind(what))));
+    notice_.showSaved(path, QString("%1 %2").arg(count).arg(exports::countedThings(exports::exportKind(what))), coordinates);
 }
 
 void Exports::askScreenshot(const QImage& image) {

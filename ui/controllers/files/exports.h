@@ -41,7 +41,7 @@ public:
 
 private:
     void askOf(exports::ExportContent wanted, bool selectedOnly);
-    void reportSaved(exports::ExportContent what, const QString& path, qint64 count);
+    void reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates);
 
     Engine& engine_;
     const Files& files_;

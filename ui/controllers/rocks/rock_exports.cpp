@@ -1,4 +1,5 @@
 // Exports of rocks: table, report, labels, outlines, hulls.
+#include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
@@ -56,7 +57,8 @@ void Rocks::askExport() {
     for (const RockFile& each : rockFiles())
         question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
     question.extension = rockFiles().front().file->extension;
-    const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks";
+    const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks" +
+                         frameTail(files::usualFrame(*picture_->detection->scan));
     question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
     // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
@@ -77,7 +79,7 @@ void Rocks::exportTo(const QString& path) {
         return;
     }
     exports::ExportOptions options;
-    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = usualFrame(*picture_->detection->scan);
+    if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = files::usualFrame(*picture_->detection->scan);
     options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
     engine_.save(file->kind->content, path, options);
 }

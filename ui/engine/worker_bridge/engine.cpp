@@ -4,7 +4,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
-#include "core/scan/georef/placed_points.h"
+#include "core/files/open_save/save_scan.h"
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/in_background.h"
@@ -103,21 +103,23 @@ void Engine::save(exports::ExportContent what, const QString& path, const std::o
     if (picture_ == nullptr) return;
     const auto detection = picture_->detection;
     exports::ExportOptions how = options.value_or(exports::ExportOptions{});
-    if (!options) how.frame = usualFrame(*detection->scan);
+    if (!options) how.frame = files::usualFrame(*detection->scan, exactBytes(path));
     const QString title = tr("Saving %1").arg(QFileInfo(path).fileName());
     ++savings_;
     emit workStarted(title);
     emit workProgressed(tr("writing"), 0.0);
     const auto write = [this, what, detection, path, how] {
-        Result<std::size_t> written{std::size_t{0}};
+        Result<exports::Written> written{exports::Written{}};
         try {
             written = exports::exportWithProvenance(what, *detection, exactBytes(path), how);
         } catch (const std::bad_alloc&) {
             written = outOfMemory(path);
         }
         return [this, what, written, path] {
+            const auto coordinates =
+                written && written->coordinates ? shownText(exports::coordinatesText(*written->coordinates)) : QString();
             if (written)
-                emit saved(what, path, static_cast<qint64>(*written));
+                emit saved(what, path, static_cast<qint64>(written->count), coordinates);
             else
                 emit failed(shownText(written.error().sentence()));
         };

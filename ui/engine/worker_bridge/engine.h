@@ -60,8 +60,8 @@ signals:
     void workEnded();
     /// A scan was read; its first picture follows.
     void opened(const QString& path);
-    /// `count`: points or cells in the file.
-    void saved(edgescan::exports::ExportContent what, const QString& path, qint64 count);
+    /// `count`: points or cells in the file. `coordinates`: their frame and extent; empty for pictures.
+    void saved(edgescan::exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates);
     void failed(const QString& sentence);
     void settingsChanged();
     void pictureReady();

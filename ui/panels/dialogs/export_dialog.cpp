@@ -3,7 +3,6 @@
 
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/gap_filling/gap_filling.h"
-#include "core/scan/georef/placed_points.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 
@@ -104,7 +103,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
     add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
     add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
-    coordinates_->button(static_cast<int>(usualFrame(*detection_->scan)))->setChecked(true);
+    coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
         auto* reason = new QLabel(tr("No mine grid: %1. Scan > How the Scan Is Read takes a pose and a calibration.").arg(shownText(what)));

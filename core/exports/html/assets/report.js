@@ -3,7 +3,7 @@
   'use strict';
   var data = JSON.parse(document.getElementById('data').textContent);
   var canvas = document.getElementById('view'), told = document.getElementById('pick');
-  var names = ['no edge', 'edge', 'jump', 'convex crease', 'concave crease', 'border of the data'];
+  var names = ['no edge', 'edge', 'jump', 'convex crease', 'concave crease', 'border of the data', 'outline before a void'];
 
   function bytesOf(text) {
     var raw = atob(text), bytes = new Uint8Array(raw.length);
@@ -149,7 +149,7 @@
     var k = picked, line = Math.floor(cells[k] / data.beams), beam = cells[k] % data.beams;
     var place = [0, 1, 2].map(function (a) { return data.origin[a] + positions[3 * k + a]; });
     var text = 'Line ' + line + ', beam ' + beam + ': range ' + Math.round(ranges[k]) + ' mm, ' + names[classes[k]] + '; ';
-    text += (data.placed ? ['E ', 'N ', 'elevation '] : ['x ', 'y ', 'z ']).map(function (n, a) { return n + place[a].toFixed(3); }).join(', ') + ' m';
+    text += (data.placed ? ['E ', 'N ', 'RL '] : ['x ', 'y ', 'z ']).map(function (n, a) { return n + place[a].toFixed(3); }).join(', ') + ' m';
     if (data.beam_deg) text += '; beam at ' + data.beam_deg[beam].toFixed(3) + ' degrees, line at ' + data.line_deg[line].toFixed(3) + ' degrees';
     text += '.';
     if (rocks && rocks[k]) text += ' Rock ' + rocks[k] + ': ' + data.faces.rocks[rocks[k] - 1][2] + '.';

@@ -144,7 +144,7 @@ TEST(EdgeConfidence, IsAFieldOfAnExportAndOtherFormatsRefuse) {
         EXPECT_EQ(of("confidence"), made->percent.at(static_cast<int>(of("line")), static_cast<int>(of("beam"))));
         ++points;
     }
-    EXPECT_EQ(points, *written);
+    EXPECT_EQ(points, written->count);
     EXPECT_EQ(points, detection->edges->size());
     const auto again = files::openScan(folder / "edges.pcd"); // the field is neither a range nor an intensity
     ASSERT_TRUE(again) << again.error().sentence();

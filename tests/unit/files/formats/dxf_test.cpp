@@ -1,4 +1,5 @@
 // DXF output, read by a small parser of group codes; and edges as chains.
+#include "core/edges/settings/settings.h"
 #include "core/files/formats/edge_chains.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
@@ -152,4 +153,33 @@ TEST(Dxf, CloudsSeparateLayersAndLeaveOutWhatIsNoPoint) {
     EXPECT_EQ(found, expected);
     const Folder folder;
     EXPECT_TRUE(saveScan(scan, folder / "scan.dxf"));
+}
+
+TEST(Dxf, EachClassOfEdgesHasItsLayers) {
+    const Scan scan = makeScan({.noReturns = 0});
+    Grid<std::uint8_t> mask(scan.lines(), scan.beams());
+    Grid<edges::DepthEdge> classes(scan.lines(), scan.beams());
+    std::map<std::string, std::size_t> expected;
+    for (int j = 3; j < 24; ++j) {
+        mask.at(10, j) = 255;
+        classes.at(10, j) = j < 10 ? edges::DepthEdge::Jump : j < 17 ? edges::DepthEdge::Convex : edges::DepthEdge::Concave;
+        ++expected[j < 10 ? "EDGE_POINTS_JUMP" : j < 17 ? "EDGE_POINTS_CONVEX" : "EDGE_POINTS_CONCAVE"];
+    }
+    SaveOptions options;
+    options.classes = &classes;
+    const auto bytes = edgeBytes(scan, mask, "edges.dxf", options);
+    ASSERT_TRUE(bytes) << bytes.error().sentence();
+    std::map<std::string, std::size_t> points, vertices, plainVertices;
+    for (const Entity& entity : entitiesIn(*bytes)) {
+        if (entity.kind == "POINT") ++points[entity.codes.find(8)->second];
+        if (entity.kind == "VERTEX") ++vertices[entity.codes.find(8)->second];
+    }
+    EXPECT_EQ(points, expected);
+    for (const Entity& entity : entitiesIn(*edgeBytes(scan, mask, "edges.dxf"))) {
+        if (entity.kind == "VERTEX") ++plainVertices[entity.codes.find(8)->second];
+    }
+    // Where the class changes, a line ends and the next begins at the same point.
+    EXPECT_EQ(vertices["EDGE_LINES_JUMP"] + vertices["EDGE_LINES_CONVEX"] + vertices["EDGE_LINES_CONCAVE"],
+              plainVertices["EDGE_LINES"] + 2);
+    EXPECT_EQ(bytes->find("BORDER"), std::string::npos) << "no layer of a class that the scan does not have";
 }

@@ -1,5 +1,6 @@
 // Clouds for Foxglove: the content of the messages, read without the reader of the format.
 #include "core/base/base64.h"
+#include "core/base/utc_time.h"
 #include "core/containers/mcap/reader.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
@@ -107,6 +108,30 @@ TEST(Foxglove, LinesComeAtTheirTimesAndTheCloudAtTheEnd) {
     }
     EXPECT_EQ(lines, 12U);
     EXPECT_EQ(ofLines, countCells(scan)[0]);
+}
+
+TEST(Foxglove, ATimeThatOnlyThePoseStatesIsTheTimeOfTheMessages) {
+    Scan scan = makeScan({.lines = 9, .beams = 30, .seed = 3});
+    Placement placement = *randomPlacement(3, 1, false);
+    const auto beginsAt = [&] {
+        scan.placement = std::make_shared<const Placement>(placement);
+        std::vector<double> seconds;
+        for (const char* name : {"cloud.foxglove.mcap", "cloud.mcap"}) {
+            const auto files = scanFiles(scan, name);
+            EXPECT_TRUE(files) << files.error().sentence();
+            const std::string& bytes = files->front().bytes;
+            const auto content = containers::readMcap({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name);
+            seconds.push_back(std::floor(static_cast<double>(content->messages.front().logNs) * 1e-9));
+        }
+        EXPECT_EQ(seconds[0], seconds[1]);
+        return seconds[0];
+    };
+    placement.scanStartUtc = "2026-11-20T10:00:00.000Z";
+    EXPECT_EQ(beginsAt(), *parseUtc(placement.scanStartUtc));
+    placement.scanStartUtc.clear();
+    EXPECT_EQ(beginsAt(), std::floor(*parseUtc(placement.timeUtc)));
+    placement.timeUtc.clear();
+    EXPECT_EQ(beginsAt(), 1) << "no time is known";
 }
 
 TEST(Foxglove, PointsAndTransformsGiveTheMineCoordinates) {

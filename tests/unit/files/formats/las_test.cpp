@@ -2,6 +2,7 @@
 #include "core/base/whole_file.h"
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/bytes.h"
+#include "tests/support/placements.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
@@ -167,6 +168,32 @@ TEST(Las, MineCoordinatesKeepTheirMillimetresThroughTheOffset) {
         if (scan.state[k] == CellState::Valid) {
             EXPECT_LE((seen.points[n++] - geometry.pointsM[k]).cwiseAbs().maxCoeff(), 0.000501);
         }
+    }
+}
+
+TEST(Las, ZoneAndDatumOfAPoseAreTheCoordinateSystem) {
+    const std::vector<std::pair<const char*, const char*>> grids{{"17N, WGS84", "32617"},
+                                                                 {"17S, WGS 84", "32717"},
+                                                                 {"UTM 5N, WGS84", "32605"},
+                                                                 {"WGS 84 / UTM zone 60S", "32760"},
+                                                                 {"EPSG:32617", "32617"},
+                                                                 {"17N", ""},
+                                                                 {"17N, NAD83", ""},
+                                                                 {"61N, WGS84", ""},
+                                                                 {"17 South Street, WGS84", ""},
+                                                                 {"Level 17N, WGS84", ""},
+                                                                 {"", ""}};
+    for (const auto& [grid, code] : grids) {
+        Scan scan = makeScan({.lines = 5, .beams = 6});
+        Placement placement = *randomPlacement(2, 1, false);
+        placement.grid = grid;
+        scan.placement = std::make_shared<const Placement>(placement);
+        const auto bytes = cloudBytes(scan, "a.las", nullptr, {.frame = CoordinateFrame::Mine});
+        ASSERT_TRUE(bytes) << bytes.error().sentence();
+        const std::string epsg = std::string("AUTHORITY[\"EPSG\",\"") + code + "\"]]";
+        EXPECT_EQ(bytes->find(*code != 0 ? epsg : std::string("LOCAL_CS[")) != std::string::npos, true) << grid;
+        const auto local = cloudBytes(scan, "a.las", nullptr, {.frame = CoordinateFrame::MineLocal});
+        EXPECT_NE(local->find("LOCAL_CS["), std::string::npos) << grid;
     }
 }
 

@@ -111,6 +111,42 @@ TEST(RoundTrip, RawGridRefusesWhatItCannotCarryAndLeavesTheOldFiles) {
     EXPECT_EQ(readText(folder / "pair.json"), json);
 }
 
+TEST(RoundTrip, ListsOfPointsHaveNoDigitsOfArithmetic) {
+    Scan scan;
+    scan.rangeMm = Grid<float>(1, 2);
+    scan.state = Grid<CellState>(1, 2, CellState::Valid);
+    PointGeometry geometry{Grid<Eigen::Vector3d>(1, 2), Eigen::Vector3d::Zero()};
+    geometry.pointsM[0] = {-319.3588 * 0.01, 0.1 + 0.2, 100.0 - 1e-13}; // as centimetres become metres
+    geometry.pointsM[1] = {1.0 / 3.0, -1e-12, 2.5};
+    for (std::size_t k = 0; k < 2; ++k) scan.rangeMm[k] = static_cast<float>(geometry.pointsM[k].norm() * 1000);
+    scan.geometry = geometry;
+    const auto list = scanFiles(scan, "list.xyz");
+    ASSERT_TRUE(list) << list.error().sentence();
+    EXPECT_EQ(list->front().bytes, "-3.193588 0.3 100\n0.333333333 0 2.5\n");
+    const auto table = scanFiles(scan, "table.csv");
+    ASSERT_TRUE(table) << table.error().sentence();
+    EXPECT_NE(table->front().bytes.find("\n-3.193588,0.3,100,0,0,"), std::string::npos) << table->front().bytes;
+}
+
+TEST(RoundTrip, LinkToARawGridOpensIt) {
+    const Folder folder;
+    const Scan scan = everything(true, 1);
+    std::filesystem::create_directory(folder / "scans");
+    ASSERT_TRUE(saveScan(scan, folder / "scans/pair.json"));
+    for (const char* extension : {".json", ".u16"}) {
+        const auto link = folder / (std::string("link") + extension);
+        std::filesystem::create_symlink(folder / (std::string("scans/pair") + extension), link);
+        const auto opened = openScan(link);
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        expectSame(scan, *opened);
+        std::filesystem::remove(link);
+    }
+    std::filesystem::create_symlink("scans/pair.json", folder / "relative.json");
+    EXPECT_TRUE(openScan(folder / "relative.json"));
+    std::filesystem::create_symlink("nowhere.json", folder / "dangling.json");
+    EXPECT_FALSE(openScan(folder / "dangling.json"));
+}
+
 TEST(RoundTrip, OrganisedCloudKeepsItsPointsExactly) {
     const Folder folder;
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -4,6 +4,7 @@
 #include "core/rocks/attributes/outlines.h"
 #include "core/rocks/attributes/size_curve.h"
 #include "core/rocks/attributes/visible_spans.h"
+#include "core/rocks/attributes/visible_surface.h"
 #include "core/scan/grid/cartesian.h"
 #include "tests/support/rock_scene.h"
 #include "tests/support/scans.h"
@@ -241,7 +242,7 @@ TEST(RockHulls, HoldAllVisiblePoints) {
     const std::vector<Hull> hulls = rockHulls(f.segments, f.map);
     ASSERT_EQ(hulls.size(), 2U);
     const CartesianTables tables(*f.segments.inputs.scan);
-    const Grid<std::uint32_t> labels = rockLabels(f.segments, f.map);
+    const Grid<std::uint32_t> labels = visibleSurfaces(f.segments, f.map);
     for (const Hull& hull : hulls) {
         ASSERT_GT(hull.triangles.size(), 20U);
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;

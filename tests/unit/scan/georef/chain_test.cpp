@@ -294,5 +294,4 @@ TEST(Frames, AStepperThatMovesDuringALineKeepsEveryBeamsOwnMounting) {
 TEST(Frames, NamesSayWhereNumbersAreNotMineCoordinates) {
     EXPECT_EQ(std::string(frameTail(CoordinateFrame::Scanner)), "_LOCAL");
     EXPECT_EQ(std::string(frameTail(CoordinateFrame::Mine)), "");
-    EXPECT_EQ(usualFrame(Scan{}), CoordinateFrame::Scanner);
 }
