@@ -89,6 +89,8 @@ const std::vector<ReadingOption>& table() {
          "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped", {},
          EDGESCAN_OPTION(straighten)},
         {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
+        {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise the laser with most lines", {}, EDGESCAN_OPTION(topic)},
+        {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise the transforms say it", {}, EDGESCAN_OPTION(joint)},
         {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
         {"calibration", ReadingOption::kFlag, Kind::Path, "Calibration file of the robot; a recording may hold its own", {}, EDGESCAN_OPTION(calibration)},
     };
@@ -166,7 +168,7 @@ std::string readingFlags(const ReadingOptions& options) {
         const std::string text = option.get(options);
         if ((option.uses & ReadingOption::kFlag) == 0 || text.empty()) continue;
         flags += (flags.empty() ? "--" : " --") + std::string(option.key);
-        if (option.kind != Kind::Switch) flags += " " + (option.kind == Kind::Path ? shellQuoted(text) : text);
+        if (option.kind != Kind::Switch) flags += " " + (option.kind == Kind::Path || option.kind == Kind::Name ? shellQuoted(text) : text);
     }
     return flags;
 }
