@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct RosBag {
     std::vector<RosTopic> topics;
     std::vector<RosBagMessage> messages;
     std::list<Bytes> unpacked;
+    std::uint64_t mayUnpack = 0;       ///< bytes that compressed parts may still unpack to
     std::vector<std::string> warnings; ///< one sentence for each thing that was left out
 
     RosBag() = default;
@@ -56,7 +58,12 @@ Result<RosBag> readRosBag(ByteView bytes, const std::string& where);
 Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where);
 
 /// The ROS topics of a recording of MCAP; the content must outlive the bag.
-RosBag rosBagOf(const McapContent& content);
+RosBag rosBagOf(const McapContent& content, const std::string& where);
+
+/// A compressed part of a bag, unpacked into the bag's own memory. Error: damaged, or larger than a bag of its size may hold.
+Result<ByteView> unpackedInto(RosBag& bag, const std::string& compression, ByteView packed, std::uint64_t size, const std::string& where);
+/// A message that rosbag2 compressed by itself, as its first bytes say, unpacked; any other message as it is. Empty: damaged.
+std::optional<ByteView> plainMessage(RosBag& bag, ByteView message, const std::string& where);
 
 /// The definition of a common type as the ROS release of 2022 has it, for bags without definitions; empty: the type is not common.
 [[nodiscard]] std::string_view commonRosDefinition(std::string_view type);

@@ -1,6 +1,5 @@
 // Bags of ROS 1: records of header fields and data.
-#include "core/base/memory.h"
-#include "core/containers/compression/chunks.h"
+#include "core/base/checked_size.h"
 #include "core/containers/ros/bag.h"
 
 #include <algorithm>
@@ -45,13 +44,17 @@ ByteView fieldOf(ByteView header, std::string_view name) {
 
 class Reader {
 public:
-    Reader(ByteView bytes, const std::string& where) : bytes_(bytes), where_(where) { bag_.kind = "ROS 1 bag"; }
+    Reader(ByteView bytes, const std::string& where) : bytes_(bytes), where_(where) {
+        bag_.kind = "ROS 1 bag";
+        bag_.mayUnpack = mostUnpackedBytes(bytes.size());
+    }
 
     Result<RosBag> read() {
         ByteView rest = bytes_.subspan(kMagic.size());
         if (const std::size_t used = records(rest, true); used < rest.size())
             bag_.warnings.push_back("The bag is cut off or damaged at byte " + std::to_string(kMagic.size() + used) + ": the last " +
                                     std::to_string(rest.size() - used) + " bytes were not read.");
+        nameTopics();
         if (badChunks_ > 0)
             bag_.warnings.push_back(std::to_string(badChunks_) + " chunks are damaged and were left out (" + whyBad_ + ").");
         if (strangers_ > 0)
@@ -105,14 +108,25 @@ private:
     }
 
     void message(ByteView header, ByteView data) {
-        const auto topic = topics_.find(static_cast<std::uint32_t>(littleEndian(fieldOf(header, "conn"))));
         const ByteView time = fieldOf(header, "time");
-        if (topic == topics_.end() || time.size() != 8) {
+        if (time.size() != 8) {
             ++strangers_;
             return;
         }
         const auto ns = static_cast<std::int64_t>(littleEndian(time.first(4)) * 1'000'000'000 + littleEndian(time.subspan(4)));
-        bag_.messages.push_back({topic->second, ns, data});
+        bag_.messages.push_back({static_cast<std::uint32_t>(littleEndian(fieldOf(header, "conn"))), ns, data});
+    }
+
+    /// Puts topics in the place of connections. A connection in a damaged chunk comes again at the end of the bag, behind its messages.
+    void nameTopics() {
+        std::size_t held = 0;
+        for (RosBagMessage& message : bag_.messages) {
+            const auto topic = topics_.find(message.topic);
+            if (topic == topics_.end()) continue;
+            bag_.messages[held++] = {topic->second, message.logNs, message.bytes};
+        }
+        strangers_ += bag_.messages.size() - held;
+        bag_.messages.resize(held);
     }
 
     void chunk(ByteView header, ByteView data) {
@@ -121,12 +135,9 @@ private:
             if (records(data, false) < data.size()) bad("its records do not end with it");
             return;
         }
-        const std::uint64_t size = littleEndian(fieldOf(header, "size"));
-        auto enough = checkMemory(size, where_);
-        auto unpacked = enough ? unpackChunk(compression, data, size, where_) : Result<Bytes>(enough.error());
+        const auto unpacked = unpackedInto(bag_, compression, data, littleEndian(fieldOf(header, "size")), where_);
         if (!unpacked) return bad(unpacked.error().what);
-        bag_.unpacked.push_back(std::move(*unpacked));
-        if (records(bag_.unpacked.back(), false) < bag_.unpacked.back().size()) bad("its records do not end with it");
+        if (records(*unpacked, false) < unpacked->size()) bad("its records do not end with it");
     }
 
     /// The records at the front of a chunk that was cut off.

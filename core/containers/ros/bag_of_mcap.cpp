@@ -1,4 +1,5 @@
 // ROS topics of an MCAP recording.
+#include "core/base/checked_size.h"
 #include "core/containers/mcap/reader.h"
 #include "core/containers/ros/bag.h"
 
@@ -33,7 +34,7 @@ bool hasRosTopics(const McapContent& content) {
     return false;
 }
 
-RosBag rosBagOf(const McapContent& content) {
+RosBag rosBagOf(const McapContent& content, const std::string& where) {
     RosBag bag;
     bag.kind = "ROS 2 bag (MCAP)";
     std::map<std::uint16_t, std::uint32_t> topics;
@@ -43,11 +44,21 @@ RosBag rosBagOf(const McapContent& content) {
         topics[id] = static_cast<std::uint32_t>(bag.topics.size());
         bag.topics.push_back(std::move(*topic));
     }
+    std::uint64_t packed = 0;
+    for (const McapMessage& message : content.messages) packed += message.payload.size();
+    bag.mayUnpack = mostUnpackedBytes(packed);
+    std::size_t bad = 0;
     for (const McapMessage& message : content.messages) {
         const auto topic = topics.find(message.channel);
-        if (topic != topics.end()) bag.messages.push_back({topic->second, static_cast<std::int64_t>(message.logNs), message.payload});
+        if (topic == topics.end()) continue;
+        const auto bytes = plainMessage(bag, message.payload, where);
+        if (bytes)
+            bag.messages.push_back({topic->second, static_cast<std::int64_t>(message.logNs), *bytes});
+        else
+            ++bad;
     }
     bag.warnings = content.warnings;
+    if (bad > 0) bag.warnings.push_back(std::to_string(bad) + " messages are compressed and damaged and were left out.");
     return bag;
 }
 

@@ -1,8 +1,9 @@
 // Databases of rosbag2, read from memory through SQLite.
+#include "core/base/checked_size.h"
 #include "core/base/memory.h"
-#include "core/containers/compression/chunks.h"
 #include "core/containers/ros/bag.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,7 +56,10 @@ std::map<std::string, std::string> definitionsIn(sqlite3* database) {
 
 class Reader {
 public:
-    Reader(sqlite3* database, const std::string& where) : database_(database), where_(where) { bag_.kind = "ROS 2 bag (SQLite)"; }
+    Reader(sqlite3* database, std::size_t bytes, const std::string& where) : database_(database), where_(where) {
+        bag_.kind = "ROS 2 bag (SQLite)";
+        bag_.mayUnpack = mostUnpackedBytes(bytes);
+    }
 
     Result<RosBag> read() {
         if (auto known = topics(); !known) return known.error();
@@ -67,7 +71,7 @@ private:
     Result<Done> topics() {
         const std::map<std::string, std::string> definitions = definitionsIn(database_);
         const Statement rows = prepared(database_, "SELECT id, name, type, serialization_format FROM topics");
-        if (!rows) return Error{"this SQLite database is no ROS bag: it has no table of topics", where_, "choose another file"};
+        if (!rows) return Error{"this SQLite database is not a ROS bag: it has no table of topics", where_, "choose another file"};
         while (sqlite3_step(rows.get()) == SQLITE_ROW) {
             if (textIn(rows.get(), 3) != "cdr") continue;
             RosTopic topic{textIn(rows.get(), 1), rosTypeName(textIn(rows.get(), 2)), {}, RosEncoding::Cdr, false};
@@ -81,7 +85,7 @@ private:
     }
 
     void messages() {
-        const Statement rows = prepared(database_, "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id");
+        const Statement rows = prepared(database_, "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
         int state = rows ? sqlite3_step(rows.get()) : SQLITE_ERROR;
         std::size_t bad = 0;
         for (; state == SQLITE_ROW; state = sqlite3_step(rows.get())) {
@@ -101,21 +105,16 @@ private:
 
     /// The message in memory of the bag's own: SQLite's is gone with the next row.
     std::optional<ByteView> stored(ByteView message) {
-        if (isZstd(message)) {
-            const auto size = zstdSize(message);
-            if (!size || !checkMemory(*size, where_)) return std::nullopt;
-            auto unpacked = unpackChunk("zstd", message, *size, where_);
-            if (!unpacked) return std::nullopt;
-            return ByteView(bag_.unpacked.emplace_back(std::move(*unpacked)));
+        const std::size_t before = bag_.unpacked.size();
+        const auto plain = plainMessage(bag_, message, where_);
+        if (!plain || bag_.unpacked.size() > before) return plain;
+        if (block_ == nullptr || block_->capacity() - block_->size() < message.size()) {
+            block_ = &bag_.unpacked.emplace_back();
+            block_->reserve(std::max(kBlock, message.size()));
         }
-        if (bag_.unpacked.empty() || bag_.unpacked.back().capacity() - bag_.unpacked.back().size() < message.size() || !plain_) {
-            bag_.unpacked.emplace_back().reserve(std::max(kBlock, message.size()));
-            plain_ = true;
-        }
-        Bytes& block = bag_.unpacked.back();
-        const std::size_t at = block.size();
-        block.insert(block.end(), message.begin(), message.end()); // within its capacity: views of it stay
-        return ByteView(block).subspan(at);
+        const std::size_t at = block_->size();
+        block_->insert(block_->end(), message.begin(), message.end()); // within its capacity: views of it stay
+        return ByteView(*block_).subspan(at);
     }
 
     static constexpr std::size_t kBlock = 1 << 20;
@@ -123,12 +122,21 @@ private:
     const std::string& where_;
     RosBag bag_;
     std::map<std::int64_t, std::uint32_t> topics_;
-    bool plain_ = false; // the last block of `unpacked` takes plain messages
+    Bytes* block_ = nullptr; // one of `unpacked` that takes plain messages
 };
 
 } // namespace
 
 Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
+    // A file in WAL mode cannot be read from memory; without its journal it reads as any other file.
+    constexpr std::size_t kVersions = 18; // of the file format for writing and reading: 2 is WAL
+    Bytes plain;
+    if (bytes.size() > kVersions + 1 && (bytes[kVersions] == 2 || bytes[kVersions + 1] == 2)) {
+        if (auto enough = checkMemory(bytes.size(), where); !enough) return enough.error();
+        plain.assign(bytes.begin(), bytes.end());
+        plain[kVersions] = plain[kVersions + 1] = 1;
+        bytes = plain;
+    }
     sqlite3* opened = nullptr;
     const bool open = sqlite3_open(":memory:", &opened) == SQLITE_OK;
     const Database database(opened);
@@ -136,7 +144,7 @@ Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
     const auto size = static_cast<sqlite3_int64>(bytes.size());
     if (!open || sqlite3_deserialize(opened, "main", own, size, size, SQLITE_DESERIALIZE_READONLY) != SQLITE_OK)
         return Error{"this SQLite database cannot be opened", where, "copy it again"};
-    return Reader(opened, where).read();
+    return Reader(opened, bytes.size(), where).read();
 }
 
 #else

@@ -127,7 +127,7 @@ private:
             if (field.length == RosLength::Fixed) {
                 const auto [end, problem] = std::from_chars(inside.data(), inside.data() + inside.size(), field.count);
                 if (problem != std::errc{} || end != inside.data() + inside.size())
-                    return refused("the length of \"" + field.name + "\" is no number");
+                    return refused("the length of \"" + field.name + "\" is not a number");
             }
             kind = kind.substr(0, bracket);
         }

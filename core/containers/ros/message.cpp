@@ -51,14 +51,18 @@ struct Layout {
     std::size_t largestAlignment = 1; ///< 1: nothing is aligned (ROS 1), 8: PLAIN_CDR, 4: PLAIN_CDR2
     bool endsTexts = false;           ///< texts end with a byte of 0, which their length counts
     bool delimitsArrays = false;      ///< arrays of messages and texts begin with their length in bytes (PLAIN_CDR2)
+    bool fillsEmpty = false;          ///< a message without fields takes one byte (CDR of ROS 2)
 };
 
 class Walk {
 public:
-    Walk(const RosDefinition& definition, Layout layout, ByteView bytes) : definition_(definition), layout_(layout), bytes_(bytes) {}
+    Walk(const RosDefinition& definition, Layout layout, ByteView bytes)
+        : definition_(definition), layout_(layout), bytes_(bytes), mayHold_(kValuesOfAny + kValuesPerByte * bytes.size()) {}
 
     bool message(const RosType& type, RosValue& into) {
         into.type = &type;
+        if (type.fields.empty() && layout_.fillsEmpty && at_++ >= bytes_.size()) return false;
+        if (!holds(type.fields.size())) return false;
         into.inside.resize(type.fields.size());
         for (std::size_t n = 0; n < type.fields.size(); ++n) {
             if (!field(type.fields[n], into.inside[n])) return false;
@@ -68,6 +72,14 @@ public:
     [[nodiscard]] std::size_t used() const { return at_; }
 
 private:
+    // Values of a definition may take no byte at all: their number is limited.
+    static constexpr std::size_t kValuesOfAny = 4096, kValuesPerByte = 4;
+    bool holds(std::size_t values) {
+        if (values > mayHold_) return false;
+        mayHold_ -= values;
+        return true;
+    }
+
     bool field(const RosField& field, RosValue& into) {
         into.field = &field;
         into.bigEndian = layout_.bigEndian;
@@ -81,9 +93,7 @@ private:
             into.count = *count;
         }
         if (ofNumbers) return numbers(field.scalar, into.count, into);
-        // Each element takes a byte at least, unless its type has no fields: then it says nothing.
-        if (field.scalar == RosScalar::Message && definition_.types[field.type].fields.empty()) return true;
-        if (into.count > bytes_.size() - at_) return false;
+        if (!holds(into.count)) return false;
         for (std::size_t n = 0; n < into.count; ++n) {
             RosValue& element = into.inside.emplace_back();
             element.field = &field;
@@ -133,6 +143,7 @@ private:
     const RosDefinition& definition_;
     Layout layout_;
     ByteView bytes_;
+    std::size_t mayHold_; // further values
     std::size_t at_ = 0;
 };
 
@@ -141,12 +152,12 @@ std::optional<Layout> cdrLayout(std::uint8_t kind) {
     switch (kind) {
     case 0x00:
     case 0x01:
-        return Layout{kind == 0x00, 8, true, false};
+        return Layout{kind == 0x00, 8, true, false, true};
     case 0x06:
     case 0x07:
     case 0x10:
     case 0x11:
-        return Layout{kind == 0x06 || kind == 0x10, 4, true, true};
+        return Layout{kind == 0x06 || kind == 0x10, 4, true, true, true};
     default:
         return std::nullopt;
     }

@@ -79,19 +79,19 @@ Result<PointTable> cloudOfBag(const containers::RosBag& bag, const BagTopic& top
     const containers::RosTopic& of = bag.topics[topic.topic];
     const auto definition = containers::rosDefinition(of.type, of.definition, where);
     if (!definition) return definition.error();
-    const std::size_t wanted = source.options->scanIndex;
+    const std::optional<std::size_t> wanted = source.options->scanIndex;
     const containers::RosBagMessage* chosen = nullptr;
     std::size_t number = 0, index = 0;
     for (const containers::RosBagMessage& message : bag.messages) {
         if (message.topic != topic.topic) continue;
-        const bool better = chosen == nullptr || (wanted == 0 ? message.bytes.size() > chosen->bytes.size() : number == wanted);
+        const bool better = chosen == nullptr || (wanted ? number == *wanted : message.bytes.size() > chosen->bytes.size());
         if (better) {
             chosen = &message;
             index = number;
         }
         ++number;
     }
-    if (wanted >= number)
+    if (wanted.value_or(0) >= number)
         return source.refused("the topic holds " + std::to_string(number) + " clouds, counted from 0", "choose one of them with --scan");
     const auto message = containers::rosMessage(*definition, of.encoding, chosen->bytes, where);
     if (!message) return message.error();

@@ -101,7 +101,7 @@ private:
                  " degrees out of the plane of the fan: points are that far off.");
         if (motion_->offAxisM > kWorthSayingM)
             warn("The laser is " + significantText(motion_->offAxisM * 1000, 3) +
-                 " mm beside its axis: ranges are as measured, points are as if it were on the axis.");
+                 " mm off its axis: ranges are as measured, and points are as if it were on the axis.");
     }
 
     /// Lines get their angles. Lines before the first and after the last angle, and lines of a laser at rest, are left out.
@@ -109,9 +109,9 @@ private:
         std::vector<LaserLine>& all = lines_.lines;
         for (LaserLine& line : all) {
             scanner::SweepLine& to = line.line;
-            const double turnS = line.beamS > 0 ? line.beamS * 360.0 / to.beams.stepDeg : 0.0;
-            if (turnS > 0) to.facts.secondsPerTurn = turnS;
-            skewed_ = skewed_ || line.beamS > 0;
+            if (line.beamS == 0) continue;
+            to.facts.secondsPerTurn = line.beamS * 360.0 / to.beams.stepDeg;
+            skewed_ = true;
         }
         if (!motion_) return;
         std::size_t outside = 0;
@@ -162,9 +162,17 @@ private:
         if (lines_.lines.empty())
             return Error{"the laser did not turn while it measured", where_, "choose another topic, or give the joint that turns it"};
         scanner::SweepAssembler assembler(settings());
-        std::vector<scanner::FinishedSweep> sweeps;
+        const std::optional<std::size_t> wanted = source_.options->scanIndex;
+        scanner::FinishedSweep best;
+        std::size_t sweeps = 0, number = 0;
         const auto collect = [&] {
-            for (scanner::FinishedSweep& sweep : assembler.takeFinished()) sweeps.push_back(std::move(sweep));
+            for (scanner::FinishedSweep& sweep : assembler.takeFinished()) {
+                if (wanted ? *wanted == sweeps : !best.scan || sweep.progress.received > best.progress.received) {
+                    best = std::move(sweep);
+                    number = sweeps;
+                }
+                ++sweeps;
+            }
         };
         const std::int64_t first = lines_.lines.front().stampNs;
         for (LaserLine& line : lines_.lines) {
@@ -176,18 +184,15 @@ private:
         }
         assembler.finish();
         collect();
-        std::size_t best = 0;
-        for (std::size_t n = 0; n < sweeps.size(); ++n) {
-            if (sweeps[n].progress.received > sweeps[best].progress.received) best = n;
-        }
-        const std::size_t wanted = source_.options->scanIndex;
-        if (wanted >= std::max<std::size_t>(sweeps.size(), 1) || sweeps.empty())
-            return Error{"the bag holds " + std::to_string(sweeps.size()) + " sweeps, counted from 0", where_,
-                         "choose one of them with --scan"};
-        if (wanted > 0) best = wanted;
-        Scan scan = *sweeps[best].scan;
-        if (sweeps.size() > 1)
-            warn("The topic holds " + std::to_string(sweeps.size()) + " sweeps; sweep " + std::to_string(best) +
+        if (sweeps == 0)
+            return Error{"no line of the topic " + bag_.topics[topic_.topic].name + " could be placed", where_, "choose another topic"};
+        if (!best.scan)
+            return Error{"the topic " + bag_.topics[topic_.topic].name + " holds " + std::to_string(sweeps) +
+                             (sweeps == 1 ? " sweep" : " sweeps"),
+                         where_, "choose one of them with --scan, from 0"};
+        Scan scan = *best.scan;
+        if (sweeps > 1)
+            warn("The topic holds " + std::to_string(sweeps) + " sweeps; sweep " + std::to_string(number) +
                  ", counted from 0, was opened. --scan chooses another.");
         scan.warnings.insert(scan.warnings.begin(), warnings_.begin(), warnings_.end());
         scan.format = bag_.kind;

@@ -16,7 +16,10 @@ using containers::RosValue;
 
 constexpr double kMmPerM = 1000.0;
 constexpr double kNsPerS = 1e9;
-constexpr double kLongestGapS = 3600;
+constexpr std::size_t kMostBeams = 1'000'000;
+constexpr double kOfNew = 0.05;          // share of a new line in the usual lateness
+constexpr std::size_t kAhead = 8;        // lines that must be late, too, until a late line shows that others were lost
+constexpr double kMostLostLines = 30000; // by one gap: a longer one begins another sweep anyway
 
 /// Millimetres of a range in metres of 4 bytes: the whole number whose nearest float it is, if there is one.
 float millimetresOf(double metres) {
@@ -57,7 +60,7 @@ std::optional<LaserLine> lineOf(const RosValue& message, scanner::Echo echo) {
     const auto stamp = containers::stampNs(message, "header.stamp");
     const double step = number("angle_increment", 0);
     std::vector<double> rangesM = echoesOf(message, "ranges", echo);
-    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > 1'000'000) return std::nullopt;
+    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > kMostBeams) return std::nullopt;
     LaserLine found;
     found.stampNs = *stamp;
     found.beamS = number("time_increment", 0);
@@ -69,6 +72,7 @@ std::optional<LaserLine> lineOf(const RosValue& message, scanner::Echo echo) {
     const std::vector<double> strengths = echoesOf(message, "intensities", echo);
     if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
     if (step < 0) {
+        found.beamS = -found.beamS;
         line.beams.startDeg += line.beams.stepDeg * (count - 1);
         line.beams.stepDeg = -line.beams.stepDeg;
         std::ranges::reverse(line.ranges.rangeMm);
@@ -80,26 +84,50 @@ std::optional<LaserLine> lineOf(const RosValue& message, scanner::Echo echo) {
     return found;
 }
 
-double medianPeriodS(const std::vector<LaserLine>& lines) {
+double secondsBetween(const LaserLine& a, const LaserLine& b) { return static_cast<double>(b.stampNs - a.stampNs) / kNsPerS; }
+
+/// From line to line: the mean of all that are within a half of the median.
+double usualPeriodS(const std::vector<LaserLine>& lines) {
     std::vector<double> periods;
     for (std::size_t n = 1; n < lines.size(); ++n) {
-        const auto s = static_cast<double>(lines[n].stampNs - lines[n - 1].stampNs) / kNsPerS;
-        if (s > 0) periods.push_back(s);
+        if (const double s = secondsBetween(lines[n - 1], lines[n]); s > 0) periods.push_back(s);
     }
-    if (periods.empty()) return 0.04;
+    if (periods.empty()) return scanner::LineCount{}.periodS;
     const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
     std::ranges::nth_element(periods, middle);
-    return *middle;
+    const double median = *middle;
+    std::erase_if(periods, [&](double s) { return std::abs(s - median) > median / 2; });
+    double sum = 0;
+    for (const double s : periods) sum += s;
+    return sum / static_cast<double>(periods.size());
+}
+
+/// Lines that are missing before each line. Stamps of a computer jitter by more than a half of a period: a line is late because others are
+/// missing if all lines behind it are as late.
+std::vector<std::uint32_t> missingBefore(const LaserLines& all) {
+    const std::size_t lines = all.lines.size();
+    std::vector<double> late(lines, 0.0); // periods behind the first line, without those of the lines between
+    for (std::size_t n = 0; n < lines; ++n)
+        late[n] = secondsBetween(all.lines.front(), all.lines[n]) / all.periodS - static_cast<double>(n);
+    std::vector<std::uint32_t> missing(lines, 0);
+    double usual = 0;
+    for (std::size_t n = 1; n < lines; ++n) {
+        const auto from = late.begin() + static_cast<std::ptrdiff_t>(n);
+        const double least = *std::min_element(from, late.begin() + static_cast<std::ptrdiff_t>(std::min(n + kAhead, lines)));
+        const double gap = std::max(0.0, std::round(least - usual));
+        missing[n] = static_cast<std::uint32_t>(std::min(gap, kMostLostLines));
+        usual += gap;
+        usual += kOfNew * (least - usual);
+    }
+    return missing;
 }
 
 void count(LaserLines& all) {
+    const std::vector<std::uint32_t> missing = missingBefore(all);
     std::uint64_t number = 0;
     for (std::size_t n = 0; n < all.lines.size(); ++n) {
         scanner::SweepLine& line = all.lines[n].line;
-        if (n > 0) {
-            const auto s = static_cast<double>(all.lines[n].stampNs - all.lines[n - 1].stampNs) / kNsPerS;
-            number += static_cast<std::uint64_t>(std::max(1.0, std::round(std::min(s, kLongestGapS) / all.periodS)));
-        }
+        if (n > 0) number += 1 + missing[n];
         const auto us = static_cast<std::uint32_t>((all.lines[n].stampNs - all.lines.front().stampNs) / 1000);
         line.count = {static_cast<std::uint16_t>(number), static_cast<std::uint16_t>(number), us, us, all.periodS};
         line.facts.hostNs = line.facts.stampNs = all.lines[n].stampNs;
@@ -137,7 +165,7 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
         return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""),
                      where, "choose another topic"};
     std::ranges::stable_sort(all.lines, {}, &LaserLine::stampNs);
-    all.periodS = medianPeriodS(all.lines);
+    all.periodS = usualPeriodS(all.lines);
     count(all);
     return all;
 }

@@ -14,7 +14,7 @@ namespace edgescan::files {
 /// One line with its own time.
 struct LaserLine {
     std::int64_t stampNs = 0; ///< of its first beam in time
-    double beamS = 0;         ///< from beam to beam; 0: the message does not say
+    double beamS = 0;         ///< from beam to the next in the line, negative where they were reversed; 0: the message does not say
     scanner::SweepLine line;
 };
 
@@ -30,7 +30,7 @@ struct LaserLines {
 };
 
 /// Angles become degrees, metres millimetres: whole ones where the message's number is the nearest to one. inf, NaN, 0 and what is outside
-/// range_min..range_max is no return. The counters of a line count the periods since the line before, so that a gap is lost lines.
+/// range_min..range_max is a missing return. The counters of a line count the periods since the line before, so that a gap is lost lines.
 Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where);
 
 } // namespace edgescan::files

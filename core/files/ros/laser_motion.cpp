@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLeastTurnDeg = 1.0;
 constexpr double kMostWobbleDeg = 1.0;      // of a rotation about one axis
-constexpr double kMostOutOfPlaneDeg = 30.0; // a fan that turns in its own plane, or nearly so, is no sweep
+constexpr double kMostOutOfPlaneDeg = 30.0; // a fan that turns in its own plane, or nearly so, does not sweep
 
 /// The axis of most of the rotations from the first pose, as a unit vector in the frame; the angle of the largest.
 std::pair<Eigen::Vector3d, double> axisOf(const std::vector<TimedPose>& poses) {
@@ -36,6 +36,13 @@ std::pair<double, double> twistDeg(const Eigen::Quaterniond& rotation, const Eig
     return {degrees(std::remainder(angle, 2 * 3.14159265358979323846)), degrees(rotation.angularDistance(twist))};
 }
 
+/// The angle of a joint that gives this rotation behind a fixed one: the twist. 0 where the fixed one turns the axis round, which leaves it
+/// open.
+double angleOfJoint(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& axis) {
+    constexpr double kLeast = 0.05;
+    return std::hypot(rotation.vec().dot(axis), rotation.w()) < kLeast ? 0.0 : twistDeg(rotation, axis).first;
+}
+
 std::vector<TimedPose> within(const FrameLink& link, std::int64_t fromNs, std::int64_t toNs) {
     std::vector<TimedPose> poses;
     for (std::size_t n = 0; n < link.poses.size(); ++n) {
@@ -44,6 +51,16 @@ std::vector<TimedPose> within(const FrameLink& link, std::int64_t fromNs, std::i
         if (!before && !after) poses.push_back(link.poses[n]);
     }
     return poses;
+}
+
+std::string namesOf(const std::map<std::string, std::vector<TimedAngle>>& joints) {
+    constexpr std::size_t kMost = 500;
+    std::string names;
+    for (const auto& [name, angles] : joints) {
+        if (names.size() > kMost) return names + " and others";
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    return names;
 }
 
 } // namespace
@@ -62,19 +79,22 @@ AngleAt angleAt(const std::vector<TimedAngle>& angles, std::int64_t ns) {
 Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, std::int64_t fromNs, std::int64_t toNs,
                                    const std::string& where) {
     RigidTransform laserInMover; // the moving frame from the laser's, through links that do not turn
-    for (std::string at = frame; const FrameLink* link = tree.link(at); at = link->parent) {
+    for (const std::string& at : tree.chain(frame)) {
+        const FrameLink* link = tree.link(at);
+        if (link == nullptr) break;
         const std::vector<TimedPose> poses = within(*link, fromNs, toNs);
         const auto [axis, turnDeg] = axisOf(poses);
         if (turnDeg < kLeastTurnDeg) {
             if (const auto fixed = tree.inParent(at, fromNs)) laserInMover = *fixed * laserInMover;
-            if (link->parent == frame) break;
             continue;
         }
         LaserMotion motion;
         motion.source = "the transform of the frame " + at + " in " + link->parent;
         double wobble = 0, last = 0;
+        const double startDeg = angleOfJoint(poses.front().rotation, axis);
         for (const TimedPose& pose : poses) {
             auto [deg, rest] = twistDeg(poses.front().rotation.conjugate() * pose.rotation, axis);
+            deg += startDeg;
             deg += 360 * std::round((last - deg) / 360); // on from the last one
             wobble = std::max(wobble, rest);
             motion.angles.push_back({pose.ns, last = deg});
@@ -85,7 +105,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         Eigen::Vector3d u = laserInMover.rotation.transpose() * axis;
         motion.outOfPlaneDeg = std::abs(degrees(std::asin(std::clamp(u.z(), -1.0, 1.0))));
         if (motion.outOfPlaneDeg > kMostOutOfPlaneDeg)
-            return Error{motion.source + " turns the laser in the plane of its own fan: that is no sweep", where, "choose another topic"};
+            return Error{motion.source + " turns the laser in the plane of its own fan: that is not a sweep", where, "choose another topic"};
         motion.offAxisM = laserInMover.translationM.cross(axis).norm();
         double betaDeg = degrees(std::atan2(u.y(), u.x()));
         const bool spin = std::abs(std::abs(betaDeg) - 90) <= 45;
@@ -99,7 +119,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         return motion;
     }
     return Error{"no transform turns the laser's frame " + frame + " while it measures", where,
-                 "give the joint that turns it, or the step from line to line"};
+                 "give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)"};
 }
 
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
@@ -135,7 +155,8 @@ Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::stri
     }
     if (!joints.contains(best))
         return Error{joint.empty() ? "no joint of the bag turned while the laser measured" : "the bag has no joint called " + joint, where,
-                     "give the step from line to line, or choose another topic"};
+                     joints.empty() ? "give the step from line to line (--line-step), or choose another topic"
+                                    : "choose one of " + namesOf(joints)};
     LaserMotion motion;
     motion.axisAssumed = true;
     motion.source = "the joint " + best;

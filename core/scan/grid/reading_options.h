@@ -40,7 +40,8 @@ struct ReadingOptions {
     bool straighten = false;   ///< correct the angles of interlaced beams and slipped lines; openAsAsked() does this, openScan() does not
     std::string topic;         ///< of a ROS bag: the topic that is the scan
     std::string joint;         ///< of a ROS bag: the joint that turns the laser
-    std::size_t scanIndex = 0; ///< index, from 0, of the scan in a file that holds several
+    /// index, from 0, of the scan in a file that holds several; empty: the first, or of sweeps and clouds of a bag the largest
+    std::optional<std::size_t> scanIndex;
 
     /// Called by the opening thread with the stage and the share of it that is done (0..1). If it returns false, opening ends with the
     /// Error "cancelled".

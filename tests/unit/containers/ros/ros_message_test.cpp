@@ -37,7 +37,7 @@ bool flag
 Bytes written(Wire wire) {
     RosWriter to(wire);
     to.put(std::uint32_t{9}).stamp(5'000'000'007).text("/laser").put(std::uint8_t{2}).put(-1.5);
-    for (const std::int16_t n : {1, -2, 3}) to.put(n);
+    for (const int n : {1, -2, 3}) to.put(static_cast<std::int16_t>(n));
     if (to.delimits()) to.put(std::uint32_t{0}); // the length in bytes is not used
     to.put(std::uint32_t{2});
     for (const std::int64_t n : {-7, 8}) to.put(n).put(static_cast<std::uint8_t>(n > 0));
