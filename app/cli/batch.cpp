@@ -1,4 +1,4 @@
-// edgescan-cli batch: runs the method over a whole archive. An interrupted run can be continued (docs/batch.md).
+// edgescan-cli batch: runs the method over a whole archive. An interrupted run can be continued (docs/reference/batch.md).
 #include "app/cli/batch_scan.h"
 #include "app/cli/commands.h"
 #include "app/shared/interrupt.h"

@@ -116,7 +116,7 @@ void addReport(CLI::App& app, int& code) {
     command.add_option("-o,--output", report->out, "New file: .html; - is stdout")->required();
     command.add_option("--operator", report->operatorName, "Who makes the report");
     command.add_option("--role", report->role, "As what");
-    command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/targets.md)");
+    command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/guide/measure.md)");
     command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, by the same settings");
     command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + rocks::kRockCaveat)->group("Rocks");
     addRockFlags(command, report->rocks, true);

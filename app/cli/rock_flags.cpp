@@ -25,7 +25,7 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
     if (!ofOneScan) return;
     command
         .add_option("--edits", flags.edits,
-                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/rocks-method.md)")
+                    "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/method/rocks.md)")
         ->group(group);
 }
 

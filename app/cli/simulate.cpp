@@ -186,7 +186,7 @@ void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
     command.add_flag("--no-echo-loss", simulate.noEchoLoss, "Grazing and weak echoes are not lost")->group(group);
 }
 
-/// Mounting errors that a calibration estimates (docs/calibration.md).
+/// Mounting errors that a calibration estimates (docs/reference/calibration.md).
 void addAssemblyFlags(CLI::App& command, sim::SimulationSettings& s) {
     const char* group = "Assembly, unknown to the scan";
     add(command, group, "mount-t1", s);

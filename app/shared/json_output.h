@@ -9,7 +9,7 @@
 
 namespace edgescan::cli {
 
-/// The report with its first key "schema": "edgescan-detect/1" for the command "detect" (docs/command-line.md, "JSON").
+/// The report with its first key "schema": "edgescan-detect/1" for the command "detect" (docs/reference/command-line.md, "JSON").
 [[nodiscard]] nlohmann::ordered_json document(const std::string& command, const nlohmann::ordered_json& report);
 
 /// The document of a file that was refused: "schema", "input" and "error" with "what", "where", "hint".

@@ -79,7 +79,8 @@ void addReadFlags(CLI::App& command, ReadFlags& flags) {
 
 void addPlaceFlags(CLI::App& command, ReadingOptions& options) {
     for (const ReadingOption& option : readingOptionTable()) {
-        if (option.kind == ReadingOption::Kind::Path) addReadingFlag(command, option, options, "Place in the mine (docs/coordinates.md)");
+        if (option.kind == ReadingOption::Kind::Path)
+            addReadingFlag(command, option, options, "Place in the mine (docs/reference/coordinates.md)");
     }
 }
 

@@ -18,9 +18,9 @@ inline constexpr std::size_t kMostShown = 1000; ///< characters in one line
 /// The same for each line of a text of several lines that EdgeScan itself wrote.
 [[nodiscard]] std::string printableLines(std::string_view text);
 
-/// Any bytes, such as a file name, as valid UTF-8 without loss (docs/command-line.md, "Names that are not UTF-8"). Valid UTF-8 stays as it
-/// is. Any other byte becomes the character U+EF00 + byte (U+EF80 to U+EFFF, private use). The three bytes of such a character in `bytes`
-/// are written the same way, so that different bytes never give the same text.
+/// Any bytes, such as a file name, as valid UTF-8 without loss (docs/reference/command-line.md, "Names that are not UTF-8"). Valid UTF-8
+/// stays as it is. Any other byte becomes the character U+EF00 + byte (U+EF80 to U+EFFF, private use). The three bytes of such a character
+/// in `bytes` are written the same way, so that different bytes never give the same text.
 [[nodiscard]] std::string escapedBytes(std::string_view bytes);
 
 /// The bytes that escapedBytes() made the text of.

@@ -1,5 +1,5 @@
 // Limits for the numbers of files, flags and settings, set by physics and surveying. A number outside its limits cannot be a measurement.
-// All readers use this one table; docs/formats.md shows it.
+// All readers use this one table; docs/reference/formats.md shows it.
 #pragma once
 
 #include <array>

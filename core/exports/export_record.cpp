@@ -1,4 +1,4 @@
-// The record of an export: all values of docs/operator.md, "S7", each with its value, or null and the reason.
+// The record of an export: all values of docs/reference/rules.md, "S7", each with its value, or null and the reason.
 #include "core/exports/provenance.h"
 
 #include "core/base/bounded_json.h"

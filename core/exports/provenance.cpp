@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kToleranceM = 6e-4; // LAS rounds to half a millimetre; whole millimetres must be preserved (docs/operator.md, "S9")
+constexpr double kToleranceM = 6e-4; // LAS rounds to half a millimetre; whole millimetres must be preserved (docs/reference/rules.md, "S9")
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 

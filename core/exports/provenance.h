@@ -1,5 +1,5 @@
 // Provenance: every export contains a record of how it was made, and has the same record in a sidecar, so that anyone can make it again
-// (docs/operator.md, "S7", "S8").
+// (docs/reference/rules.md, "S7", "S8").
 #pragma once
 
 #include "core/base/file_bytes.h"

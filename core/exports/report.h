@@ -1,4 +1,4 @@
-// The content of a scan and the results of the method, as JSON (docs/command-line.md, "JSON of info", "JSON of detect").
+// The content of a scan and the results of the method, as JSON (docs/reference/command-line.md, "JSON of info", "JSON of detect").
 #pragma once
 
 #include "core/edges/pipeline/detection.h"

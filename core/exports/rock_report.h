@@ -1,4 +1,4 @@
-// Rocks as JSON and as a table (docs/command-line.md, "JSON of rocks").
+// Rocks as JSON and as a table (docs/reference/command-line.md, "JSON of rocks").
 #pragma once
 
 #include "core/rocks/attributes/study.h"
@@ -25,7 +25,7 @@ inline constexpr const char* kRocksSchema = "edgescan-rocks/1";
 /// SHA-256 of the labels, lines x beams unsigned 32-bit little endian.
 [[nodiscard]] std::string labelsSha256(const Grid<std::uint32_t>& labels);
 
-/// Why two regions are two rocks, or one (docs/command-line.md, "JSON of why two rocks").
+/// Why two regions are two rocks, or one (docs/reference/command-line.md, "JSON of why two rocks").
 [[nodiscard]] nlohmann::ordered_json whyReport(const rocks::Study& study, const rocks::BorderWhy& why);
 
 } // namespace edgescan::exports

@@ -1,4 +1,4 @@
-// Why a cell is an edge or not, as JSON (docs/command-line.md, "JSON of why").
+// Why a cell is an edge or not, as JSON (docs/reference/command-line.md, "JSON of why").
 #pragma once
 
 #include "core/edges/explain/why.h"

@@ -20,7 +20,7 @@ struct Echo {
 /// Cosine between a sub-ray and the surface it hit.
 [[nodiscard]] double cosineOf(const Scene& scene, const RayBundle& bundle, const BundleHits& hits, std::size_t lane);
 
-/// Standard deviation of a range in metres (docs/method.md, "Simulator"), without the factor of the settings.
+/// Standard deviation of a range in metres (docs/method/edges.md, "Simulator"), without the factor of the settings.
 [[nodiscard]] double rangeSigmaM(double rangeM, double cosine);
 
 /// The range of cell k in whole steps, mm; 0 for no return.

@@ -9,7 +9,7 @@
 
 namespace edgescan::sim {
 
-inline constexpr std::size_t kSubRays = 11; ///< per beam (docs/method.md, "Simulator")
+inline constexpr std::size_t kSubRays = 11; ///< per beam (docs/method/edges.md, "Simulator")
 inline constexpr std::size_t kLanes = 12;   ///< number of sub-rays rounded up to whole vector registers; the last lane repeats the centre
 
 template <class T>

@@ -12,7 +12,7 @@ struct Rocks {
     double rounding = 0.0; ///< as in addRock
 };
 
-/// Rocks jammed from wall to wall across the bell, seen from below; a chimney through them, the drift on one side (docs/method.md,
+/// Rocks jammed from wall to wall across the bell, seen from below; a chimney through them, the drift on one side (docs/method/edges.md,
 /// "Simulator"). On the muck there are a fifth as many rocks as in the arch. `afterBlast`: the arch is broken out at the keystone nearest
 /// to the middle, a part of it is on the muck, and rocks around the hole slid down. All other rocks are unmoved, and each rock has the same
 /// number and shape as before.

@@ -1,4 +1,4 @@
-// The seam between two rays that end on neighbouring places: a jump in depth, a fold, or neither (docs/method.md, "Truth and score").
+// The seam between two rays that end on neighbouring places: a jump in depth, a fold, or neither (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
-// The synthetic draw-bell: a scene of convex rocks, scanned by an LMS511 with its beam, noise and faults (docs/method.md, "Simulator").
+// The synthetic draw-bell: a scene of convex rocks, scanned by an LMS511 with its beam, noise and faults (docs/method/edges.md,
+// "Simulator").
 #pragma once
 
 #include "core/base/result.h"
@@ -28,7 +29,7 @@ enum class WallHole : std::uint8_t { None, Round, Square };
 /// away.
 inline constexpr std::array<double, 8> kStaircaseMm{20.0, 30.0, 50.0, 80.0, 120.0, 200.0, 300.0, 500.0};
 
-/// The defaults give an LMS511's full grid (docs/method.md, "Simulator").
+/// The defaults give an LMS511's full grid (docs/method/edges.md, "Simulator").
 struct SimulationSettings {
     std::string scene = "hangup"; ///< one of simulationScenes()
     std::uint64_t seed = 1;       ///< the same seed gives the same bytes for any number of threads

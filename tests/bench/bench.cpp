@@ -1,4 +1,5 @@
-// The cost of the methods relative to each other, as ratios measured in one run: the source of docs/performance.md. edgescan-bench
+// The cost of the methods relative to each other, as ratios measured in one run: the source of docs/measurements/performance.md.
+// edgescan-bench
 // [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers] --short: a million cells, processor time only; exits
 // with 1 if a ratio falls below three quarters of its goal.
 #include "core/edges/gray/canny.h"

@@ -1,5 +1,5 @@
 // Citations in comments, messages and documents are valid: the document exists, and so does the heading named after it, as in
-// docs/method.md, "Step 3".
+// docs/method/edges.md, "Step 3".
 #include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 
@@ -98,7 +98,7 @@ std::vector<std::string> headingsCited(const std::string& text, std::size_t at) 
 fs::path documentNamed(const std::string& name, const fs::path& citing) {
     if (fs::is_regular_file(kRoot / name)) return kRoot / name;
     const fs::path sibling = citing.parent_path() / name;
-    const bool isOfDocument = citing.extension() == kMark || citing.parent_path() == kRoot / "docs";
+    const bool isOfDocument = citing.extension() == kMark || citing.parent_path().parent_path() == kRoot / "docs";
     return isOfDocument && fs::is_regular_file(sibling) ? sibling : fs::path();
 }
 

@@ -89,7 +89,7 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     EXPECT_EQ(last["result"]["edge_mask_sha256"], expected);
 }
 
-// The README's example with the flags that `serve` prints; the mirror has the same angle as the motor.
+// A recording with the flags that `serve` prints; the mirror has the same angle as the motor.
 TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     const std::string bell = (folder / "draw-bell.json").string();
     const std::string recording = (folder / "draw-bell.mcap").string();

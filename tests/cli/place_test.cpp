@@ -182,7 +182,7 @@ TEST_F(CliPlace, BatchStatesTheFrameOfEveryFile) {
 // The examples of the page are files that work: one calibration for each mounting.
 TEST_F(CliPlace, TheExamplesOfThePageAreUsable) {
     std::map<std::string, std::string> examples; // "edgescan-pose/1", and a calibration by its axis
-    const std::string page = test::fileText(std::filesystem::path(test::sourceFolder()) / "docs/coordinates.md");
+    const std::string page = test::fileText(std::filesystem::path(test::sourceFolder()) / "docs/reference/coordinates.md");
     const std::string fence = "```json\n";
     for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at + 1)) {
         const std::string text = page.substr(at + fence.size(), page.find("```", at + fence.size()) - at - fence.size());

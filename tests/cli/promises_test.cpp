@@ -1,5 +1,5 @@
-// The promises of docs/operator.md, tried from outside with the programs alone; and docs/make-reliability, which lists for each promise the
-// tests that try it.
+// The promises of docs/reference/rules.md, tried from outside with the programs alone; and docs/measurements/make-reliability, which lists
+// for each promise the tests that try it.
 #include "tests/support/folders.h"
 #include "tests/support/robot_files.h"
 #include "tests/support/run_program.h"
@@ -157,7 +157,7 @@ TEST_F(Promises, S20ScansWithoutAPoseAreOutOfSpecAndOneOfTwoIsRefused) {
     EXPECT_EQ(json::parse(both.out)["lined_up_by"], "poses");
 }
 
-// ---- docs/make-reliability
+// ---- docs/measurements/make-reliability
 
 std::set<std::string> found(const std::string& text, const std::string& pattern) {
     std::set<std::string> all;
@@ -167,18 +167,13 @@ std::set<std::string> found(const std::string& text, const std::string& pattern)
 }
 
 TEST(Reliability, EveryPromiseHasARow) {
-    const fs::path docs = fs::path(test::sourceFolder()) / "docs";
-    const auto promised = found(fileText(docs / "operator"
-                                                ".md"),
-                                "## (S[0-9]+):");
+    const fs::path root = test::sourceFolder();
+    const auto promised = found(fileText(root / "docs/reference/rules.md"), "## (S[0-9]+):");
     std::set<std::string> all;
     for (int n = 1; n <= 20; ++n) all.insert("S" + std::to_string(n));
     EXPECT_EQ(promised, all);
-    EXPECT_EQ(found(fileText(docs / "make-reliability"), "\\(\"(S[0-9]+) "), promised);
-    EXPECT_EQ(found(fileText(docs / "reliability"
-                                    ".md"),
-                    "\\| (S[0-9]+) "),
-              promised);
+    EXPECT_EQ(found(fileText(root / "docs/measurements/make-reliability"), "\\(\"(S[0-9]+) "), promised);
+    EXPECT_EQ(found(fileText(root / "docs/measurements/reliability.md"), "\\| (S[0-9]+) "), promised);
 }
 
 // Whether a pattern with stars, as those of --gtest_filter, matches a name.
@@ -205,7 +200,7 @@ TEST(Reliability, EveryTestOfARowExists) {
     }
     for (const auto& entry : fs::directory_iterator(tests / "ui"))
         names[entry.path().stem().string()] = found(fileText(entry.path()), "\n    void (\\w+)\\(\\)");
-    const std::string script = fileText(fs::path(test::sourceFolder()) / "docs/make-reliability");
+    const std::string script = fileText(fs::path(test::sourceFolder()) / "docs/measurements/make-reliability");
     std::size_t rows = 0;
     static const std::regex row("\\((UNIT|CLI|\"\\w+_test\"),\\s*\"([^\"]+)\"");
     for (std::sregex_iterator it(script.begin(), script.end(), row), end; it != end; ++it, ++rows) {

@@ -377,7 +377,7 @@ TEST(CliReport, OfTheLargestScanItStaysBelowItsBound) {
     ASSERT_TRUE(files::saveScan(scan, folder / "s.mcap"));
     ASSERT_EQ(runCli("report " + (folder / "s.mcap").string() + " -o " + (folder / "s.html").string()).code, 0);
     const auto bytes = fs::file_size(folder / "s.html");
-    EXPECT_LT(bytes, 14'000'000U); // docs/report.md
+    EXPECT_LT(bytes, 14'000'000U); // docs/reference/report.md
     EXPECT_GT(bytes, 2'000'000U);
 }
 

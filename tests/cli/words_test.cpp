@@ -1,5 +1,5 @@
-// No text of the program makes a promise (docs/operator.md, "S14"): checks every string in the sources, every help text, every document.
-// Comments are plain English: no word of the list in CONTRIBUTING.md, "Words".
+// No text of the program makes a promise (docs/reference/rules.md, "S14"): checks every string in the sources, every help text, every
+// document. Comments are plain English: no word of the list in CONTRIBUTING.md, "Words".
 #include "tests/support/folders.h"
 #include "tests/support/run_program.h"
 

@@ -1,5 +1,5 @@
 // What the commands write: at the same time under one name, onto a full or faulty disk, in place of read-only files and through links. Only
-// the files named here write to the disk (docs/reliability.md, "Files"). EDGESCAN_WRITER_ROUNDS=1000 is the long form.
+// the files named here write to the disk (docs/measurements/reliability.md, "Files"). EDGESCAN_WRITER_ROUNDS=1000 is the long form.
 #include "core/files/open_save/save_scan.h"
 #include "tests/support/folders.h"
 #include "tests/support/run_program.h"

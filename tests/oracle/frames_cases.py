@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Makes tests/unit/scan/georef/frames_cases.json: the frame chain of docs/coordinates.md, computed independently of the program. Each
+# Makes tests/unit/scan/georef/frames_cases.json: the frame chain of docs/reference/coordinates.md, computed independently of the program. Each
 # rotation uses Rodrigues' formula, each step is written down as points.
 #
 # usage: frames_cases.py > ../unit/scan/georef/frames_cases.json

@@ -22,7 +22,7 @@ def again(scan, **more):
 def place_files():
     """A pose and a calibration for a spin mounting, from the document."""
     pose, calibration = HERE / "pose.json", HERE / "robot.json"
-    blocks = re.findall(r"```json\n(.*?)```", (SOURCE / "docs/coordinates.md").read_text(), re.S)
+    blocks = re.findall(r"```json\n(.*?)```", (SOURCE / "docs/reference/coordinates.md").read_text(), re.S)
     calibration.write_text(next(b for b in blocks if "edgescan-calibration/1" in b))
     pose.write_text(next(b for b in blocks if "edgescan-pose/1" in b))
     return pose, calibration

@@ -1,4 +1,4 @@
-"""The page docs/python.md, the docstrings, the type stubs and the types of the reports."""
+"""The page docs/reference/python.md, the docstrings, the type stubs and the types of the reports."""
 import ast
 import doctest
 import importlib.util
@@ -33,7 +33,7 @@ class Documents(unittest.TestCase):
         """The examples of the page: one script of all that follow each other, and those that are scripts of their own. If it runs, what
         needs a package that is not there is left out."""
         together, own = [], []
-        for block in re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.S):
+        for block in re.findall(r"```python\n(.*?)```", (SOURCE / "docs/reference/python.md").read_text(), re.S):
             absent = [name for name in set(re.findall(r"^(?:import|from) (\w+)", block, re.M)) if importlib.util.find_spec(name) is None]
             if absent and runs:
                 print(f"left out, {', '.join(absent)} is not there:\n{block}", file=sys.stderr)

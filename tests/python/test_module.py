@@ -134,7 +134,7 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(edgescan.Error, "no place in the mine"):
             self.scan.xyz("mine")
         pose, calibration = HERE / "pose.json", HERE / "robot.json"
-        blocks = re.findall(r"```json\n(.*?)```", (SOURCE / "docs/coordinates.md").read_text(), re.S)
+        blocks = re.findall(r"```json\n(.*?)```", (SOURCE / "docs/reference/coordinates.md").read_text(), re.S)
         calibration.write_text(next(b for b in blocks if "edgescan-calibration/1" in b))
         pose.write_text(next(b for b in blocks if "edgescan-pose/1" in b))
         spun = HERE / "spun.json"

@@ -1,4 +1,5 @@
-// Prints which cells of a scan are recovered from a bare list of its points: format x rounding x order x thinning (docs/round-trips.md).
+// Prints which cells of a scan are recovered from a bare list of its points: format x rounding x order x thinning
+// (docs/measurements/round-trips.md).
 #include "tests/support/point_round_trip.h"
 
 #include <cstdio>

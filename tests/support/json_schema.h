@@ -1,4 +1,5 @@
-// The part of JSON Schema that docs/export-record.schema.json uses. An unknown keyword is a failure, so that every keyword is checked.
+// The part of JSON Schema that docs/reference/export-record.schema.json uses. An unknown keyword is a failure, so that every keyword is
+// checked.
 #pragma once
 
 #include <nlohmann/json.hpp>

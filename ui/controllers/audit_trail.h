@@ -1,4 +1,4 @@
-// Writes the operator's actions to the audit log (docs/audit.md).
+// Writes the operator's actions to the audit log (docs/reference/audit.md).
 #pragma once
 
 #include "core/base/audit_log/audit_log.h"

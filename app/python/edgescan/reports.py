@@ -1,4 +1,4 @@
-"""The dicts of reports, for type checkers: the keys of the command line's JSON (docs/command-line.md)."""
+"""The dicts of reports, for type checkers: the keys of the command line's JSON (docs/reference/command-line.md)."""
 from typing import Any, Dict, List, Optional, TypedDict
 
 

@@ -1,4 +1,5 @@
-// A log of all actions on scans. Each line holds the hash of the line before, so that a later change of a line is detected (docs/audit.md).
+// A log of all actions on scans. Each line holds the hash of the line before, so that a later change of a line is detected
+// (docs/reference/audit.md).
 #pragma once
 
 #include "core/base/result.h"

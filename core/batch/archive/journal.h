@@ -1,5 +1,5 @@
 // The progress of a run over an archive: a line per scan, appended after all its results are on the disk. After an interruption, scans in
-// the journal are done, and all others are processed again (docs/batch.md, "Interrupted and continued").
+// the journal are done, and all others are processed again (docs/reference/batch.md, "Interrupted and continued").
 #pragma once
 
 #include "core/base/result.h"

@@ -1,4 +1,4 @@
-// Finds the files that a run over an archive reads (docs/batch.md, "What is read").
+// Finds the files that a run over an archive reads (docs/reference/batch.md, "What is read").
 #pragma once
 
 #include "core/base/result.h"

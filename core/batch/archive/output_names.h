@@ -1,4 +1,4 @@
-// The folder for the results of each scan of an archive: a separate one for each scan (docs/batch.md, "Names").
+// The folder for the results of each scan of an archive: a separate one for each scan (docs/reference/batch.md, "Names").
 #pragma once
 
 #include "core/base/result.h"

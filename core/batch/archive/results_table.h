@@ -1,4 +1,4 @@
-// The rows of a run as tables, in the order of its inputs (docs/batch.md, "The table").
+// The rows of a run as tables, in the order of its inputs (docs/reference/batch.md, "The table").
 #pragma once
 
 #include <string>

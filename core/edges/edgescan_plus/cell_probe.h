@@ -1,5 +1,5 @@
-// The measurements of EdgeScan+ at one cell: steps in depth, folds, their limits, and a stronger neighbour (docs/method.md, "Step 2" to
-// "Step 7").
+// The measurements of EdgeScan+ at one cell: steps in depth, folds, their limits, and a stronger neighbour (docs/method/edges.md, "Step 2"
+// to "Step 7").
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"

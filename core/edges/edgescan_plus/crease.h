@@ -1,4 +1,4 @@
-// Creases: the angle between two planes fitted to both sides of a cell (docs/method.md, "Step 5"), line by line.
+// Creases: the angle between two planes fitted to both sides of a cell (docs/method/edges.md, "Step 5"), line by line.
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"

@@ -1,4 +1,4 @@
-// EdgeScan+: jumps and creases of the surface, measured relative to straight lines in inverse range (docs/method.md, "EdgeScan+").
+// EdgeScan+: jumps and creases of the surface, measured relative to straight lines in inverse range (docs/method/edges.md, "EdgeScan+").
 #pragma once
 
 #include "core/edges/edgescan_plus/noise_memory.h"

@@ -1,4 +1,5 @@
-// Jumps between neighbouring cells, measured between straight lines in inverse range (docs/method.md, "Step 3", "Step 4"), line by line.
+// Jumps between neighbouring cells, measured between straight lines in inverse range (docs/method/edges.md, "Step 3", "Step 4"), line by
+// line.
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"
@@ -11,8 +12,9 @@ inline constexpr int kJumpLinesBefore = 2;
 inline constexpr int kJumpLinesAfter = 3;
 
 /// Computes the next line of `jumps`: S_J of the crack between a cell and the next one, stored at the cell; above 1 it is a break. 0 next
-/// to a void, because a rock may continue where the data end (docs/operator.md, "S3"). Beams and lines run from -1 to their count, so that
-/// each cell has a crack on both sides. `slips`: where the stepper slipped, a slanted surface looks like a step; this step is subtracted.
+/// to a void, because a rock may continue where the data end (docs/reference/rules.md, "S3"). Beams and lines run from -1 to their count,
+/// so that each cell has a crack on both sides. `slips`: where the stepper slipped, a slanted surface looks like a step; this step is
+/// subtracted.
 void crackJumps(const DepthField& field, Along along, int line, const float* angle, const SweepSlips& slips, const DepthLimits& limits,
                 Lines& jumps);
 

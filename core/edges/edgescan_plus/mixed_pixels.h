@@ -1,4 +1,4 @@
-// Mixed pixels: the beam's spot covers two surfaces, and the measured range is between them (docs/method.md, "Step 2").
+// Mixed pixels: the beam's spot covers two surfaces, and the measured range is between them (docs/method/edges.md, "Step 2").
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"

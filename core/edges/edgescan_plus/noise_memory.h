@@ -1,5 +1,5 @@
 // Correlation between the noise of neighbouring cells: white noise as that of a laser, or noise with memory as that of a depth camera,
-// whose depth has steps that span several cells (docs/method.md, "Noise with memory").
+// whose depth has steps that span several cells (docs/method/edges.md, "Noise with memory").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"
@@ -30,7 +30,7 @@ struct MemoryNoise {
     double cells = 1;    ///< number of correlated cells: the square of (fold noise / fold noise of white noise with the size at lag 1)
     double windowMm = 0; ///< window of folds, mm
 };
-/// `scales` of the same sweep, `windowMm` of one side of a fold (docs/method.md, "Step 5"). Zero noise if there are too few cells.
+/// `scales` of the same sweep, `windowMm` of one side of a fold (docs/method/edges.md, "Step 5"). Zero noise if there are too few cells.
 [[nodiscard]] MemoryNoise memoryNoise(const InverseRange& inverse, const AngularSteps& steps, const NoiseScales& scales, double windowMm);
 
 } // namespace edgescan::edges

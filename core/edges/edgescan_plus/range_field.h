@@ -24,8 +24,8 @@ struct DepthField {
     [[nodiscard]] std::ptrdiff_t step(Along along) const { return stepOf(u, along); }
 };
 
-/// Thresholds of the stages, from settings and noise (docs/method.md, "Step 3", "Step 5", "Step 6"). depthLimits() sets all of them; the
-/// values here are only placeholders. q is the noise divided by that of an LMS511.
+/// Thresholds of the stages, from settings and noise (docs/method/edges.md, "Step 3", "Step 5", "Step 6"). depthLimits() sets all of them;
+/// the values here are only placeholders. q is the noise divided by that of an LMS511.
 struct DepthLimits {
     float jumpMm = 30;    ///< J0: smallest jump near the scanner, mm; automatic: 30 q
     float growth = 0.01F; ///< p: added to J0, as a share of the range

@@ -1,5 +1,5 @@
-// Outlines before a void: a surface ends there, and the surface behind the missing cells is farther away (docs/method.md, "Outlines before
-// a void").
+// Outlines before a void: a surface ends there, and the surface behind the missing cells is farther away (docs/method/edges.md, "Outlines
+// before a void").
 #pragma once
 
 #include "core/edges/edgescan_plus/range_field.h"
@@ -14,7 +14,7 @@ namespace edgescan::edges {
 /// conditions hold. First, the straight lines in u of both ends, continued across the void, miss the other end by more than the jump
 /// threshold there plus the effect of a bend of 14 degrees. Second, the near surface is slanted by 70 degrees at most, because ranges are
 /// often lost on steeper surfaces. A void that reaches the border of the grid, or whose ends are on one surface, gives no outline: missing
-/// data have no outline (docs/operator.md, "S3").
+/// data have no outline (docs/reference/rules.md, "S3").
 [[nodiscard]] std::vector<std::uint32_t> silhouetteCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits);
 
 } // namespace edgescan::edges

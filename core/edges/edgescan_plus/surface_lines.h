@@ -10,8 +10,8 @@
 
 namespace edgescan::edges {
 
-/// The stages between a cleaned sweep and the decision (docs/method.md, "Step 2" to "Step 5"), and the lines between them. The results of a
-/// line depend only on a few dozen lines around it, and only these are stored.
+/// The stages between a cleaned sweep and the decision (docs/method/edges.md, "Step 2" to "Step 5"), and the lines between them. The
+/// results of a line depend only on a few dozen lines around it, and only these are stored.
 class SurfaceLines {
 public:
     /// The results of a line depend on at most this many lines before it.

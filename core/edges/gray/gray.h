@@ -1,4 +1,4 @@
-// Converts ranges to gray levels: the first stage of the method (thesis 5.4; docs/method.md, "Gray levels and presets").
+// Converts ranges to gray levels: the first stage of the method (thesis 5.4; docs/method/edges.md, "Gray levels and presets").
 #pragma once
 
 #include "core/edges/gray/gray_loops.h"

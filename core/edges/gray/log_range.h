@@ -1,5 +1,5 @@
-// Canny on the logarithm of the range: a step counts in percent of its range, and values are not rounded to 8 bits (docs/method.md, "Canny
-// on log range").
+// Canny on the logarithm of the range: a step counts in percent of its range, and values are not rounded to 8 bits (docs/method/edges.md,
+// "Canny on log range").
 #pragma once
 
 #include "core/edges/gray/gradient.h"

@@ -1,5 +1,5 @@
 // The highest threshold at which each cell is an edge. With this map, the edges at any threshold need one comparison per cell
-// (docs/method.md, "Threshold map").
+// (docs/method/edges.md, "Threshold map").
 #pragma once
 
 #include "core/base/grid.h"

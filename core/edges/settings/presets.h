@@ -21,10 +21,10 @@ struct Preset {
 /// method.
 [[nodiscard]] Settings cannySettings();
 
-/// "default" first, then "log", "thesis" and "window" (docs/method.md, "Gray levels and presets").
+/// "default" first, then "log", "thesis" and "window" (docs/method/edges.md, "Gray levels and presets").
 [[nodiscard]] std::span<const Preset> builtInPresets();
 
-/// Name and version of the default settings; the version increases if a default changes. docs/operator.md, "S19".
+/// Name and version of the default settings; the version increases if a default changes. docs/reference/rules.md, "S19".
 struct DefaultSet {
     const char* name;
     int version;

@@ -9,7 +9,7 @@ namespace edgescan::edges {
 /// A number that is computed from the scan unless the user gives one.
 inline constexpr double kAutomatic = std::numeric_limits<double>::quiet_NaN();
 
-/// The conversion of a range to a gray level (docs/method.md, "Gray levels and presets").
+/// The conversion of a range to a gray level (docs/method/edges.md, "Gray levels and presets").
 enum class Scaling : std::uint8_t {
     Thesis, ///< clamp(rint(S * 255 / (Smax - Smin))), saturated if Smin > 0; as printed in the thesis
     Window, ///< clamp(rint((S - near) * 255 / (far - near))), near/far = Smin/Smax unless given
@@ -23,7 +23,7 @@ enum class Norm : std::uint8_t {
 
 /// The method that finds edges. The numbers are not stored in files; the names are (parameters.cpp).
 enum class Method : std::uint8_t {
-    EdgeScanPlus, ///< jumps and creases of the surface in inverse range (docs/method.md, "EdgeScan+")
+    EdgeScanPlus, ///< jumps and creases of the surface in inverse range (docs/method/edges.md, "EdgeScan+")
     Outlines,     ///< only the edges around rocks: jumps and concave creases
     Jumps,        ///< only the jumps
     Canny,        ///< Canny on gray levels, the method of the thesis
@@ -68,7 +68,7 @@ enum class NoiseKind : int {
 struct Settings {
     Method method = Method::EdgeScanPlus;
 
-    // EdgeScan+ and its parts (docs/method.md, "Sliders")
+    // EdgeScan+ and its parts (docs/method/edges.md, "Sliders")
     double sensitivity = 1.0;        ///< high threshold of the hysteresis, as a factor
     double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic: from the noise
     double growthPercent = 1.0;      ///< p: added to J0, % of the range
@@ -81,7 +81,7 @@ struct Settings {
     double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
     NoiseKind noiseKind = NoiseKind::Measured;
 
-    // Gaps (docs/method.md, "Gaps")
+    // Gaps (docs/method/edges.md, "Gaps")
     int fillCells = 0;      ///< shorter side of the gaps to fill, cells; 0: no filling
     bool fillEdges = false; ///< EdgeScan+ uses filled cells like measured ones, and they may be edges
 

@@ -1,4 +1,4 @@
-// The report of a scan: one page with the measurements, the results, and how to make it again (docs/report.md).
+// The report of a scan: one page with the measurements, the results, and how to make it again (docs/reference/report.md).
 #pragma once
 
 #include "core/edges/pipeline/detection.h"

@@ -1,4 +1,4 @@
-// What the reader and the writer of clouds for Foxglove and Lichtblick share (docs/formats.md, "Foxglove").
+// What the reader and the writer of clouds for Foxglove and Lichtblick share (docs/reference/formats.md, "Foxglove").
 #pragma once
 
 #include "core/files/point_tables/cloud_columns.h"

@@ -1,4 +1,4 @@
-// Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts (docs/formats.md, "Raw grid").
+// Raw grid: NAME.json describes, NAME.u16 holds lines x beams counts (docs/reference/formats.md, "Raw grid").
 
 #include "core/files/formats/format.h"
 

@@ -276,7 +276,7 @@ double fanDegOf(const Model& model, Axis axis) {
     return known != kFansDeg.end() && std::abs(degrees(pitchOf(model, axis))) <= kMostMountingDeg ? *known : 0.0;
 }
 
-/// Axes with the third along the rotation axis -> axes of the scanner (docs/coordinates.md, "Step 1").
+/// Axes with the third along the rotation axis -> axes of the scanner (docs/reference/coordinates.md, "Step 1").
 Eigen::Matrix3d scannerAxes(Axis axis) {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
     if (axis == Axis::Sweep) axes << 0, 0, 1, 0, -1, 0, 1, 0, 0;

@@ -12,7 +12,7 @@
 namespace edgescan::files {
 
 /// p_file = S turn^T Rot(axis, line angle) (tilt p_fan + lever) + place, S = scale for the first two coordinates: the chain of
-/// docs/coordinates.md with one pose. Numbers of the file.
+/// docs/reference/coordinates.md with one pose. Numbers of the file.
 struct FreeAxis {
     Axis axis = Axis::Spin;
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< axes of the file -> axes of the scanner

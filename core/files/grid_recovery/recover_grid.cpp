@@ -43,7 +43,7 @@ std::vector<AxisPoint> seenAlong(const Hypothesis& hypothesis, std::span<const E
             continue;
         }
         const Eigen::Vector3d p = hypothesis.turn * given;
-        // Right-handed with u along the axis, so that `plane` is the line angle of docs/coordinates.md, "Step 1".
+        // Right-handed with u along the axis, so that `plane` is the line angle of docs/reference/coordinates.md, "Step 1".
         if (hypothesis.axis == Axis::Spin)
             seen.push_back({p.z(), p.x(), p.y()});
         else

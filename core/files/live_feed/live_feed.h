@@ -13,8 +13,8 @@
 
 namespace edgescan::files {
 
-/// Everything that the health of a live scan is derived from (docs/operator.md, "S2", "S4", "S5"). A copy, true at the moment it was asked
-/// for.
+/// Everything that the health of a live scan is derived from (docs/reference/rules.md, "S2", "S4", "S5"). A copy, true at the moment it was
+/// asked for.
 struct LiveStatus {
     scanner::ConnectionState session;
     std::optional<scanner::ScannerIdentity> scanner;

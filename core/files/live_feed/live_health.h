@@ -1,5 +1,5 @@
 // What the operator sees of a live scan, in words and states: a function of the status alone.
-// (docs/operator.md, "S2", "S4", "S5"; states as in NE 107.)
+// (docs/reference/rules.md, "S2", "S4", "S5"; states as in NE 107.)
 #pragma once
 
 #include "core/files/live_feed/live_feed.h"
@@ -9,7 +9,7 @@
 
 namespace edgescan::files {
 
-inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (docs/operator.md, "S4")
+inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (docs/reference/rules.md, "S4")
 
 enum class Liveness : std::uint8_t {
     Connecting, ///< no line came yet

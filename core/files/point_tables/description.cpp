@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kFormat = "edgescan-raw-grid/1";
 constexpr auto kMostCells = static_cast<std::uint64_t>(physical::kAlongOneSide.limits.most);
 constexpr std::size_t kMostCodes = 65536; // as many as 16 bits can distinguish
-const char* const kSeeFormat = "compare it with docs/formats.md, \"Raw grid\"";
+const char* const kSeeFormat = "compare it with docs/reference/formats.md, \"Raw grid\"";
 
 std::vector<std::uint32_t> codesIn(JsonFields& fields, const char* key, std::vector<std::uint32_t> missing) {
     if (!fields.has(key)) return missing;

@@ -80,7 +80,8 @@ struct DeviceTimes {
     std::uint32_t sinceStartUs = 0, transmittedUs = 0;
 };
 
-/// The two device times of a scan telegram, straight from their places (docs/protocol.md, "Scan telegram"), without decoding the rest.
+/// The two device times of a scan telegram, straight from their places (docs/developer/protocol.md, "Scan telegram"), without decoding the
+/// rest.
 std::optional<DeviceTimes> deviceTimes(ByteView frame) {
     constexpr std::size_t kBinaryPayload = 8;
     constexpr std::size_t kBinaryTimes = 38;

@@ -1,4 +1,4 @@
-// The recording layout "sweep/1" (docs/recordings.md, "Topics"): topics, their schemas, and what is in their messages.
+// The recording layout "sweep/1" (docs/reference/recordings.md, "Topics"): topics, their schemas, and what is in their messages.
 #pragma once
 
 #include "core/containers/mcap/writer.h"

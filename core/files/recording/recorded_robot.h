@@ -1,4 +1,4 @@
-// What a recording says of its robot: its place, how it is built, who measured (docs/recordings.md, "Metadata").
+// What a recording says of its robot: its place, how it is built, who measured (docs/reference/recordings.md, "Metadata").
 #pragma once
 
 #include "core/files/recording/recording.h"

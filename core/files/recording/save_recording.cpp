@@ -17,7 +17,7 @@ namespace edgescan::files {
 namespace {
 
 constexpr std::int64_t kPeriodUs = 40'000;              // 25 Hz
-constexpr std::int64_t kTransmittedUs = 40'600;         // docs/protocol.md, "Time of a beam": 329/360 of a turn + 4.05 ms
+constexpr std::int64_t kTransmittedUs = 40'600;         // docs/developer/protocol.md, "Time of a beam": 329/360 of a turn + 4.05 ms
 constexpr std::int64_t kUnknownStartNs = 1'000'000'000; // no date is known; the same scan gives the same bytes
 constexpr std::int64_t kDelayNs = 500'000;              // on the wire
 constexpr int kMostBeams = 32'000;                      // in a payload of 64 KiB

@@ -1,5 +1,5 @@
-// The two ends of a sweep's rotation axis: small cones that a fan of more than 180 degrees sees twice in a full turn (docs/calibration.md,
-// "Sweep mounting").
+// The two ends of a sweep's rotation axis: small cones that a fan of more than 180 degrees sees twice in a full turn
+// (docs/reference/calibration.md, "Sweep mounting").
 #pragma once
 
 #include "core/inspect/calibration/residuals.h"

@@ -1,4 +1,4 @@
-// Backlash of the stepper, from two passes over the same lines: forward and back (docs/calibration.md, "Backlash").
+// Backlash of the stepper, from two passes over the same lines: forward and back (docs/reference/calibration.md, "Backlash").
 #pragma once
 
 #include "core/base/result.h"

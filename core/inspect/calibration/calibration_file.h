@@ -1,4 +1,4 @@
-// Writes the result of the self-calibration as a robot's calibration file (docs/coordinates.md, "Calibration").
+// Writes the result of the self-calibration as a robot's calibration file (docs/reference/coordinates.md, "Calibration").
 #pragma once
 
 #include "core/inspect/calibration/self_calibration.h"

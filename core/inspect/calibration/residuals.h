@@ -1,4 +1,5 @@
-// The distance between the two views of a surface, and the effect of each assembly error on it (docs/calibration.md, "Residuals").
+// The distance between the two views of a surface, and the effect of each assembly error on it (docs/reference/calibration.md,
+// "Residuals").
 #pragma once
 
 #include "core/inspect/calibration/surface_fits.h"

@@ -1,4 +1,4 @@
-// The edges of both views of a sweep, drawn over each other (docs/calibration.md, "The seam").
+// The edges of both views of a sweep, drawn over each other (docs/reference/calibration.md, "The seam").
 #pragma once
 
 #include "core/base/grid.h"

@@ -29,7 +29,7 @@ constexpr double kLeastOverlapDeg = 5;
 constexpr double kLeastSweepDeg = 300; // degrees of turn: a shorter turn gives a worse estimate than the nominal assembly
 constexpr double kLeastBeyondDeg = 1;  // degrees of fan behind a sweep's axis
 constexpr double kFullTurnDeg = 359;
-constexpr double kHonestPart = 1.5, kHonestFull = 1.2, kHonestSweep = 1.5; // docs/calibration.md, "Uncertainty"
+constexpr double kHonestPart = 1.5, kHonestFull = 1.2, kHonestSweep = 1.5; // docs/reference/calibration.md, "Uncertainty"
 constexpr double kAgreed = 1.5;                                            // times the misfit that noise explains
 constexpr std::size_t kFewestCells = 500;
 constexpr std::array<const char*, AssemblyErrors::kCount> kNames{"the lever arm t1", "the lever arm t2", "the tilt of the fan",

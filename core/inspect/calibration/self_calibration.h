@@ -1,5 +1,5 @@
 // Estimates the errors of the scanner's assembly from surfaces that one over-rotated sweep (more than 180 degrees) sees twice
-// (docs/calibration.md).
+// (docs/reference/calibration.md).
 #pragma once
 
 #include "core/base/result.h"
@@ -14,7 +14,7 @@ namespace edgescan::inspect {
 
 struct SelfCalibration {
     AssemblyErrors errors; ///< mean of both directions
-    AssemblyErrors sd;     ///< one standard deviation, increased to a realistic value (docs/calibration.md, "Uncertainty")
+    AssemblyErrors sd;     ///< one standard deviation, increased to a realistic value (docs/reference/calibration.md, "Uncertainty")
     Axis axis = Axis::Spin;
     bool turnIsEstimated = true; ///< false: a sweep mounting cannot estimate the turn error; it is 0 without an sd
     double overlapDeg = 0;       ///< overlap of the turn, degrees

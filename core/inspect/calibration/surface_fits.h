@@ -1,4 +1,4 @@
-// Planes in inverse range around the cells of a sweep (docs/calibration.md, "Surfaces").
+// Planes in inverse range around the cells of a sweep (docs/reference/calibration.md, "Surfaces").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"

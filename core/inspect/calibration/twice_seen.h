@@ -1,4 +1,4 @@
-// Finds the cells that a rotating fan sees twice, and their place in the other view (docs/calibration.md, "Seen twice").
+// Finds the cells that a rotating fan sees twice, and their place in the other view (docs/reference/calibration.md, "Seen twice").
 #pragma once
 
 #include "core/scan/georef/assembly.h"
@@ -13,7 +13,7 @@ namespace edgescan::inspect {
 struct SeenCell {
     int line = 0, beam = 0;
     double lineDeg = 0;                                  ///< nominal, for this beam (including its skew)
-    Eigen::Vector3d inSensorM = Eigen::Vector3d::Zero(); ///< frame S of docs/coordinates.md, from the nominal beam angle
+    Eigen::Vector3d inSensorM = Eigen::Vector3d::Zero(); ///< frame S of docs/reference/coordinates.md, from the nominal beam angle
 };
 
 /// The same place as the other view would have measured it.

@@ -47,8 +47,8 @@ struct EarlierOnGrid {
 };
 
 /// `edges`: of the earlier scan, not 0 = edge. Scans without a placement are registered by their surfaces; the result is OUT OF SPEC and
-/// carries a warning (docs/operator.md, "S20"). Error: only one of them has a placement and `bySurfaces` is false, the surfaces do not
-/// determine the registration, or the two scans have no common direction.
+/// carries a warning (docs/reference/rules.md, "S20"). Error: only one of them has a placement and `bySurfaces` is false, the surfaces do
+/// not determine the registration, or the two scans have no common direction.
 Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
                                       const std::shared_ptr<const Grid<std::uint8_t>>& edges, const RegistrationRequest& wish = {});
 

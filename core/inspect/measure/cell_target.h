@@ -1,4 +1,4 @@
-// The values on the card of a picked cell (docs/targets.md).
+// The values on the card of a picked cell (docs/guide/measure.md).
 #pragma once
 
 #include "core/edges/explain/cell_values.h"

@@ -1,4 +1,4 @@
-// Lengths and angles between picked cells, with their uncertainty (docs/targets.md, "How well it is known").
+// Lengths and angles between picked cells, with their uncertainty (docs/guide/measure.md, "How well it is known").
 #pragma once
 
 #include "core/inspect/measure/cell_target.h"

@@ -1,4 +1,4 @@
-// The targets and measurements of the user on a scan, and their file (docs/targets.md, "Where it is kept").
+// The targets and measurements of the user on a scan, and their file (docs/guide/measure.md, "Where targets are stored").
 #pragma once
 
 #include "core/base/result.h"

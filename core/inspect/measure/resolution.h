@@ -14,7 +14,7 @@ struct Resolution {
     double spacingM = 0.0;
     double beamM = 0.0; ///< m: width of the beam there
 
-    /// The smallest object that is detected reliably (docs/operator.md, "S15").
+    /// The smallest object that is detected reliably (docs/reference/rules.md, "S15").
     [[nodiscard]] double smallestM() const { return spacingM + beamM; }
 };
 

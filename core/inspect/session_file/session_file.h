@@ -1,4 +1,4 @@
-// The session file: the viewer's state as JSON (docs/session.md).
+// The session file: the viewer's state as JSON (docs/guide/sessions.md).
 #pragma once
 
 #include "core/base/result.h"

@@ -1,4 +1,4 @@
-// All of the operator's work on one scan, as one value: sessions store it, and undo restores it (docs/session.md).
+// All of the operator's work on one scan, as one value: sessions store it, and undo restores it (docs/guide/sessions.md).
 #pragma once
 
 #include "core/edges/settings/settings.h"

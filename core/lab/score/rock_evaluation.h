@@ -1,4 +1,4 @@
-// All figures for rocks found in simulated scenes (docs/method.md, "Truth and score").
+// All figures for rocks found in simulated scenes (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/lab/score/rock_pairs.h"

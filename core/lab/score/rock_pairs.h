@@ -1,4 +1,4 @@
-// Which of two neighbouring rocks is in front, and which rocks touch (docs/method.md, "Truth and score").
+// Which of two neighbouring rocks is in front, and which rocks touch (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/lab/score/rock_score.h"

@@ -1,5 +1,5 @@
 // Compares labelled regions with the true rocks of a scene: a region and a rock match if their intersection over union is above one half
-// (docs/method.md, "Truth and score").
+// (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/base/grid.h"

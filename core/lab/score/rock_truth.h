@@ -1,4 +1,4 @@
-// The true rocks of a simulated scene (docs/method.md, "Truth and score").
+// The true rocks of a simulated scene (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/base/grid.h"

@@ -1,4 +1,4 @@
-// Scores a mask against the true edges (docs/method.md, "Truth and score").
+// Scores a mask against the true edges (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/lab/score/match.h"

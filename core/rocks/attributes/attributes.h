@@ -1,4 +1,4 @@
-// The attributes of a rock seen from one viewpoint, and their uncertainty (docs/rocks-method.md, "What is said of a rock").
+// The attributes of a rock seen from one viewpoint, and their uncertainty (docs/method/rocks.md, "What is said of a rock").
 #pragma once
 
 #include "core/rocks/selection/rock_map.h"

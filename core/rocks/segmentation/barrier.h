@@ -1,4 +1,4 @@
-// Barriers, where a rock certainly ends, and the distance of each cell to them (docs/rocks-method.md, "Step 2").
+// Barriers, where a rock certainly ends, and the distance of each cell to them (docs/method/rocks.md, "Step 2").
 #pragma once
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"

@@ -1,4 +1,4 @@
-// The first segments: basins of the distance to the barriers, with shallow ones joined (docs/rocks-method.md, "Step 3").
+// The first segments: basins of the distance to the barriers, with shallow ones joined (docs/method/rocks.md, "Step 3").
 #pragma once
 
 #include "core/rocks/segmentation/barrier.h"

@@ -11,7 +11,7 @@
 namespace edgescan::rocks {
 namespace {
 
-// z = log odds "two rocks" (docs/rocks-method.md, "Step 4").
+// z = log odds "two rocks" (docs/method/rocks.md, "Step 4").
 constexpr double kWeightCrack = 7.0;
 constexpr double kWeightEdge = 9.0;
 constexpr double kWeightValley = 0.5;

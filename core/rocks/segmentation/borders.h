@@ -1,4 +1,4 @@
-// Evidence on each crack between two segments: does a rock end there? (docs/rocks-method.md, "Step 4".) A crack is the side between two
+// Evidence on each crack between two segments: does a rock end there? (docs/method/rocks.md, "Step 4".) A crack is the side between two
 // neighbouring cells.
 #pragma once
 
@@ -25,7 +25,7 @@ public:
 
     /// The evidence on the crack between cell (line, beam) and the next one along `along`; both must belong to segments.
     [[nodiscard]] CrackEvidence at(int line, int beam, edges::Along along) const;
-    /// S_J of that crack (docs/method.md, "Step 3").
+    /// S_J of that crack (docs/method/edges.md, "Step 3").
     [[nodiscard]] float jump(std::size_t k, edges::Along along) const {
         return (along == edges::Along::Beams ? cracks_.jumpBeams : cracks_.jumpLines)[k];
     }

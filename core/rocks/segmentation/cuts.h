@@ -1,4 +1,4 @@
-// Strokes that a person draws through segments (docs/rocks-method.md, "Edits").
+// Strokes that a person draws through segments (docs/method/rocks.md, "Edits").
 #pragma once
 
 #include "core/rocks/segmentation/barrier.h"

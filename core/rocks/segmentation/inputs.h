@@ -1,4 +1,4 @@
-// The inputs of rock detection: the surface, its cracks and its edges after suppression (docs/rocks-method.md, "Inputs").
+// The inputs of rock detection: the surface, its cracks and its edges after suppression (docs/method/rocks.md, "Inputs").
 #pragma once
 
 #include "core/edges/pipeline/detection.h"

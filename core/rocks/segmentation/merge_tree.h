@@ -1,4 +1,4 @@
-// The order in which segments are merged to rocks (docs/rocks-method.md, "Step 5").
+// The order in which segments are merged to rocks (docs/method/rocks.md, "Step 5").
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"

@@ -1,4 +1,4 @@
-// Planes through the cells of one segment around a cell (docs/rocks-method.md, "Step 6").
+// Planes through the cells of one segment around a cell (docs/method/rocks.md, "Step 6").
 #pragma once
 
 #include <cstddef>

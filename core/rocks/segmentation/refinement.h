@@ -1,4 +1,4 @@
-// Corrects the borders of segments by the measured ranges (docs/rocks-method.md, "Step 6").
+// Corrects the borders of segments by the measured ranges (docs/method/rocks.md, "Step 6").
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"

@@ -1,4 +1,4 @@
-// The smallest pieces from which rocks are composed (segments), and the measurements on the borders between them (docs/rocks-method.md).
+// The smallest pieces from which rocks are composed (segments), and the measurements on the borders between them (docs/method/rocks.md).
 #pragma once
 
 #include "core/rocks/segmentation/inputs.h"

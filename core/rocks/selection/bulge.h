@@ -1,4 +1,4 @@
-// How far regions are in front of their own chords (docs/rocks-method.md, "Step 7").
+// How far regions are in front of their own chords (docs/method/rocks.md, "Step 7").
 #pragma once
 
 #include "core/rocks/segmentation/segments.h"

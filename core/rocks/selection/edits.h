@@ -1,4 +1,4 @@
-// Changes by the user: constraints given by cell and kind, which are applied again after any change of settings (docs/rocks-method.md,
+// Changes by the user: constraints given by cell and kind, which are applied again after any change of settings (docs/method/rocks.md,
 // "Edits").
 #pragma once
 

@@ -1,4 +1,4 @@
-// The settings of rocks and the user's edits for one scan, as a sidecar file (docs/rocks-method.md, "Edits").
+// The settings of rocks and the user's edits for one scan, as a sidecar file (docs/method/rocks.md, "Edits").
 #pragma once
 
 #include "core/rocks/selection/edits.h"

@@ -21,7 +21,7 @@ constexpr std::uint32_t kFewestValleys = 5;
 constexpr std::uint32_t kFewestJumps = 3;
 constexpr double kOneWay = 0.8; // least share of the jumps with the same nearer side
 
-// Weights of R, the log odds "rock", and of p, the confidence (docs/rocks-method.md, "Step 7", "Confidence").
+// Weights of R, the log odds "rock", and of p, the confidence (docs/method/rocks.md, "Step 7", "Confidence").
 constexpr double kPerBulge = 22.0;
 constexpr double kPerNear = 8.4;
 constexpr double kPerMetreTooLong = 1.1;

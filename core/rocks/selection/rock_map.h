@@ -1,4 +1,4 @@
-// Groups segments to regions at one level, and decides which regions are rocks (docs/rocks-method.md, "Step 7"). This is the work when the
+// Groups segments to regions at one level, and decides which regions are rocks (docs/method/rocks.md, "Step 7"). This is the work when the
 // level slider moves.
 #pragma once
 
@@ -22,7 +22,7 @@ enum class RegionKind : std::uint8_t {
 /// "rock", "not_rock", "fines", "outside".
 [[nodiscard]] const char* regionKindName(RegionKind kind);
 
-/// A group of segments at the chosen level. The letters E, R, s1, e2 and p are those of docs/rocks-method.md, "Step 7".
+/// A group of segments at the chosen level. The letters E, R, s1, e2 and p are those of docs/method/rocks.md, "Step 7".
 struct Region {
     std::uint32_t firstSegment = 0; ///< its smallest segment
     RegionKind kind = RegionKind::Fines;

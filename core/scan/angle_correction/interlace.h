@@ -1,5 +1,5 @@
 // Finds lines and beams that were measured at other angles than recorded: beams interlaced from two passes, and lines at which the stepper
-// slipped (docs/method.md, "Interlaced beams and slips").
+// slipped (docs/method/edges.md, "Interlaced beams and slips").
 #pragma once
 
 #include "core/scan/angle_correction/line_slips.h"

@@ -1,4 +1,5 @@
-// Finds sweeps whose lines were measured with different beam phases in a repeating cycle (docs/method.md, "Interlaced beams and slips").
+// Finds sweeps whose lines were measured with different beam phases in a repeating cycle (docs/method/edges.md, "Interlaced beams and
+// slips").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"

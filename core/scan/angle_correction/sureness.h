@@ -1,4 +1,4 @@
-// The uncertainty of a median (docs/method.md, "Interlaced beams and slips").
+// The uncertainty of a median (docs/method/edges.md, "Interlaced beams and slips").
 #pragma once
 
 #include "core/base/order_statistic.h"

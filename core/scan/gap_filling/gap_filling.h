@@ -1,4 +1,4 @@
-// Fills small gaps of a scan from the cells around them, with an uncertainty (docs/method.md, "Gaps").
+// Fills small gaps of a scan from the cells around them, with an uncertainty (docs/method/edges.md, "Gaps").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"

@@ -1,4 +1,4 @@
-// Errors of the scanner's mounting on the stepper, relative to the nominal mounting (docs/calibration.md).
+// Errors of the scanner's mounting on the stepper, relative to the nominal mounting (docs/reference/calibration.md).
 #pragma once
 
 #include "core/scan/georef/calibration.h"

@@ -69,7 +69,7 @@ void readBoom(JsonFields boom, Calibration& c) {
 Result<Calibration> parseCalibration(std::string_view json, const std::string& where) {
     const auto object = parseJsonObject(json, kCalibrationFormat, where);
     if (!object) return object.error();
-    JsonFields fields(*object, where, "compare it with the example in docs/coordinates.md");
+    JsonFields fields(*object, where, "compare it with the example in docs/reference/coordinates.md");
     Calibration c;
     c.robot = fields.text("robot");
     readStepper(fields.object("stepper"), c);

@@ -14,7 +14,7 @@
 
 namespace edgescan {
 
-/// The direction of the scanner in the inclinometer's frame (docs/coordinates.md, "Step 2").
+/// The direction of the scanner in the inclinometer's frame (docs/reference/coordinates.md, "Step 2").
 enum class Viewing : std::uint8_t {
     Forward, ///< along the boom
     Up,      ///< straight up, with the underside to the front
@@ -36,7 +36,7 @@ struct Calibration {
     double degPerStep = 0.18;
     double zeroDeg = 0.0;           ///< phi0
     double direction = 1.0;         ///< +1 or -1
-    double mirrorIndexDeg = -144.0; ///< a0: beam angle at the time stamp of a line (docs/protocol.md, "Time of a beam")
+    double mirrorIndexDeg = -144.0; ///< a0: beam angle at the time stamp of a line (docs/developer/protocol.md, "Time of a beam")
 
     Viewing viewing = Viewing::Forward;
     Eigen::Vector3d viewingRpyDeg = Eigen::Vector3d::Zero();     ///< for Viewing::Rpy

@@ -1,5 +1,5 @@
-// The frames of docs/coordinates.md, "The chain of frames", one function per step: scanner S, mover M, axis base A, inclinometer I,
-// levelled L, robot R, TALIN vehicle V, north-east-down, mine grid. Angles in degrees, lengths in metres. T_BA * p_A = p_B.
+// The frames of docs/reference/coordinates.md, "The chain of frames", one function per step: scanner S, mover M, axis base A, inclinometer
+// I, levelled L, robot R, TALIN vehicle V, north-east-down, mine grid. Angles in degrees, lengths in metres. T_BA * p_A = p_B.
 #pragma once
 
 #include "core/base/result.h"

@@ -59,7 +59,7 @@ struct MinePoint {
 }
 
 /// The tail of a name that states the frame of its numbers: "" mine grid, "_LOCAL" scanner frame, "_OFFSET" local metres from an origin
-/// (docs/operator.md, "S6").
+/// (docs/reference/rules.md, "S6").
 [[nodiscard]] const char* frameTail(CoordinateFrame frame);
 
 /// The frame's name in records: "scanner", "mine grid", "local metres from the mine grid origin".

@@ -1,4 +1,5 @@
-// The rotations of docs/coordinates.md, "The chain of frames": right-handed, column vectors, angles in radians unless a name says degrees.
+// The rotations of docs/reference/coordinates.md, "The chain of frames": right-handed, column vectors, angles in radians unless a name says
+// degrees.
 #pragma once
 
 #include "core/base/angles.h"

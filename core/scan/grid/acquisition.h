@@ -1,4 +1,4 @@
-// The device and the time of a scan, for its records (docs/operator.md, "S7"). Empty texts mean unknown.
+// The device and the time of a scan, for its records (docs/reference/rules.md, "S7"). Empty texts mean unknown.
 #pragma once
 
 #include <string>

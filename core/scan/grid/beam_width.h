@@ -4,7 +4,7 @@
 namespace edgescan {
 
 /// Width in metres at the exit, and growth in radians, of an LMS511 in high resolution; in its standard mode the beam grows by 0.011
-/// (docs/operator.md, "S15").
+/// (docs/reference/rules.md, "S15").
 struct BeamWidth {
     double atExitM = 0.013;
     double growthRad = 0.0046;

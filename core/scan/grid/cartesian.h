@@ -1,4 +1,4 @@
-// From cell to 3D point: tables of sines and cosines per beam and per line, in double (docs/coordinates.md, "Step 1").
+// From cell to 3D point: tables of sines and cosines per beam and per line, in double (docs/reference/coordinates.md, "Step 1").
 #pragma once
 
 #include "core/scan/grid/scan.h"

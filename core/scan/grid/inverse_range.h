@@ -1,4 +1,4 @@
-// The sweep in inverse range u = 1 / r, in which a plane is a straight line along every scan line (docs/method.md, "EdgeScan+").
+// The sweep in inverse range u = 1 / r, in which a plane is a straight line along every scan line (docs/method/edges.md, "EdgeScan+").
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -32,8 +32,8 @@ struct AngularSteps {
     [[nodiscard]] float lineAt(int i, int j) const { return line[static_cast<std::size_t>(i)] * fromAxis[static_cast<std::size_t>(j)]; }
 };
 
-/// The first step (docs/method.md, "Step 1"): drops isolated cells, and fills gaps of up to 4 cells with measured cells on both sides. The
-/// result is the same for any number of threads (0: as many as make it faster).
+/// The first step (docs/method/edges.md, "Step 1"): drops isolated cells, and fills gaps of up to 4 cells with measured cells on both
+/// sides. The result is the same for any number of threads (0: as many as make it faster).
 [[nodiscard]] InverseRange inverseRange(const Scan& scan, int threads = 1);
 
 /// For an organised cloud the steps are the angles between neighbouring points as seen from the sensor; where they are missing, their
@@ -41,8 +41,8 @@ struct AngularSteps {
 [[nodiscard]] AngularSteps angularSteps(const Scan& scan);
 
 /// Range noise: standard deviation sigma(r) = offsetMm + perMetreMm * r[m] + perSquareMetreMm * r^2, in mm. rangeNoise() gives no square
-/// term. It uses the 40 % quantile of |second differences of u| along the lines in range bins (docs/method.md, "Step 6"). Zero if there are
-/// too few cells.
+/// term. It uses the 40 % quantile of |second differences of u| along the lines in range bins (docs/method/edges.md, "Step 6"). Zero if
+/// there are too few cells.
 struct RangeNoise {
     double offsetMm = 0.0;
     double perMetreMm = 0.0;

@@ -13,7 +13,7 @@ namespace edgescan {
 [[nodiscard]] Grid<std::uint8_t> missingCells(const Scan& scan);
 
 /// lines x beams: 255 where a valid cell is isolated: fewer than 2 of its 8 neighbours have a range within 8 % of its range + 60 mm
-/// (docs/method.md, "Step 1").
+/// (docs/method/edges.md, "Step 1").
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
 
 /// The same, line by line. The scan must outlive this object.

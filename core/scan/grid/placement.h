@@ -29,7 +29,7 @@ struct RigidTransform {
     return {t.rotation.transpose(), -(t.rotation.transpose() * t.translationM)};
 }
 
-/// How the sensor is mounted on the stepper (docs/coordinates.md, "Step 1"). A scan's own points assume the ideal mounting.
+/// How the sensor is mounted on the stepper (docs/reference/coordinates.md, "Step 1"). A scan's own points assume the ideal mounting.
 struct StepperMount {
     RigidTransform sensorInMover; ///< M from S
     Eigen::Vector3d axis{0, 0, 1};
@@ -39,7 +39,8 @@ struct StepperMount {
     bool operator==(const StepperMount&) const = default;
 };
 
-/// The boom that carries the head, metres in the axis base A. It does not rotate with the stepper (docs/coordinates.md, "Step 3").
+/// The boom that carries the head, metres in the axis base A. It does not rotate with the stepper (docs/reference/coordinates.md, "Step
+/// 3").
 struct Boom {
     Eigen::Vector3d pivotM = Eigen::Vector3d::Zero();
     Eigen::Vector3d headM = Eigen::Vector3d::UnitX(); ///< always different from the pivot
@@ -59,7 +60,7 @@ struct Placement {
     StepperMount mount;
     std::vector<RigidTransform> poses{1};                 ///< axis base A -> metres from the origin; one for all lines, or one per line
     Eigen::Vector3d originEnhM = Eigen::Vector3d::Zero(); ///< Easting, Northing, Elevation of the local origin, whole metres
-    double gridScale = 1.0;                               ///< grid metres per metre, horizontally (docs/coordinates.md, "Step 5")
+    double gridScale = 1.0;                               ///< grid metres per metre, horizontally (docs/reference/coordinates.md, "Step 5")
     std::string grid;                                     ///< "UTM 17N, WGS84" as the pose file gives it; may be empty
     std::string source;                                   ///< the files that it was computed from
     std::string robot;                                    ///< its name; may be empty

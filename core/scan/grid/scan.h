@@ -15,7 +15,7 @@
 
 namespace edgescan {
 
-/// The state of a cell. Every cell has exactly one state; the counts add up to lines x beams (docs/operator.md, "S1").
+/// The state of a cell. Every cell has exactly one state; the counts add up to lines x beams (docs/reference/rules.md, "S1").
 enum class CellState : std::uint8_t {
     Valid,        ///< rangeMm holds a measured range
     NoReturn,     ///< the beam had no return
@@ -29,7 +29,7 @@ inline constexpr int kCellStates = 6;
 /// "valid", "no_return", "status", "out_of_window", "masked", "lost": the keys in the JSON of `info` and `detect`.
 [[nodiscard]] const char* cellStateName(CellState state);
 
-/// How the stepper turns the fan (docs/coordinates.md, "Step 1").
+/// How the stepper turns the fan (docs/reference/coordinates.md, "Step 1").
 enum class Axis : std::uint8_t {
     Spin,  ///< about the viewing direction z: x = r cos a cos p, y = r cos a sin p, z = r sin a
     Sweep, ///< about the 0/180 degree line x: Rx(p) (r cos a, 0, r sin a) = (r cos a, -r sin a sin p, r sin a cos p)

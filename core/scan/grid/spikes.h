@@ -1,4 +1,4 @@
-// Removes echoes of dust close to a surface, which isolatedCells() does not find (docs/method.md, "Step 1").
+// Removes echoes of dust close to a surface, which isolatedCells() does not find (docs/method/edges.md, "Step 1").
 #pragma once
 
 #include "core/scan/grid/inverse_range.h"

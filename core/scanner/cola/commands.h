@@ -1,4 +1,5 @@
-// Requests to a scanner and its answers, as values that are the same for both dialects (docs/protocol.md, "Requests and answers").
+// Requests to a scanner and its answers, as values that are the same for both dialects (docs/developer/protocol.md, "Requests and
+// answers").
 #pragma once
 
 #include "core/base/result.h"

@@ -1,4 +1,4 @@
-// Reads the fields of a CoLa payload in order, in the same way for both dialects (docs/protocol.md, "Numbers").
+// Reads the fields of a CoLa payload in order, in the same way for both dialects (docs/developer/protocol.md, "Numbers").
 #pragma once
 
 #include "core/base/result.h"

@@ -1,5 +1,5 @@
-// CoLa A and B framing over a byte stream (docs/protocol.md, "Framing"): takes bytes, returns complete frames, and resynchronises after any
-// damage.
+// CoLa A and B framing over a byte stream (docs/developer/protocol.md, "Framing"): takes bytes, returns complete frames, and resynchronises
+// after any damage.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -52,7 +52,7 @@ struct ColaCounts {
 /// holds at most the start of one frame (kLongestFrame).
 class ColaStream {
 public:
-    /// Without a dialect, the start of each frame decides: 02 02 02 02 is B, 02 's' is A (docs/protocol.md, "Dialect").
+    /// Without a dialect, the start of each frame decides: 02 02 02 02 is B, 02 's' is A (docs/developer/protocol.md, "Dialect").
     explicit ColaStream(std::optional<Dialect> only = std::nullopt) : only_(only) {}
 
     /// Returns the frames that are complete now. `received`: host time directly after these bytes were read.

@@ -1,4 +1,4 @@
-// The answers of an emulated LMS511 to requests (docs/protocol.md, "Requests and answers").
+// The answers of an emulated LMS511 to requests (docs/developer/protocol.md, "Requests and answers").
 #include "core/scanner/emulator/device.h"
 
 #include "core/scanner/cola/fields.h"

@@ -67,7 +67,7 @@ ScanTelegram lineOf(const Scan& scan, int line, const Fan& fan, float scale, con
         dist.values.push_back(raw);
         if (style.remission) rssi.values.push_back(remissionOf(raw, scale));
     }
-    // The angle of the last beam determines when the line is complete (docs/protocol.md, "Time of a beam").
+    // The angle of the last beam determines when the line is complete (docs/developer/protocol.md, "Time of a beam").
     const double lastDeg = (fan.startAngle + static_cast<double>(fan.step) * scan.beams()) / 1e4;
     telegram.transmittedUs = telegram.sinceStartUs + static_cast<std::uint32_t>(std::lround((lastDeg + 144.0) / 360.0 * periodUs + 4050.0));
     telegram.channels16.push_back(std::move(dist));

@@ -1,4 +1,4 @@
-// The scan telegram LMDscandata (docs/protocol.md, "Scan telegram"): one line as the scanner sent it, every field, raw.
+// The scan telegram LMDscandata (docs/developer/protocol.md, "Scan telegram"): one line as the scanner sent it, every field, raw.
 #pragma once
 
 #include "core/base/result.h"
@@ -68,13 +68,13 @@ struct ScanTelegram {
     std::array<std::uint8_t, 2> status{}; ///< see deviceFlags()
     std::uint16_t telegramCounter = 0;    ///< wraps; see LineCounter
     std::uint16_t scanCounter = 0;        ///< wraps; may start again with a new measurement
-    std::uint32_t sinceStartUs = 0;       ///< device clock at the line's stamp (docs/protocol.md, "Time of a beam"); wraps
+    std::uint32_t sinceStartUs = 0;       ///< device clock at the line's stamp (docs/developer/protocol.md, "Time of a beam"); wraps
     std::uint32_t transmittedUs = 0;      ///< device clock when the telegram was sent; wraps
     std::array<std::uint8_t, 2> digitalIn{};
     std::array<std::uint8_t, 2> digitalOut{};
     std::int16_t layer = 0;                 ///< reserved; layer angle on MRS1000
     std::uint32_t scanFrequency = 0;        ///< 1/100 Hz
-    std::uint32_t measurementFrequency = 0; ///< 100 Hz, or 1 Hz on some firmwares (docs/protocol.md, "Scan telegram")
+    std::uint32_t measurementFrequency = 0; ///< 100 Hz, or 1 Hz on some firmwares (docs/developer/protocol.md, "Scan telegram")
     std::vector<ScanEncoder> encoders;
     std::vector<ScanChannel> channels16;
     std::vector<ScanChannel> channels8;
@@ -97,7 +97,7 @@ struct ScanTelegram {
     return decodeScanTelegram(frame.payload(), frame.dialect);
 }
 
-/// The payload: the inverse of decoding, in the canonical text form (docs/protocol.md, "Numbers").
+/// The payload: the inverse of decoding, in the canonical text form (docs/developer/protocol.md, "Numbers").
 [[nodiscard]] Bytes encodeScanTelegram(const ScanTelegram& telegram, Dialect dialect);
 
 /// The channel called `content`, or null.
@@ -107,7 +107,7 @@ struct ScanTelegram {
 [[nodiscard]] LineRanges rangesMm(const ScanChannel& channel);
 
 /// The beams of a channel without the scanner's rounding: start and step are moved to the 1/24-degree grid if they round to it
-/// (docs/protocol.md, "Beam angles").
+/// (docs/developer/protocol.md, "Beam angles").
 [[nodiscard]] BeamGrid beamGrid(const ScanChannel& channel);
 
 /// The meaning of the two status bytes.

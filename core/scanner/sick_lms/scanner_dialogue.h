@@ -1,5 +1,5 @@
 // Requests and answers, one at a time, and identification of the scanner. Nothing that EdgeScan sends changes the scanner
-// (docs/protocol.md, "Dialect", "Requests and answers").
+// (docs/developer/protocol.md, "Dialect", "Requests and answers").
 #pragma once
 
 #include "core/scanner/cola/commands.h"

@@ -1,5 +1,5 @@
-// Unwraps the scanner's counters and clocks, and finds for each line what was lost before it or came twice (docs/protocol.md, "Counters and
-// clocks").
+// Unwraps the scanner's counters and clocks, and finds for each line what was lost before it or came twice (docs/developer/protocol.md,
+// "Counters and clocks").
 #pragma once
 
 #include "core/scanner/scan_line/scan_line.h"
@@ -105,9 +105,9 @@ private:
     std::optional<Last> last_;
 };
 
-/// Converts times of the device's clock to host times (docs/protocol.md, "Time of a beam"). A telegram cannot be received before it was
-/// sent. So over many lines the shortest delay is the delay of the wire, and the rest is jitter of the host. Only the last lines count, so
-/// that drift between the clocks (tens of ppm) is followed.
+/// Converts times of the device's clock to host times (docs/developer/protocol.md, "Time of a beam"). A telegram cannot be received before
+/// it was sent. So over many lines the shortest delay is the delay of the wire, and the rest is jitter of the host. Only the last lines
+/// count, so that drift between the clocks (tens of ppm) is followed.
 class DeviceClock {
 public:
     /// `transmittedUs`: the unwrapped device time of transmission of a line that was received at `hostNs`.

@@ -1,4 +1,4 @@
-// Merges the beams of interlaced lines: two lines of 571 and 570 beams become one of 1141 (docs/protocol.md, "Interlaced lines").
+// Merges the beams of interlaced lines: two lines of 571 and 570 beams become one of 1141 (docs/developer/protocol.md, "Interlaced lines").
 #pragma once
 
 #include "core/scanner/scan_line/scan_line.h"

@@ -1,5 +1,5 @@
-// Irregularities in a scanner's telegrams, counted by kind and reported as sentences (docs/protocol.md, "Counters and clocks",
-// docs/operator.md, "S1", "S2").
+// Irregularities in a scanner's telegrams, counted by kind and reported as sentences (docs/developer/protocol.md, "Counters and clocks",
+// docs/reference/rules.md, "S1", "S2").
 #pragma once
 
 #include <array>

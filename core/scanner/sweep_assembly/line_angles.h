@@ -28,7 +28,7 @@ struct LineAngles {
 [[nodiscard]] LineAngles lineAngles(std::span<const LineTiming> lines, const SweepSettings& settings);
 
 /// Degrees to add to a line's angle per beam. Beam j is measured `turnsOf[j % parts]` mirror rotations after the line's stamp
-/// (docs/protocol.md, "Time of a beam").
+/// (docs/developer/protocol.md, "Time of a beam").
 [[nodiscard]] std::vector<double> lineSkewDeg(std::span<const double> beamDeg, std::span<const int> turnsOf, double degPerTurn,
                                               double indexDeg);
 

@@ -1,5 +1,5 @@
-// Assembles sweeps from scan telegrams: lines go in, a growing scan comes out (docs/protocol.md, "Scan telegram", docs/operator.md, "S1",
-// "S2", "S5").
+// Assembles sweeps from scan telegrams: lines go in, a growing scan comes out (docs/developer/protocol.md, "Scan telegram",
+// docs/reference/rules.md, "S1", "S2", "S5").
 #pragma once
 
 #include "core/scanner/sweep_assembly/counters.h"

@@ -25,7 +25,7 @@ struct SweepSettings {
     double degPerSecond = 4.5;                ///< only if line angles are computed from time
 
     bool continuous = true; ///< the stepper moves while the mirror rotates: each beam has its own line angle
-    /// Beam angle of the mirror at a line's time stamp, from the calibration (docs/protocol.md, "Time of a beam").
+    /// Beam angle of the mirror at a line's time stamp, from the calibration (docs/developer/protocol.md, "Time of a beam").
     double indexDeg = -144.0;
     int expectedLines = 0;    ///< lines of a whole sweep; 0: unknown, only a reversal ends a sweep
     double reversalDeg = 0.5; ///< a larger move back starts a new sweep; 0: never

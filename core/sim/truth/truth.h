@@ -1,4 +1,4 @@
-// Ground truth of edges, from the simulator's data (docs/method.md, "Truth and score").
+// Ground truth of edges, from the simulator's data (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/sim/simulate.h"

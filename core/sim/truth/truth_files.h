@@ -1,4 +1,4 @@
-// Ground truth as files (docs/method.md, "Truth and score").
+// Ground truth as files (docs/method/edges.md, "Truth and score").
 #pragma once
 
 #include "core/sim/truth/truth.h"

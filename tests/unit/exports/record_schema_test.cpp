@@ -1,4 +1,4 @@
-// Every export's record, inside and in the sidecar, conforms to docs/export-record.schema.json (docs/operator.md, "S7").
+// Every export's record, inside and in the sidecar, conforms to docs/reference/export-record.schema.json (docs/reference/rules.md, "S7").
 #include "core/base/sha256.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
@@ -26,7 +26,7 @@ using namespace exports;
 namespace {
 
 const SchemaJson& schema() {
-    static const SchemaJson read = SchemaJson::parse(fileText(sourceFolder() + "/docs/export-record.schema.json"));
+    static const SchemaJson read = SchemaJson::parse(fileText(sourceFolder() + "/docs/reference/export-record.schema.json"));
     return read;
 }
 const SchemaJson& recordSchema() { return schema()["$defs"]["record"]; }

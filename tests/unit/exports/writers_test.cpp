@@ -1,5 +1,5 @@
-// Every kind of file that the core writes (docs/reliability.md, "Files"), written by two and by twenty processes at the same time, and by
-// processes that are killed. EDGESCAN_WRITER_ROUNDS=1000 is the long form.
+// Every kind of file that the core writes (docs/measurements/reliability.md, "Files"), written by two and by twenty processes at the same
+// time, and by processes that are killed. EDGESCAN_WRITER_ROUNDS=1000 is the long form.
 #include "core/base/audit_log/audit_check.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"

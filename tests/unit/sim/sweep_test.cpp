@@ -1,4 +1,4 @@
-// The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method.md, "Simulator").
+// The simulated sweep: repeatable to the byte, and noisy, mixed and gappy by the amounts stated (docs/method/edges.md, "Simulator").
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/beam.h"
 #include "core/sim/scenes.h"

@@ -292,7 +292,7 @@ void Calibrating::saveTo(const QString& path) {
         [this] { saving_ = false; });
 }
 
-// A calibration alone does not give a pose (docs/coordinates.md).
+// A calibration alone does not give a pose (docs/reference/coordinates.md).
 QString Calibrating::whyNotApplied() const {
     const Scan& scan = *engine_.picture()->detection->scan;
     const bool recorded = scan.format == "recording" || scan.format == "sweep";

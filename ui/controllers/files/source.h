@@ -1,4 +1,4 @@
-// The source and time of the picture on the screen, as shown in its badge (docs/operator.md, "S4").
+// The source and time of the picture on the screen, as shown in its badge (docs/reference/rules.md, "S4").
 #pragma once
 
 #include "ui/panels/live/state_badge.h"

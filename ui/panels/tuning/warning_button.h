@@ -6,7 +6,7 @@
 
 namespace edgescan::ui {
 
-/// Hidden without warnings. docs/operator.md, "S13".
+/// Hidden without warnings. docs/reference/rules.md, "S13".
 class WarningButton : public QToolButton {
     Q_OBJECT
 public:

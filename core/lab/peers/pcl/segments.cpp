@@ -12,7 +12,7 @@
 namespace edgescan::lab {
 namespace {
 
-// Chosen on a tuning scene of docs/make-rocks with ten trials each, because PCL has no defaults for most of them.
+// Chosen on a tuning scene of docs/measurements/make-rocks with ten trials each, because PCL has no defaults for most of them.
 constexpr int kNormalPoints = 30;
 constexpr unsigned kGrowNeighbours = 30;
 constexpr float kGrowSmoothnessDeg = 20.0F;

@@ -1,4 +1,4 @@
-// Classes of edges: the effect of each switch; the border of missing data is not an edge of a rock (docs/operator.md, "S3").
+// Classes of edges: the effect of each switch; the border of missing data is not an edge of a rock (docs/reference/rules.md, "S3").
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/exports/provenance.h"

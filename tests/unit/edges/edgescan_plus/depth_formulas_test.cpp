@@ -1,4 +1,4 @@
-// Jumps and folds compared with the formulas of docs/method.md, "Step 3" and "Step 5", in double precision and cell by cell.
+// Jumps and folds compared with the formulas of docs/method/edges.md, "Step 3" and "Step 5", in double precision and cell by cell.
 #include "core/edges/edgescan_plus/surface_lines.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/inverse_range.h"

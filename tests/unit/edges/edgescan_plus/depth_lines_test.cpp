@@ -58,7 +58,7 @@ Grid<float> solidOf(const InverseRange& inverse) {
     return solid;
 }
 
-// docs/method.md, "Step 2" cell by cell, as mixed_pixels.h describes it.
+// docs/method/edges.md, "Step 2" cell by cell, as mixed_pixels.h describes it.
 struct PlainVeil {
     const Lines& u;
     const Lines& solid;

@@ -1,4 +1,4 @@
-// No setting removes a cell from a scan or changes it (docs/operator.md, "S18").
+// No setting removes a cell from a scan or changes it (docs/reference/rules.md, "S18").
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
 #include "tests/support/scans.h"

@@ -226,7 +226,7 @@ TEST(Promises, BombsAreNotUnpacked) {
 }
 
 TEST(Promises, TheDocumentShowsTheTable) {
-    const std::string document = readText(test::sourceFolder() + "/docs/formats.md");
+    const std::string document = readText(test::sourceFolder() + "/docs/reference/formats.md");
     const auto shown = [](double value) {
         std::string text;
         appendShortest(text, value);

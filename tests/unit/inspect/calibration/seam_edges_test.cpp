@@ -1,4 +1,4 @@
-// Edges of the early view transformed to the late one, compared with a search through all rays of docs/coordinates.md, "Step 1".
+// Edges of the early view transformed to the late one, compared with a search through all rays of docs/reference/coordinates.md, "Step 1".
 #include "core/inspect/calibration/seam_edges.h"
 
 #include "core/base/angles.h"

@@ -73,7 +73,7 @@ TEST(TwiceSeen, TheOtherViewMeasuresTheSamePoint) {
                 const SeenCell cell{0, 0, 193.0, {6.0 * std::cos(radians(a)), 0, 6.0 * std::sin(radians(a))}};
                 const auto seen = otherViewOf(cell, View::Late, mounting);
                 ASSERT_TRUE(seen);
-                // Both by the chain of docs/coordinates.md, "Step 1".
+                // Both by the chain of docs/reference/coordinates.md, "Step 1".
                 const auto inBase = [&](double lineDeg, const Eigen::Vector3d& inSensor) {
                     const double turned = radians(lineDeg * errors.turnFactor() * way);
                     return Eigen::Vector3d((axis == Axis::Spin ? rotationZ(turned) : rotationX(turned)) *

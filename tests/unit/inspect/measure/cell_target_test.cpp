@@ -53,7 +53,7 @@ double degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 std::size_t middleOf(const Scan& scan) { return scan.rangeMm.index(scan.lines() / 2, scan.beams() / 2); }
 
 TEST(Resolution, IsTheWayToTheNextBeamPlusTheWidthOfTheBeam) {
-    // The figures of docs/operator.md, "S15": 29 mm of spacing and 59 mm of beam at 10 m; lines of 0.18 degrees are 31.4 mm apart.
+    // The figures of docs/reference/rules.md, "S15": 29 mm of spacing and 59 mm of beam at 10 m; lines of 0.18 degrees are 31.4 mm apart.
     Scan scan = sweepOfSurface([](const Eigen::Vector3d&) { return 10.0; }, 0.0);
     const auto along = resolutionAt(scan, CartesianTables(scan), middleOf(scan));
     ASSERT_TRUE(along);

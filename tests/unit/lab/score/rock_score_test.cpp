@@ -1,5 +1,5 @@
-// Regions compared with true rocks: by hand-made examples, and by a slow second implementation of the rules (docs/method.md, "Truth and
-// score").
+// Regions compared with true rocks: by hand-made examples, and by a slow second implementation of the rules (docs/method/edges.md, "Truth
+// and score").
 #include "core/lab/score/rock_evaluation.h"
 #include "core/sim/truth/truth_files.h"
 

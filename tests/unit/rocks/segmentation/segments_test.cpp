@@ -235,7 +235,7 @@ TEST(Segments, RefinementMovesARaggedBorderToTheStepAndNothingElse) {
     EXPECT_EQ(segment, wanted);
 }
 
-// One pass of the refinement as docs/rocks-method.md describes it, from the segments before it. 0 where a cell may not choose.
+// One pass of the refinement as docs/method/rocks.md describes it, from the segments before it. 0 where a cell may not choose.
 class SlowPass {
 public:
     SlowPass(const Inputs& inputs, double most, const Grid<std::uint32_t>& segment)

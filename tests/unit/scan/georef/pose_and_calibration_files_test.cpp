@@ -152,7 +152,7 @@ TEST(Poses, SaysWhatIsWrong) {
 }
 
 TEST(Poses, TheExamplesOfTheDocumentationAreGood) {
-    const std::string text = readText(std::filesystem::path(test::sourceFolder()) / "docs/coordinates.md");
+    const std::string text = readText(std::filesystem::path(test::sourceFolder()) / "docs/reference/coordinates.md");
     std::vector<std::string> blocks;
     for (std::size_t at = 0; (at = text.find("```json\n", at)) != std::string::npos;) {
         const std::size_t end = text.find("```", at + 8);
