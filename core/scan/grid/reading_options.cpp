@@ -88,7 +88,7 @@ const std::vector<ReadingOption>& table() {
         {"straighten", kBoth, Kind::Switch,
          "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped", {},
          EDGESCAN_OPTION(straighten)},
-        {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0; of a ROS bag which sweep or cloud, otherwise the largest", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
+        {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
         {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise the laser with most lines", {}, EDGESCAN_OPTION(topic)},
         {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise the transforms say it", {}, EDGESCAN_OPTION(joint)},
         {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
