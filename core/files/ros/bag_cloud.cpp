@@ -2,6 +2,7 @@
 #include "core/base/memory.h"
 #include "core/files/point_tables/point_columns.h"
 #include "core/files/ros/bag_sweep.h"
+#include "core/files/ros/firing_grid.h"
 #include "core/files/ros/frames.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ std::size_t wholeIn(const RosValue& message, const char* path) {
     return static_cast<std::size_t>(std::max(0.0, message.number(path).value_or(0)));
 }
 
-std::optional<PointFields> fieldsOf(const RosValue& message, std::size_t pointBytes) {
+std::vector<RecordField> fieldsOf(const RosValue& message, std::size_t pointBytes) {
     const RosValue* all = message.at("fields");
     std::vector<RecordField> fields;
     for (std::size_t n = 0; all != nullptr && n < all->inside.size(); ++n) {
@@ -32,7 +33,44 @@ std::optional<PointFields> fieldsOf(const RosValue& message, std::size_t pointBy
         if (offset > pointBytes || sizeOf(scalar) > pointBytes - offset) continue;
         fields.push_back({std::string(field.text("name")), scalar, 0, offset, pointBytes});
     }
-    return pickFields(fields);
+    return fields;
+}
+
+const RecordField* oneOf(const std::vector<RecordField>& fields, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+        const auto found = std::ranges::find(fields, name, &RecordField::name);
+        if (found != fields.end()) return &*found;
+    }
+    return nullptr;
+}
+
+/// Lines and beams of a scanner with several beams: its rings are the beams. Of an organised cloud the columns are the firings, of another
+/// one the times say them.
+void takeRings(PointTable& table, const std::vector<RecordField>& fields, std::span<const std::byte> bytes, bool bigEndian) {
+    const RecordField* ring = oneOf(fields, {"ring", "line", "channel", "laser_id"});
+    const RecordField* time = oneOf(fields, {"t", "time", "timestamp", "time_stamp", "offset_time", "time_offset"});
+    const std::size_t points = table.points.size();
+    if (ring == nullptr || !table.line.empty()) return;
+    if (table.height > 1) {
+        for (std::size_t n = 0; n < points; ++n) {
+            table.line.push_back(static_cast<std::uint32_t>(n % table.width));
+            table.beam.push_back(static_cast<std::uint32_t>(n / table.width));
+        }
+    } else if (time != nullptr) {
+        std::vector<std::uint32_t> rings(points);
+        std::vector<double> times(points);
+        forEachScalar(ring->scalar, bytes.data() + ring->offset, ring->stride, points, bigEndian,
+                      [&](std::size_t n, double value) { rings[n] = indexOf(value); });
+        forEachScalar(time->scalar, bytes.data() + time->offset, time->stride, points, bigEndian,
+                      [&](std::size_t n, double value) { times[n] = value; });
+        if (auto firings = firingsOf(rings, times)) {
+            table.line = std::move(*firings);
+            table.beam = std::move(rings);
+        }
+    }
+    if (table.line.empty()) return;
+    table.gridIsGiven = true;
+    table.remarks.emplace_back("The cloud is of a scanner with several beams: its rings are the beams, and its firings the lines.");
 }
 
 /// Rows may end with bytes that belong to no point.
@@ -49,7 +87,8 @@ std::vector<std::byte> rowsOf(std::span<const std::byte> data, std::size_t heigh
 Result<PointTable> tableOf(const RosValue& message, const Source& source) {
     const std::size_t height = wholeIn(message, "height"), width = wholeIn(message, "width"), pointBytes = wholeIn(message, "point_step");
     const RosValue* data = message.at("data");
-    const auto fields = fieldsOf(message, pointBytes);
+    const std::vector<RecordField> all = fieldsOf(message, pointBytes);
+    const auto fields = pickFields(all);
     if (!fields || data == nullptr) return source.refused("the cloud has no fields x, y and z", "choose another topic");
     const std::size_t rowBytes = width * pointBytes, stride = std::max(wholeIn(message, "row_step"), rowBytes);
     const std::size_t held = data->bytes.size();
@@ -67,8 +106,9 @@ Result<PointTable> tableOf(const RosValue& message, const Source& source) {
     const auto bytes = std::as_bytes(std::span(data->bytes.data(), held));
     const bool bigEndian = message.number("is_bigendian").value_or(0) != 0;
     const std::vector<std::byte> packed = stride == rowBytes ? std::vector<std::byte>() : rowsOf(bytes, height, rowBytes, stride);
-    if (!readRecords(table, *fields, height * width, packed.empty() ? bytes : std::span<const std::byte>(packed), bigEndian, source))
-        return source.cancelled();
+    const std::span<const std::byte> records = packed.empty() ? bytes : std::span<const std::byte>(packed);
+    if (!readRecords(table, *fields, height * width, records, bigEndian, source)) return source.cancelled();
+    if (!source.placesOnly) takeRings(table, all, records, bigEndian);
     return table;
 }
 

@@ -105,7 +105,8 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         Eigen::Vector3d u = laserInMover.rotation.transpose() * axis;
         motion.outOfPlaneDeg = std::abs(degrees(std::asin(std::clamp(u.z(), -1.0, 1.0))));
         if (motion.outOfPlaneDeg > kMostOutOfPlaneDeg)
-            return Error{motion.source + " turns the laser in the plane of its own fan: that is not a sweep", where, "choose another topic"};
+            return Error{motion.source + " turns the laser in the plane of its own fan: that is not a sweep", where,
+                         "choose another topic"};
         motion.offAxisM = laserInMover.translationM.cross(axis).norm();
         double betaDeg = degrees(std::atan2(u.y(), u.x()));
         const bool spin = std::abs(std::abs(betaDeg) - 90) <= 45;
