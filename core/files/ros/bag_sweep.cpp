@@ -2,6 +2,7 @@
 #include "core/files/ros/bag_sweep.h"
 
 #include "core/base/number_text.h"
+#include "core/files/ros/bag_place.h"
 #include "core/files/ros/laser_lines.h"
 #include "core/files/ros/laser_motion.h"
 #include "core/scan/grid/acquisition.h"
@@ -60,13 +61,14 @@ public:
         auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_);
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
-        const auto tree = framesOf(bag_, where_);
+        auto tree = framesOf(bag_, where_);
         if (!tree) return tree.error();
         auto motion = motionOf(bag_, *tree, lines_, source_);
         if (!motion) return motion.error();
         motion_ = std::move(*motion);
+        tree_ = std::move(*tree);
         warnings_ = bag_.warnings;
-        warnings_.insert(warnings_.end(), tree->warnings().begin(), tree->warnings().end());
+        warnings_.insert(warnings_.end(), tree_.warnings().begin(), tree_.warnings().end());
         sayWhatWasTaken();
         giveAngles();
         return chosen();
@@ -194,6 +196,7 @@ private:
         if (sweeps > 1)
             warn("The topic holds " + std::to_string(sweeps) + " sweeps; sweep " + std::to_string(number) +
                  ", counted from 0, was opened. --scan chooses another.");
+        if (motion_ && source_.options->pose.empty()) placeByFrames(scan, tree_, *motion_, warnings_);
         scan.warnings.insert(scan.warnings.begin(), warnings_.begin(), warnings_.end());
         scan.format = bag_.kind;
         if (scan.acquisition) {
@@ -211,6 +214,7 @@ private:
     const Source& source_;
     const std::string where_;
     LaserLines lines_;
+    FrameTree tree_;
     std::optional<LaserMotion> motion_;
     std::vector<std::string> warnings_;
     bool skewed_ = false;

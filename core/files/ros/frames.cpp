@@ -99,4 +99,15 @@ std::optional<RigidTransform> FrameTree::inParent(const std::string& frame, std:
         {ns, before.rotation.slerp(share, after->rotation), before.translationM + share * (after->translationM - before.translationM)});
 }
 
+std::optional<RigidTransform> FrameTree::inFrame(const std::string& frame, const std::string& above, std::int64_t ns) const {
+    RigidTransform all;
+    for (const std::string& at : chain(frame)) {
+        if (at == above) return all;
+        const auto step = inParent(at, ns);
+        if (!step) return std::nullopt;
+        all = *step * all;
+    }
+    return std::nullopt;
+}
+
 } // namespace edgescan::files

@@ -40,6 +40,8 @@ public:
     /// Where a frame is in its parent: between two poses the rotation by slerp, before the first and after the last theirs. Empty: no
     /// parent.
     [[nodiscard]] std::optional<RigidTransform> inParent(const std::string& frame, std::int64_t ns) const;
+    /// Where a frame is in one of those above it. Empty: that frame is not above it.
+    [[nodiscard]] std::optional<RigidTransform> inFrame(const std::string& frame, const std::string& above, std::int64_t ns) const;
     [[nodiscard]] const FrameLink* link(const std::string& frame) const;
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
+#include "core/scan/georef/rotations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,10 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
         }
         motion.axis = spin ? Axis::Spin : Axis::Sweep;
         motion.beamShiftDeg = spin ? betaDeg - 90 : betaDeg;
+        motion.baseFrame = link->parent;
+        motion.base = {poses.front().rotation.toRotationMatrix(), poses.front().translationM};
+        const Eigen::Matrix3d fan = rotationZ(radians(motion.beamShiftDeg)) * rotationX(radians(-90.0)); // laser from the scan's own frame
+        motion.mount = {laserInMover * RigidTransform{fan, Eigen::Vector3d::Zero()}, axis, -startDeg, turnAbout ? -1.0 : 1.0};
         return motion;
     }
     return Error{"no transform turns the laser's frame " + frame + " while it measures", where,

@@ -3,6 +3,7 @@
 
 #include "core/containers/ros/bag.h"
 #include "core/files/ros/frames.h"
+#include "core/scan/grid/placement.h"
 #include "core/scan/grid/scan.h"
 
 #include <optional>
@@ -25,6 +26,9 @@ struct LaserMotion {
     double outOfPlaneDeg = 0;       ///< between the axis and the plane of the fan
     double offAxisM = 0;            ///< distance of the laser's origin from the axis
     std::string source;             ///< "the transform of the frame laser in base", "the joint tilt"
+    StepperMount mount;             ///< how the scan's own frame is mounted on the frame that turns
+    std::string baseFrame;          ///< frame in which that one turns; empty: not known
+    RigidTransform base;            ///< the axis base in it
 };
 
 /// The angle between two of them in a straight line, before the first and after the last theirs; rate in degrees per second there.
