@@ -84,6 +84,10 @@ TEST(RosBags, TheCommandsOfThePageRun) {
         const double deg = std::get<PolarGeometry>(bell->geometry).lineDeg[static_cast<std::size_t>(std::min(i, bell->lines() - 1))];
         messages.message(joints, 0, test::rosJoint(deg, test::kRosStartNs + i * test::kRosLineNs, {}));
     }
+    const auto fixed = messages.topic("/tf_static", "tf2_msgs/TFMessage", test::Wire::Ros1);
+    test::RosWriter place(test::Wire::Ros1);
+    place.count(1).header(test::kRosStartNs, "map").text("mast").put(498765.25).put(5150123.5).put(287.5);
+    messages.message(fixed, 0, place.put(0.0).put(0.0).put(0.0).put(1.0).bytes());
     write(folder / "BELL.bag", test::bag1Of(messages));
     std::istringstream page(test::fileText(test::sourceFolder() + "/docs/guide/ros.md"));
     int commands = 0;

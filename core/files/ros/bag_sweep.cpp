@@ -33,6 +33,11 @@ Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& whe
     return tree;
 }
 
+double middleOf(const LaserLines& lines) {
+    const scanner::BeamGrid& beams = lines.lines.front().line.beams;
+    return beams.startDeg + beams.stepDeg * (beams.beams - 1) / 2;
+}
+
 /// How the laser was turned; empty: only the step from line to line is known.
 Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const FrameTree& tree, const LaserLines& lines,
                                             const Source& source) {
@@ -40,7 +45,7 @@ Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const
     const std::int64_t from = lines.lines.front().stampNs, to = lines.lines.back().stampNs;
     const std::string& joint = source.options->joint;
     if (joint.empty()) {
-        auto byFrames = motionByFrames(tree, lines.frame, from, to, where);
+        auto byFrames = motionByFrames(tree, lines.frame, middleOf(lines), from, to, where);
         if (byFrames) return std::optional(std::move(*byFrames));
         auto byJoint = motionByJoint(bag, joint, from, to, where);
         if (byJoint) return std::optional(std::move(*byJoint));
@@ -115,6 +120,8 @@ private:
             to.facts.secondsPerTurn = line.beamS * 360.0 / to.beams.stepDeg;
             skewed_ = true;
         }
+        const double shift = motion_ && !motion_->axisAssumed ? motion_->beamShiftDeg : forwardShiftDeg(middleOf(lines_));
+        for (LaserLine& line : all) line.line.beams.startDeg -= shift;
         if (!motion_) return;
         std::size_t outside = 0;
         std::vector<double> steps;
@@ -125,7 +132,6 @@ private:
             facts.stepperDeg = angle.deg;
             facts.degPerSecond = angle.degPerS;
             facts.stepperSettled = angle.inside;
-            line.line.beams.startDeg -= motion_->beamShiftDeg;
         }
         std::erase_if(all, [](const LaserLine& line) { return !line.line.facts.stepperSettled; });
         if (outside > 0) warn(std::to_string(outside) + " lines were measured before the first or after the last angle and were left out.");

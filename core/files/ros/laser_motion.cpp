@@ -37,6 +37,13 @@ std::pair<double, double> twistDeg(const Eigen::Quaterniond& rotation, const Eig
     return {degrees(std::remainder(angle, 2 * 3.14159265358979323846)), degrees(rotation.angularDistance(twist))};
 }
 
+/// Whole hundredths of a degree that were rounded on their way are whole again.
+double withoutNoise(double deg) {
+    constexpr double kNoiseDeg = 2e-5; // floats of 4 bytes in radians
+    const double whole = std::round(deg * 100) / 100;
+    return std::abs(deg - whole) < kNoiseDeg ? whole : deg;
+}
+
 /// The angle of a joint that gives this rotation behind a fixed one: the twist. 0 where the fixed one turns the axis round, which leaves it
 /// open.
 double angleOfJoint(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& axis) {
@@ -77,8 +84,10 @@ AngleAt angleAt(const std::vector<TimedAngle>& angles, std::int64_t ns) {
     return {a.deg + share * (b.deg - a.deg), (b.deg - a.deg) / (whole * 1e-9), inside};
 }
 
-Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, std::int64_t fromNs, std::int64_t toNs,
-                                   const std::string& where) {
+double forwardShiftDeg(double fanMiddleDeg) { return std::abs(fanMiddleDeg) < 45 ? -90.0 : 0.0; }
+
+Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, double fanMiddleDeg, std::int64_t fromNs,
+                                   std::int64_t toNs, const std::string& where) {
     RigidTransform laserInMover; // the moving frame from the laser's, through links that do not turn
     for (const std::string& at : tree.chain(frame)) {
         const FrameLink* link = tree.link(at);
@@ -109,15 +118,16 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
             return Error{motion.source + " turns the laser in the plane of its own fan: that is not a sweep", where,
                          "choose another topic"};
         motion.offAxisM = laserInMover.translationM.cross(axis).norm();
-        double betaDeg = degrees(std::atan2(u.y(), u.x()));
-        const bool spin = std::abs(std::abs(betaDeg) - 90) <= 45;
-        const bool turnAbout = spin ? betaDeg < 0 : std::abs(betaDeg) > 90; // the axis the other way round
+        // The axis from the middle of the fan on: 0 is a spin, -90 a sweep, and 180 more is the axis the other way round.
+        double fromMiddle = std::remainder(degrees(std::atan2(u.y(), u.x())) - fanMiddleDeg, 360.0);
+        const bool spin = std::abs(fromMiddle) <= 45 || std::abs(fromMiddle) >= 135;
+        const bool turnAbout = spin ? std::abs(fromMiddle) > 90 : fromMiddle > 0;
         if (turnAbout) {
-            betaDeg += betaDeg > 0 ? -180 : 180;
+            fromMiddle = std::remainder(fromMiddle + 180, 360.0);
             for (TimedAngle& angle : motion.angles) angle.deg = -angle.deg;
         }
         motion.axis = spin ? Axis::Spin : Axis::Sweep;
-        motion.beamShiftDeg = spin ? betaDeg - 90 : betaDeg;
+        motion.beamShiftDeg = withoutNoise(fanMiddleDeg + fromMiddle - (spin ? 90 : 0));
         motion.baseFrame = link->parent;
         motion.base = {poses.front().rotation.toRotationMatrix(), poses.front().translationM};
         const Eigen::Matrix3d fan = rotationZ(radians(motion.beamShiftDeg)) * rotationX(radians(-90.0)); // laser from the scan's own frame

@@ -38,10 +38,13 @@ struct AngleAt {
 };
 [[nodiscard]] AngleAt angleAt(const std::vector<TimedAngle>& angles, std::int64_t ns);
 
-/// The lowest link above `frame` that turned between two times, about an axis in the plane of the fan. Error: none turned, or about an
-/// axis across the fan, or about several.
-Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, std::int64_t fromNs, std::int64_t toNs,
-                                   const std::string& where);
+/// LaserMotion::beamShiftDeg where the axis is not known. Lasers on ROS look along 0 degrees, and the scan's own viewing direction is 90.
+[[nodiscard]] double forwardShiftDeg(double fanMiddleDeg);
+
+/// The lowest link above `frame` that turned between two times, about an axis in the plane of the fan: a spin if it is nearer to the middle
+/// of the fan, else a sweep. Error: none turned, or about an axis across the fan, or about several.
+Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, double fanMiddleDeg, std::int64_t fromNs,
+                                   std::int64_t toNs, const std::string& where);
 
 /// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest.
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,

@@ -2,12 +2,16 @@
 // of the angle, every container and serialization.
 #include "core/containers/ros/bag.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/placement.h"
 #include "tests/support/ros_sweeps.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -163,6 +167,41 @@ TEST(RosBagSweep, PointsAreThoseOfTheTransforms) {
         const CartesianTables was(scan), is(*back);
         for (const auto& [line, beam] : {std::pair{0, 0}, {19, 39}, {7, 20}})
             EXPECT_LT((was.point(line, beam) - is.point(line, beam)).norm(), 1e-5);
+    }
+}
+
+TEST(RosBagSweep, TransformsToAMapPlaceIt) {
+    const Eigen::Vector3d mast(498765.25, 5150123.5, -287.75);
+    for (const Axis axis : {Axis::Sweep, Axis::Spin}) {
+        for (const double shift : {7.0, 173.0, -90.0}) { // the second turns the axis round, the third is usual on ROS
+            const Scan scan = boxes(20, 40, 3, axis);
+            const RosSweep sent{.axis = axis, .shiftDeg = shift};
+            RosMessages messages = rosMessagesOf(scan, sent);
+            const auto fixed = messages.topic("/tf_static", "tf2_msgs/TFMessage", Wire::Ros1);
+            RosWriter link(Wire::Ros1);
+            link.count(1).header(kRosStartNs, "map").text("mast").put(mast.x()).put(mast.y()).put(mast.z());
+            link.put(0.0).put(0.0).put(std::sin(15 * kRadian)).put(std::cos(15 * kRadian)); // 30 degrees about up
+            messages.message(fixed, kRosStartNs, link.bytes());
+            const auto back = opened(bag1Of(messages));
+            ASSERT_TRUE(back) << back.error().sentence();
+            ASSERT_TRUE(back->placement);
+            expectSame(*back, scan);
+            EXPECT_TRUE(warns(*back, "GUESS: the frame map"));
+            EXPECT_EQ(back->placement->poses.size(), 1U);
+            const auto& polar = std::get<PolarGeometry>(scan.geometry);
+            for (const auto& [line, beam] : {std::pair{0, 5}, {19, 39}, {7, 20}}) {
+                const std::size_t k = scan.rangeMm.index(line, beam);
+                if (scan.state[k] != CellState::Valid) continue;
+                const double along = (axis == Axis::Sweep ? shift : shift + 90) * kRadian;
+                const Eigen::AngleAxisd turn(polar.lineDeg[static_cast<std::size_t>(line)] * kRadian,
+                                             Eigen::Vector3d(std::cos(along), std::sin(along), 0));
+                const double a = (polar.beamDeg[static_cast<std::size_t>(beam)] + shift) * kRadian;
+                const double r = static_cast<double>(scan.rangeMm[k]) / 1000;
+                const Eigen::Vector3d expected = mast + Eigen::AngleAxisd(30 * kRadian, Eigen::Vector3d::UnitZ()) *
+                                                            (turn * Eigen::Vector3d(r * std::cos(a), r * std::sin(a), 0));
+                EXPECT_LT((minePoint(*back, k).enhM - expected).norm(), 1e-5) << line << ' ' << beam << ' ' << shift;
+            }
+        }
     }
 }
 
