@@ -42,9 +42,9 @@ ByteView fieldOf(ByteView header, std::string_view name) {
     return {};
 }
 
-class Reader {
+class BagReader {
 public:
-    Reader(ByteView bytes, const std::string& where) : bytes_(bytes), where_(where) {
+    BagReader(ByteView bytes, const std::string& where) : bytes_(bytes), where_(where) {
         bag_.kind = "ROS 1 bag";
         bag_.mayUnpack = mostUnpackedBytes(bytes.size());
     }
@@ -164,7 +164,7 @@ bool looksLikeRosBag(ByteView bytes) { return textOf(bytes).starts_with(kAnyMagi
 Result<RosBag> readRosBag(ByteView bytes, const std::string& where) {
     if (!textOf(bytes).starts_with(kMagic))
         return Error{"it is a ROS bag of another version than 2.0", where, "convert it with \"rosbag migrate\""};
-    return Reader(bytes, where).read();
+    return BagReader(bytes, where).read();
 }
 
 } // namespace edgescan::containers

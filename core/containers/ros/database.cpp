@@ -54,9 +54,9 @@ std::map<std::string, std::string> definitionsIn(sqlite3* database) {
     return definitions;
 }
 
-class Reader {
+class DatabaseReader {
 public:
-    Reader(sqlite3* database, std::size_t bytes, const std::string& where) : database_(database), where_(where) {
+    DatabaseReader(sqlite3* database, std::size_t bytes, const std::string& where) : database_(database), where_(where) {
         bag_.kind = "ROS 2 bag (SQLite)";
         bag_.mayUnpack = mostUnpackedBytes(bytes);
     }
@@ -144,7 +144,7 @@ Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
     const auto size = static_cast<sqlite3_int64>(bytes.size());
     if (!open || sqlite3_deserialize(opened, "main", own, size, size, SQLITE_DESERIALIZE_READONLY) != SQLITE_OK)
         return Error{"this SQLite database cannot be opened", where, "copy it again"};
-    return Reader(opened, bytes.size(), where).read();
+    return DatabaseReader(opened, bytes.size(), where).read();
 }
 
 #else

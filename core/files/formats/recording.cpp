@@ -14,7 +14,7 @@ namespace {
 bool looksLikeRecording(const Source& source) { return source.text().starts_with(containers::kMcapMagic); }
 
 /// The scan of a ROS bag in this container; empty: it holds no topic of ROS.
-std::optional<Result<Reading>> bagIn(const Source& source) {
+std::optional<Result<Reading>> rosScanIn(const Source& source) {
     const ByteView bytes(reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size());
     const auto content = containers::readMcap(bytes, source.path.string());
     if (!content || !containers::hasRosTopics(*content)) return std::nullopt;
@@ -25,12 +25,12 @@ std::optional<Result<Reading>> bagIn(const Source& source) {
 Result<Reading> readMcapFile(const Source& source) {
     constexpr std::size_t kProfileAt = containers::kMcapMagic.size() + containers::kMcapRecordHead + 4;
     if (source.text().substr(0, kProfileAt + 3).ends_with("ros")) {
-        if (auto bag = bagIn(source)) return std::move(*bag);
+        if (auto bag = rosScanIn(source)) return std::move(*bag);
         return readingOf<readRecording>(source);
     }
     auto recording = readingOf<readRecording>(source);
     if (recording) return recording;
-    if (auto bag = bagIn(source)) return std::move(*bag);
+    if (auto bag = rosScanIn(source)) return std::move(*bag);
     return recording;
 }
 

@@ -25,12 +25,12 @@ std::optional<Clock> clockOf(std::vector<double> times) {
         if (times[n] > times[n - 1]) steps.push_back(times[n] - times[n - 1]);
     }
     if (steps.size() < kFewestPoints) return std::nullopt;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::ranges::nth_element(steps, middle);
-    const double median = *middle;
+    const auto few = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 4); // points that are missing make longer steps
+    std::ranges::nth_element(steps, few);
+    const double usual = *few;
     double firings = 0;
     for (std::size_t n = 1; n < times.size(); ++n) {
-        const double step = (times[n] - times[n - 1]) / median;
+        const double step = (times[n] - times[n - 1]) / usual;
         if (step > kSameShot) firings += std::max(1.0, std::round(step));
     }
     const Clock clock{times.front(), (times.back() - times.front()) / firings};
