@@ -14,10 +14,13 @@ TopicGives givenBy(const std::string& type) {
     return type == "sensor_msgs/PointCloud2" ? TopicGives::Clouds : TopicGives::Nothing;
 }
 
-std::string listed(const containers::RosBag& bag, const std::vector<BagTopic>& topics) {
+std::string listed(const containers::RosBag& bag, const std::vector<BagTopic>& topics, bool scansOnly = true) {
+    constexpr std::size_t kLongest = 1000;
     std::string text;
     for (const BagTopic& topic : topics) {
-        if (topic.gives != TopicGives::Nothing) text += (text.empty() ? "" : ", ") + topicText(bag, topic);
+        if (scansOnly && topic.gives == TopicGives::Nothing) continue;
+        if (text.size() > kLongest) return text + " and others";
+        text += (text.empty() ? "" : ", ") + topicText(bag, topic);
     }
     return text;
 }
@@ -58,7 +61,7 @@ Result<BagTopic> chosenTopic(const containers::RosBag& bag, const std::string& n
     const std::vector<BagTopic> topics = bagTopics(bag);
     const std::string scans = listed(bag, topics);
     if (scans.empty())
-        return Error{"no topic of this " + bag.kind + " is a laser's: it has neither LaserScan nor PointCloud2", where,
+        return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)), where,
                      "choose another bag"};
     const BagTopic* best = nullptr;
     for (const BagTopic& topic : topics) {
