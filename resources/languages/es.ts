@@ -1054,6 +1054,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>Desde dónde se tomó una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
 <message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, el láser con más líneas</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>

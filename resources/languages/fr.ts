@@ -1054,6 +1054,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>D'où un nuage sans grille a été pris, comme X,Y,Z [m]</translation></message>
 <message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon le laser qui a le plus de lignes</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>

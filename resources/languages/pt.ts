@@ -1054,6 +1054,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>De onde foi tomada uma nuvem sem grade, como X,Y,Z [m]</translation></message>
 <message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tópico de um bag do ROS que é a varredura; senão, o laser com mais linhas</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>

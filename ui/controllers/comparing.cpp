@@ -155,7 +155,7 @@ void Comparing::compareWith(const QString& path) {
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
-    reading.scanIndex = 0; // the index belongs to the file on the screen
+    reading.scanIndex.reset(); // the index belongs to the file on the screen
     read({inspect::fileScan(exactBytes(path), reading), engine_.settings()}, true);
 }
 

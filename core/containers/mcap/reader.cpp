@@ -4,7 +4,7 @@
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
-#include "core/containers/mcap/chunk_compression.h"
+#include "core/containers/compression/chunks.h"
 
 #include <algorithm>
 #include <array>

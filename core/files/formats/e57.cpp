@@ -203,7 +203,7 @@ struct E57Choice {
 };
 
 Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
-    const std::size_t wanted = source.options->scanIndex;
+    const std::size_t wanted = source.options->scanIndex.value_or(0);
     if (file.scans.empty()) {
         return source.refused("this E57 file holds no scan" +
                                   (file.pictures > 0 ? ", only " + std::to_string(file.pictures) + " pictures" : std::string()),
@@ -248,7 +248,7 @@ Result<E57Choice> readChoice(const Source& source) {
     if (!choice) return choice;
     containers::E57Scan& scan = choice->scan;
     PointTable& table = choice->table;
-    const std::string which = "scan " + std::to_string(source.options->scanIndex + 1) + " of this E57 file";
+    const std::string which = "scan " + std::to_string(source.options->scanIndex.value_or(0) + 1) + " of this E57 file";
     if (scan.points == 0) return source.refused(which + " holds no points", "choose another scan or file");
     const auto columns = columnsOf(scan);
     if (!columns) {
