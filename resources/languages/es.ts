@@ -53,9 +53,12 @@
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
+<message><source>the demo</source><translation type="unfinished"></translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
+<message><source>Comparing with A</source><translation type="unfinished"></translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
@@ -79,6 +82,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
+<message><source>Clicked</source><translation type="unfinished"></translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
@@ -92,6 +96,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
+<message><source>Making the report %1</source><translation type="unfinished"></translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
@@ -176,6 +181,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>OLD PICTURE</source><translation type="unfinished"></translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation type="unfinished"></translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
@@ -250,8 +257,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
 <message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
 <message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>En esta celda no se midió nada, así que no es el extremo de ninguna longitud: haga clic en una que tenga distancia.</translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
 <message><source>There is no cell: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
@@ -290,10 +298,14 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
+<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
+<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
@@ -307,6 +319,23 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
+<message><source>being cancelled</source><translation type="unfinished"></translation></message>
+<message><source>opened</source><translation type="unfinished"></translation></message>
+<message><source>reading</source><translation type="unfinished"></translation></message>
+<message><source>reading points</source><translation type="unfinished"></translation></message>
+<message><source>reading ranges</source><translation type="unfinished"></translation></message>
+<message><source>reading the picture</source><translation type="unfinished"></translation></message>
+<message><source>unpacking</source><translation type="unfinished"></translation></message>
+<message><source>finding telegrams</source><translation type="unfinished"></translation></message>
+<message><source>putting packets together</source><translation type="unfinished"></translation></message>
+<message><source>grid</source><translation type="unfinished"></translation></message>
+<message><source>finding the grid</source><translation type="unfinished"></translation></message>
+<message><source>finding the axis</source><translation type="unfinished"></translation></message>
+<message><source>projecting the points</source><translation type="unfinished"></translation></message>
+<message><source>casting beams</source><translation type="unfinished"></translation></message>
+<message><source>placing the points</source><translation type="unfinished"></translation></message>
+<message><source>finding edges</source><translation type="unfinished"></translation></message>
+<message><source>drawing</source><translation type="unfinished"></translation></message>
 <message><source>Menu</source><translation>Menú</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
@@ -384,13 +413,13 @@ mantenga \ para verla</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
@@ -435,6 +464,33 @@ mantenga \ para verla</translation></message>
 <message><source>Remark</source><translation>Observación</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>File</source><translation type="unfinished"></translation></message>
+<message><source>Name</source><translation type="unfinished"></translation></message>
+<message><source>SHA-256</source><translation type="unfinished"></translation></message>
+<message><source>Scan lines</source><translation type="unfinished"></translation></message>
+<message><source>Beams</source><translation type="unfinished"></translation></message>
+<message><source>Cells</source><translation type="unfinished"></translation></message>
+<message><source>with a range</source><translation type="unfinished"></translation></message>
+<message><source>no return</source><translation>sin retorno</translation></message>
+<message><source>device status</source><translation type="unfinished"></translation></message>
+<message><source>out of window</source><translation type="unfinished"></translation></message>
+<message><source>masked</source><translation type="unfinished"></translation></message>
+<message><source>lost</source><translation type="unfinished"></translation></message>
+<message><source>Ranges [mm]</source><translation type="unfinished"></translation></message>
+<message><source>smallest</source><translation type="unfinished"></translation></message>
+<message><source>largest</source><translation type="unfinished"></translation></message>
+<message><source>Unit of the file [mm]</source><translation type="unfinished"></translation></message>
+<message><source>Frame</source><translation type="unfinished"></translation></message>
+<message><source>Warnings</source><translation type="unfinished"></translation></message>
+<message><source>Geometry</source><translation type="unfinished"></translation></message>
+<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
+<message><source>Beam angles [°]</source><translation type="unfinished"></translation></message>
+<message><source>Line angles [°]</source><translation type="unfinished"></translation></message>
+<message><source>Intensity</source><translation type="unfinished"></translation></message>
+<message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>yes</source><translation>sí</translation></message>
+<message><source>no</source><translation type="unfinished"></translation></message>
+<message><source>and %1 more</source><translation type="unfinished"></translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
@@ -496,7 +552,6 @@ mantenga \ para verla</translation></message>
 <message><source>Step per line</source><translation>Paso por línea</translation></message>
 <message><source>Angle of the first line</source><translation>Ángulo de la primera línea</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Shift diez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
@@ -626,20 +681,23 @@ mantenga \ para verla</translation></message>
 <message><source>Cell</source><translation>Celda</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
-<message><source>yes</source><translation>sí</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
 <message><source>from</source><translation>desde</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Measured</source><translation>Mediciones</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
@@ -697,7 +755,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
-<message><source>no return</source><translation>sin retorno</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDE</translation></message>
@@ -777,17 +834,19 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
+<message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
+<message><source>Opening another scan · still shown: </source><translation type="unfinished"></translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Al cerrar termina aquí; lo grabado hasta ahora queda en su archivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
@@ -922,11 +981,9 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>free rotation</source><translation>rotación libre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>

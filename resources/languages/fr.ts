@@ -53,9 +53,12 @@
 <message><source>Forget A</source><translation>Oublier A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
+<message><source>the demo</source><translation type="unfinished"></translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
+<message><source>Comparing with A</source><translation type="unfinished"></translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
@@ -79,6 +82,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
+<message><source>Clicked</source><translation type="unfinished"></translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
@@ -92,6 +96,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
+<message><source>Making the report %1</source><translation type="unfinished"></translation></message>
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
@@ -176,6 +181,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>OLD PICTURE</source><translation type="unfinished"></translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation type="unfinished"></translation></message>
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
@@ -250,8 +257,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
 <message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
 <message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
 <message><source>There is no cell: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
@@ -290,10 +298,14 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
+<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
+<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
@@ -307,6 +319,23 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
+<message><source>being cancelled</source><translation type="unfinished"></translation></message>
+<message><source>opened</source><translation type="unfinished"></translation></message>
+<message><source>reading</source><translation type="unfinished"></translation></message>
+<message><source>reading points</source><translation type="unfinished"></translation></message>
+<message><source>reading ranges</source><translation type="unfinished"></translation></message>
+<message><source>reading the picture</source><translation type="unfinished"></translation></message>
+<message><source>unpacking</source><translation type="unfinished"></translation></message>
+<message><source>finding telegrams</source><translation type="unfinished"></translation></message>
+<message><source>putting packets together</source><translation type="unfinished"></translation></message>
+<message><source>grid</source><translation type="unfinished"></translation></message>
+<message><source>finding the grid</source><translation type="unfinished"></translation></message>
+<message><source>finding the axis</source><translation type="unfinished"></translation></message>
+<message><source>projecting the points</source><translation type="unfinished"></translation></message>
+<message><source>casting beams</source><translation type="unfinished"></translation></message>
+<message><source>placing the points</source><translation type="unfinished"></translation></message>
+<message><source>finding edges</source><translation type="unfinished"></translation></message>
+<message><source>drawing</source><translation type="unfinished"></translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Cancel</source><translation>Annuler</translation></message>
@@ -384,13 +413,13 @@ tenez \ pour la voir</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>Format</source><translation>Format</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
@@ -435,6 +464,33 @@ tenez \ pour la voir</translation></message>
 <message><source>Remark</source><translation>Remarque</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logo</translation></message>
+<message><source>File</source><translation type="unfinished"></translation></message>
+<message><source>Name</source><translation type="unfinished"></translation></message>
+<message><source>SHA-256</source><translation type="unfinished"></translation></message>
+<message><source>Scan lines</source><translation type="unfinished"></translation></message>
+<message><source>Beams</source><translation type="unfinished"></translation></message>
+<message><source>Cells</source><translation type="unfinished"></translation></message>
+<message><source>with a range</source><translation type="unfinished"></translation></message>
+<message><source>no return</source><translation>sans retour</translation></message>
+<message><source>device status</source><translation type="unfinished"></translation></message>
+<message><source>out of window</source><translation type="unfinished"></translation></message>
+<message><source>masked</source><translation type="unfinished"></translation></message>
+<message><source>lost</source><translation type="unfinished"></translation></message>
+<message><source>Ranges [mm]</source><translation type="unfinished"></translation></message>
+<message><source>smallest</source><translation type="unfinished"></translation></message>
+<message><source>largest</source><translation type="unfinished"></translation></message>
+<message><source>Unit of the file [mm]</source><translation type="unfinished"></translation></message>
+<message><source>Frame</source><translation type="unfinished"></translation></message>
+<message><source>Warnings</source><translation type="unfinished"></translation></message>
+<message><source>Geometry</source><translation type="unfinished"></translation></message>
+<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
+<message><source>Beam angles [°]</source><translation type="unfinished"></translation></message>
+<message><source>Line angles [°]</source><translation type="unfinished"></translation></message>
+<message><source>Intensity</source><translation type="unfinished"></translation></message>
+<message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>yes</source><translation>oui</translation></message>
+<message><source>no</source><translation type="unfinished"></translation></message>
+<message><source>and %1 more</source><translation type="unfinished"></translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
 <message><source>Keys</source><translation>Touches</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
@@ -496,7 +552,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Step per line</source><translation>Pas par ligne</translation></message>
 <message><source>Angle of the first line</source><translation>Angle de la première ligne</translation></message>
 <message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
@@ -626,20 +681,23 @@ tenez \ pour la voir</translation></message>
 <message><source>Cell</source><translation>Cellule</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
-<message><source>yes</source><translation>oui</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Measured</source><translation>Mesures</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
@@ -697,7 +755,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
-<message><source>no return</source><translation>sans retour</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>ARÊTE</translation></message>
@@ -777,17 +834,19 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
+<message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
+<message><source>Opening another scan · still shown: </source><translation type="unfinished"></translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Fermer y met fin ici ; ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
@@ -922,11 +981,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>free rotation</source><translation>rotation libre</translation></message>
 <message><source>orthographic</source><translation>orthographique</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
-<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
-<message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>

@@ -53,9 +53,12 @@
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
+<message><source>the demo</source><translation type="unfinished"></translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar com um scan</translation></message>
+<message><source>Comparing with A</source><translation type="unfinished"></translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
@@ -79,6 +82,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
+<message><source>Clicked</source><translation type="unfinished"></translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
@@ -92,6 +96,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
+<message><source>Making the report %1</source><translation type="unfinished"></translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
@@ -176,6 +181,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>OLD PICTURE</source><translation type="unfinished"></translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation type="unfinished"></translation></message>
 <message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
@@ -250,8 +257,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
 <message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
 <message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Nada foi medido nesta célula, por isso ela não é extremidade de nenhum comprimento: clique em uma que tenha distância.</translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
 <message><source>There is no cell: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
@@ -290,10 +298,14 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
+<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
+<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
@@ -307,6 +319,23 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
+<message><source>being cancelled</source><translation type="unfinished"></translation></message>
+<message><source>opened</source><translation type="unfinished"></translation></message>
+<message><source>reading</source><translation type="unfinished"></translation></message>
+<message><source>reading points</source><translation type="unfinished"></translation></message>
+<message><source>reading ranges</source><translation type="unfinished"></translation></message>
+<message><source>reading the picture</source><translation type="unfinished"></translation></message>
+<message><source>unpacking</source><translation type="unfinished"></translation></message>
+<message><source>finding telegrams</source><translation type="unfinished"></translation></message>
+<message><source>putting packets together</source><translation type="unfinished"></translation></message>
+<message><source>grid</source><translation type="unfinished"></translation></message>
+<message><source>finding the grid</source><translation type="unfinished"></translation></message>
+<message><source>finding the axis</source><translation type="unfinished"></translation></message>
+<message><source>projecting the points</source><translation type="unfinished"></translation></message>
+<message><source>casting beams</source><translation type="unfinished"></translation></message>
+<message><source>placing the points</source><translation type="unfinished"></translation></message>
+<message><source>finding edges</source><translation type="unfinished"></translation></message>
+<message><source>drawing</source><translation type="unfinished"></translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
@@ -384,13 +413,13 @@ segure \ para vê-la</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
@@ -435,6 +464,33 @@ segure \ para vê-la</translation></message>
 <message><source>Remark</source><translation>Observação</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>File</source><translation type="unfinished"></translation></message>
+<message><source>Name</source><translation type="unfinished"></translation></message>
+<message><source>SHA-256</source><translation type="unfinished"></translation></message>
+<message><source>Scan lines</source><translation type="unfinished"></translation></message>
+<message><source>Beams</source><translation type="unfinished"></translation></message>
+<message><source>Cells</source><translation type="unfinished"></translation></message>
+<message><source>with a range</source><translation type="unfinished"></translation></message>
+<message><source>no return</source><translation>sem retorno</translation></message>
+<message><source>device status</source><translation type="unfinished"></translation></message>
+<message><source>out of window</source><translation type="unfinished"></translation></message>
+<message><source>masked</source><translation type="unfinished"></translation></message>
+<message><source>lost</source><translation type="unfinished"></translation></message>
+<message><source>Ranges [mm]</source><translation type="unfinished"></translation></message>
+<message><source>smallest</source><translation type="unfinished"></translation></message>
+<message><source>largest</source><translation type="unfinished"></translation></message>
+<message><source>Unit of the file [mm]</source><translation type="unfinished"></translation></message>
+<message><source>Frame</source><translation type="unfinished"></translation></message>
+<message><source>Warnings</source><translation type="unfinished"></translation></message>
+<message><source>Geometry</source><translation type="unfinished"></translation></message>
+<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
+<message><source>Beam angles [°]</source><translation type="unfinished"></translation></message>
+<message><source>Line angles [°]</source><translation type="unfinished"></translation></message>
+<message><source>Intensity</source><translation type="unfinished"></translation></message>
+<message><source>Measured</source><translation>Medições</translation></message>
+<message><source>yes</source><translation>sim</translation></message>
+<message><source>no</source><translation type="unfinished"></translation></message>
+<message><source>and %1 more</source><translation type="unfinished"></translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
@@ -496,7 +552,6 @@ segure \ para vê-la</translation></message>
 <message><source>Step per line</source><translation>Passo por linha</translation></message>
 <message><source>Angle of the first line</source><translation>Ângulo da primeira linha</translation></message>
 <message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
@@ -626,20 +681,23 @@ segure \ para vê-la</translation></message>
 <message><source>Cell</source><translation>Célula</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
-<message><source>yes</source><translation>sim</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Measured</source><translation>Medições</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
@@ -697,7 +755,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
-<message><source>no return</source><translation>sem retorno</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDA</translation></message>
@@ -777,17 +834,19 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
+<message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
+<message><source>Opening another scan · still shown: </source><translation type="unfinished"></translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Ao fechar ela termina aqui; o que foi gravado até agora fica no seu arquivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
@@ -922,11 +981,9 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>free rotation</source><translation>rotação livre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>

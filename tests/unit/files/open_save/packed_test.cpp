@@ -116,11 +116,10 @@ TEST(Packed, FilesOfOtherProgramsAreNamedWithWhatConvertsThem) {
         const char* what;
         const char* hint;
     };
-    for (const Named& named :
-         {Named{binary, ".fls", "FARO scan", "FARO SCENE"}, Named{binary, ".rxp", "RIEGL", "RiSCAN PRO"},
-          Named{binary, ".rdbx", "RIEGL database", "LAS"}, Named{binary, ".zfs", "Z+F scan", "LaserControl"},
-          Named{binary, ".ZFPRJ", "Z+F project", "LaserControl"}, Named{binary, ".lgs", "Leica", "Cyclone"},
-          Named{binary, ".rcp", "ReCap", "E57"}}) {
+    for (const Named& named : {Named{binary, ".fls", "FARO scan", "FARO SCENE"}, Named{binary, ".rxp", "RIEGL", "RiSCAN PRO"},
+                               Named{binary, ".rdbx", "RIEGL database", "LAS"}, Named{binary, ".zfs", "Z+F scan", "LaserControl"},
+                               Named{binary, ".ZFPRJ", "Z+F project", "LaserControl"}, Named{binary, ".lgs", "Leica", "Cyclone"},
+                               Named{binary, ".rcp", "ReCap", "E57"}}) {
         const std::string sentence = refusalOf(named.bytes, named.extension);
         EXPECT_NE(sentence.find(named.what), std::string::npos) << sentence;
         EXPECT_NE(sentence.find(named.hint), std::string::npos) << sentence;
