@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLines = 90, kBeams = 160;
 
-// A floor 2 m below and a wall beside it, seen at a grazing angle; line i is measured at the angle of `place(i)`.
+// A floor 2 m below and a wall next to it, seen at a grazing angle; line i is measured at the angle of `place(i)`.
 Scan corridor(const std::function<double(int)>& place) {
     const PolarGeometry polar = test::regularAngles(kLines, kBeams);
     std::mt19937 random(5);
