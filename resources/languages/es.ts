@@ -102,6 +102,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste smooth-walls, los escalones bajos lejanos también son bordes.</translation></message>
+<message><source>Use It</source><translation>Usarlo</translation></message>
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
@@ -1017,6 +1019,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Cuánto puede estar fuera de lugar un haz antes de que una superficie rasante muestre un salto: 0.1 para un barrido motorizado, 1 para haces entrelazados.</translation></message>
 <message><source>Allow for slips</source><translation>Tener en cuenta los deslizamientos</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Los haces entrelazados de dos pasadas y las líneas en que el motor paso a paso patinó se reconocen y se tienen en cuenta.</translation></message>
+<message><source>Allow for turns</source><translation>Tener en cuenta los retrocesos</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>En las primeras y últimas líneas de un barrido, el motor puede retroceder todavía, y toda superficie parece plegarse allí; esos pliegues se descartan.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruido de distancia a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruido de celda a celda</translation></message>
@@ -1089,7 +1093,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
-<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, escaneos rugosos como los demás.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superficies planas y con poco ruido: los escalones bajos son bordes también de lejos.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, sin atender a escaneos rugosos ni a retrocesos del motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>

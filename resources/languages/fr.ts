@@ -102,6 +102,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Ce scan est plan et peu bruité : avec le préréglage smooth-walls, les marches basses au loin sont aussi des arêtes.</translation></message>
+<message><source>Use It</source><translation>L'utiliser</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
@@ -1017,6 +1019,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>De combien un faisceau peut être mal placé avant qu'une surface rasante montre un saut : 0.1 pour un balayage motorisé, 1 pour des faisceaux entrelacés.</translation></message>
 <message><source>Allow for slips</source><translation>Tenir compte des glissements</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Les faisceaux entrelacés de deux passages et les lignes où le moteur pas à pas a glissé sont reconnus et pris en compte.</translation></message>
+<message><source>Allow for turns</source><translation>Tenir compte des retours</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>Aux premières et dernières lignes d'un balayage, un moteur peut encore revenir en arrière, et toute surface y semble plissée ; ces plis sont écartés.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Bruit de distance à 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Bruit de cellule à cellule</translation></message>
@@ -1089,7 +1093,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
-<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, scans rugueux comme les autres.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Comme default, pour des surfaces planes et peu bruitées : les marches basses sont des arêtes même au loin.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, sans égard aux scans rugueux ni aux retours du moteur.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
 <message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>
