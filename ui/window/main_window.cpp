@@ -1,6 +1,7 @@
 // Builds the window and lays it out.
 #include "ui/window/main_window.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -242,7 +243,7 @@ QImage MainWindow::screenshot() {
     QPainter painter(&image);
     painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
     painter.end();
-    return withWarnings(image, viewer_.warnings.warnings(), font());
+    return withWarnings(image, coreSentence(viewer_.warnings.warnings().join('\n')).split('\n', Qt::SkipEmptyParts), font());
 }
 
 bool MainWindow::mayClose() {
