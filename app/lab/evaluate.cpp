@@ -97,6 +97,10 @@ void show(const Json& evaluation) {
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
         lines += rightAligned(group, 15) + "      " + text(evaluation[group]["precision"], 3) + "   " +
                  text(evaluation[group]["recall"], 3) + "  " + text(evaluation[group]["f"], 3) + "\n";
+    lines += "true cells with a detection within 1 / 2 / 3 cells, and its mean offset across the edge (+: on the farther side)\n";
+    for (const auto& [name, place] : evaluation["places"].items())
+        lines += rightAligned(name, 15) + "      " + text(place["within_1"], 3) + " / " + text(place["within_2"], 3) + " / " +
+                 text(place["within_3"], 3) + "   " + text(place["offset"], 2) + "\n";
     const Json& rocks = evaluation["rocks"];
     if (rocks["count"] == 0)
         lines += "no rock with an outline to find";

@@ -244,7 +244,8 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         const HealthStrip& strip = window.viewer().live.panel().strip();
-        QTRY_VERIFY(strip.shown().end.starts_with("ends in "));
+        QTRY_VERIFY(strip.shown().end.ends_with(" left"));
+        QVERIFY(strip.bar().share() > 0.0 && strip.bar().share() < 1.0);
         emulated.reset();
         QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);
         QCOMPARE(strip.shown().end, std::string());

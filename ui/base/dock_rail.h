@@ -1,4 +1,4 @@
-// A narrow strip at the right edge with the name of each folded panel. One press opens the panel.
+// A narrow strip at the right edge with an icon of each folded panel. One press opens the panel.
 #pragma once
 
 #include <QToolBar>

@@ -10,6 +10,7 @@ namespace edgescan::ui {
 
 void MainWindow::useCab(bool on) {
     viewer_.tools.setVisible(!on);
+    findChild<QToolBar*>("badge-bar")->setVisible(!on); // the head of the cab has its own badge
     showAlone(on ? &viewer_.cloud : nullptr);
     for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
 }

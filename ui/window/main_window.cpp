@@ -31,6 +31,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/docks.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
@@ -43,6 +44,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -62,6 +64,23 @@ namespace {
 
 constexpr int kRememberAfterMs = 300;
 
+/// The bar of the badge, right of the tools, which give way: it is visible at every width.
+QToolBar* badgeBar(QWidget& badge) {
+    auto* bar = new QToolBar;
+    bar->setObjectName("badge-bar");
+    bar->setWindowTitle(MainWindow::tr("Source"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->toggleViewAction()->setVisible(false);
+    auto* place = new QWidget;
+    auto* row = new QHBoxLayout(place);
+    row->setContentsMargins(8, 0, 6, 0);
+    row->addStretch(1);
+    row->addWidget(&badge, 0, Qt::AlignVCenter);
+    bar->addWidget(place);
+    return bar;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
@@ -80,15 +99,17 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(docks_, &Docks::changed, this, &MainWindow::arrange);
     setStatusBar(&viewer_.statusLine);
     viewer_.statusLine.addPinned(&viewer_.warnings);
-    connect(&viewer_.warnings, &QToolButton::clicked, this,
-            [this] { viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n')); });
+    connect(&viewer_.warnings, &QToolButton::clicked, this, [this] {
+        viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n'));
+        viewer_.notice.unfold(true); // the operator asked for all of them
+    });
     connect(&viewer_.report, &ScanReport::saved, &viewer_.audit, [this](const QString& path) { viewer_.audit.noteExport("report", path); });
     connect(&viewer_.warnings, &WarningButton::warningsRaised, &viewer_.audit, &AuditTrail::noteWarnings);
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
-                                  cabCommand(*cab_, viewer_.preferences)};
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, [this] { startTour(*this); },
+                                  sessionCommands(*this), cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -145,11 +166,14 @@ void MainWindow::layOutViews() {
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    auto* top = new QVBoxLayout;
+    column->addLayout(top);
+    column->addWidget(&viewer_.livePanel);
     column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
-    column->addWidget(&viewer_.livePanel);
     cab_ = new CabMode(*this, centre);
+    addTour(*this, *top);
 }
 
 // Over a free part of the cloud; more legends go above it.
@@ -162,17 +186,17 @@ void MainWindow::layOutLegend() {
     connect(&viewer_.legend, &EdgeLegend::classesRequested, this, [this](int classes) { viewer_.tuning.setParameter("classes", classes); });
 }
 
-// The badge is in the corner of the menu bar, where it is visible at every width.
 void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
-    menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner);
+    addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
-    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation, &Explanation::explain);
+    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation,
+            [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell)); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
     const ScannerLink& scanner = viewer_.live.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
@@ -183,11 +207,8 @@ void MainWindow::layOutTools() {
 
 void MainWindow::showOrigin() {
     const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
-    const QSize before = viewer_.origin.sizeHint();
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(origin.more);
-    if (viewer_.origin.sizeHint() != before)
-        menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner); // it asks for the size only then
     viewer_.targets.setSource(origin.badge);
     emit originShown();
 }
@@ -283,13 +304,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: first cancels the job, then closes the notice, the maximised view, the crosshair.
+    // Esc: first cancels the job, then closes the tour, the notice, the maximised view, the crosshair.
     if (event->key() != Qt::Key_Escape) {
         QMainWindow::keyPressEvent(event);
         return;
     }
     if (viewer_.engine.works().cancel()) {
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    } else if (endTour(*this)) {
+        return;
     } else if (viewer_.notice.isVisible())
         viewer_.notice.hide();
     else if (maximised_ != nullptr && !cab_->on())

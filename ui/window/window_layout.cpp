@@ -69,6 +69,7 @@ void MainWindow::setImagesWidth(int width) {
 void MainWindow::maximise(Pane* pane) {
     maximised_ = maximised_ == pane ? nullptr : pane;
     for (Pane* each : panes_) each->showAlone(maximised_ == each);
+    viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
     showImages();
 }
 

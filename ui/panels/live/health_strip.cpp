@@ -5,25 +5,31 @@
 #include "ui/base/elided_label.h"
 #include "ui/base/flow_layout.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/sweep_bar.h"
 
 #include <QLabel>
 
 namespace edgescan::ui {
 
 HealthStrip::HealthStrip(QWidget* parent)
-    : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), lost_(new QLabel), noReturn_(new QLabel), remark_(new StateBadge),
-      window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel), recording_(new StateBadge),
-      sentence_(new ElidedLabel) {
+    : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), bar_(new SweepBar), lost_(new QLabel), noReturn_(new QLabel),
+      remark_(new StateBadge), window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel),
+      recording_(new StateBadge), sentence_(new ElidedLabel) {
     badge_->setObjectName("live-badge");
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
     remark_->setObjectName("live-remark");
     sentence_->setObjectName("live-sentence");
     auto* row = new FlowLayout(this);
-    row->setContentsMargins(6, 2, 6, 2);
+    row->setContentsMargins(0, 2, 6, 2);
     row->setSpacing(10);
-    for (QWidget* each :
-         std::initializer_list<QWidget*>{badge_, lines_, lost_, noReturn_, remark_, window_, device_, pose_, end_, recording_})
+    QFont bold = lines_->font();
+    bold.setBold(true);
+    for (QLabel* label : {lines_, end_}) label->setFont(bold);
+    row->addWidget(badge_);
+    row->addWidget(lines_);
+    row->addWidget(bar_);
+    for (QWidget* each : std::initializer_list<QWidget*>{end_, lost_, noReturn_, remark_, window_, device_, pose_, recording_})
         row->addWidget(each);
     row->addWidget(sentence_);
     // A long sentence must not widen the window; the tool tip shows all of it.
@@ -52,6 +58,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
     showText(lines_, health.lines);
+    bar_->showRows(health.row, health.rows, health.lostRows);
     showText(lost_, health.lost);
     lost_->setToolTip(tr("Lines whose telegrams never came; hatched in the images"));
     showText(noReturn_, health.noReturn);

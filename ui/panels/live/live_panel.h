@@ -1,4 +1,4 @@
-// The panel under the views: scanner address, connect, record, keep, follow, and the scanner's health.
+// The panel above the views: hold, the scanner's health and progress; scanner address, connect, record, keep.
 #pragma once
 
 #include "core/scanner/sweep_assembly/sweep_settings.h"
@@ -56,6 +56,7 @@ private:
     void addSweepMenu();
     void showFields();
 
+    QLabel* name_;
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;
@@ -65,7 +66,6 @@ private:
     QPushButton* keep_;
     QPushButton* follow_;
     QLabel* scanner_;
-    QLabel* title_ = nullptr;
     HealthStrip* strip_;
     bool connected_ = false, brief_ = false;
 };

@@ -51,12 +51,11 @@ ProbeTexts probeWords(const edges::Probe& probe) {
     ProbeTexts words;
     if (probe.mineM)
         words.place =
-            QObject::tr("N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
-    else
-        words.place = QObject::tr("N –  E –  El –");
+            QObject::tr("E %1  N %2  RL %3").arg(number(probe.mineM->x(), 3), number(probe.mineM->y(), 3), number(probe.mineM->z(), 3));
     if (probe.state == CellState::Valid)
         words.place +=
-            QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
+            (words.place.isEmpty() ? "" : "  ") +
+            QObject::tr("x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
     const QString kind =
         probe.kind == edges::DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edges::edgeClassLabel(probe.kind)));
     words.verdict = rangeText(probe) + "  " + (probe.edge ? QObject::tr("EDGE") + kind : QObject::tr("not an edge"));
@@ -210,7 +209,7 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 
 void StatusLine::showProbe(const std::optional<edges::Probe>& probe) {
     const ProbeTexts words = probe ? probeWords(*probe) : ProbeTexts{};
-    probeMain_ = probe ? words.place + "  " + words.verdict : QString();
+    probeMain_ = words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
     probeMore_ = words.cell;
     // Widgets at the right must not appear and disappear with mouse movements.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
@@ -227,7 +226,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
     QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
-        showFact(Fact::Place, tr("scanner frame"), {}, false);
+        showFact(Fact::Place, tr("▲ scanner frame, no pose: no E N RL"), tr("▲ no pose"), true);
         label.setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
         return;
     }
@@ -235,7 +234,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     QString grid = tr("mine grid");
     if (!place.grid.empty()) grid += " " + shownName(exactText(place.grid), 40);
     const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
-    const QString text = grid + tr(" · origin E %1 N %2 El %3")
+    const QString text = grid + tr(" · origin E %1 N %2 RL %3")
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
     showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
     QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};

@@ -20,7 +20,7 @@ namespace edgescan::ui {
 
 /// The texts about a cell, in the order of importance; dashes for unknown mine coordinates.
 struct ProbeTexts {
-    QString place;   ///< "N 5150118.058  E ...  El ...  x 1.234  y ...  z ... m"
+    QString place;   ///< "E 498700.058  N ...  RL ...  x 1.234  y ...  z ... m"
     QString verdict; ///< "range 5.123 m  EDGE (jump)"
     QString cell;    ///< "line 12  beam 400  at 2.160° / 61.667°  gray 87"
 };

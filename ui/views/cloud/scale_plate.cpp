@@ -103,7 +103,7 @@ void ScalePlate::follow() {
         scan_ = cloud_->scan();
         const bool mine = scan_ && scan_->placement;
         frame_ = mine ? mineAxes(*scan_) : Eigen::Matrix3d::Identity();
-        names_ = mine ? std::array<QString, 3>{"E", "N", "El"} : std::array<QString, 3>{"X", "Y", "Z"};
+        names_ = mine ? std::array<QString, 3>{"E", "N", "RL"} : std::array<QString, 3>{"X", "Y", "Z"};
     }
     const CameraPose pose = cloud_->camera();
     const Seen seen{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};

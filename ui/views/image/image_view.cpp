@@ -13,11 +13,12 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kRing = 7.0;     // radius, px
-constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
+constexpr double kRing = 7.0;        // radius, px
+constexpr int kRoomForTags = 420;    // px of the view: in a smaller view targets show only their numbers
+constexpr double kFaded = 0.45;      // opacity of faces of an older picture
+const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
+constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
 const QColor kLostDash(242, 181, 74);
-constexpr double kFaded = 0.45;    // opacity of faces of an older picture
-const QColor kTrail(86, 180, 233); // its frames separate it from edges as well
 
 QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
 QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
@@ -115,7 +116,7 @@ void ImageView::setMarks(CellMarks marks) {
 
 void ImageView::setSelection(std::shared_ptr<const QImage> selection) {
     if (selection == selection_.image()) return;
-    selection_ = Pyramid(std::move(selection), Shrink::KeepBrightest);
+    selection_ = Pyramid(std::move(selection), Shrink::Average);
     update();
 }
 
@@ -206,7 +207,7 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     if (pyramid.empty()) return;
     const QSizeF cell = viewPort_->cellSize() * devicePixelRatioF();
     const double scale = std::min(cell.width(), cell.height());
-    const QImage& image = pyramid.level(pyramidLevel(scale, pyramid.shrink()));
+    const QImage& image = pyramid.level(pyramidLevel(scale));
     const QSizeF full = pyramid.image()->size();
     // For odd sizes the last pixel of a level covers fewer cells; therefore cells per pixel is a power of two, not the quotient of the
     // sizes.
@@ -222,7 +223,7 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
         QRectF(seen.topLeft() / cellsPerPixel, seen.bottomRight() / cellsPerPixel).toAlignedRect().intersected(image.rect());
     QRectF cells(QPointF(source.topLeft()) * cellsPerPixel, QSizeF(source.size()) * cellsPerPixel);
     const QRectF target = toPixels(cells);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0 && pyramid.shrink() == Shrink::Average);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0);
     painter.save();
     painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
     painter.drawImage(target, image, source);
@@ -251,7 +252,8 @@ void ImageView::drawLost(QPainter& painter) const {
 void ImageView::drawTrail(QPainter& painter) const {
     const QRectF seen = QRectF(rect()).adjusted(-20, -20, 20, 20);
     QVector<QRect> frames;
-    for (const QPoint& cell : trail_.cells) {
+    const bool framed = std::min(viewPort_->cellSize().width(), viewPort_->cellSize().height()) >= kLeastFramed;
+    for (const QPoint& cell : framed ? trail_.cells : std::vector<QPoint>()) {
         const QRectF frame = toPixels(QRectF(cell, QSizeF(1, 1))).adjusted(-1, -1, 1, 1);
         if (seen.intersects(frame)) frames.append(frame.toAlignedRect());
     }

@@ -23,7 +23,7 @@ namespace edgescan::ui {
 
 /// A highlighted edge chain. Cells as QPoint: x = beam, y = line.
 struct EdgeTrail {
-    std::vector<QPoint> cells;       ///< drawn with frames
+    std::vector<QPoint> cells;       ///< drawn with frames, where a cell is large enough for a frame
     std::vector<QPoint> way;         ///< from the asked cell to the strong cell that keeps it in the mask (hysteresis), drawn as a line
     std::optional<QPoint> strongest; ///< drawn with a ring
 };
@@ -41,7 +41,7 @@ public:
     /// One pixel per cell. Setting the same pointer again is free; the image must never change. Null = empty.
     void setImage(std::shared_ptr<const QImage> image, Shrink shrink = Shrink::Average);
     /// Drawn over the image with this opacity (edges over gray); usually ARGB with a transparent background.
-    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::KeepBrightest);
+    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::Share);
     /// Drawn between the image and the overlay: coloured faces, transparent elsewhere. `faded`: they belong to an older picture.
     void setFaces(std::shared_ptr<const QImage> faces, bool faded = false);
     /// Shown until the next call; an empty list removes it. Sides of cells, with ends at corners of cells (x = beam, y = line).
