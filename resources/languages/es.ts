@@ -834,7 +834,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>

@@ -834,7 +834,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>

@@ -834,7 +834,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>

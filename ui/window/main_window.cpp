@@ -309,7 +309,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (viewer_.engine.works().cancel()) {
+    if (viewer_.engine.opening()) { // a save or a comparison has its button
+        viewer_.engine.cancel();
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
     } else if (endTour(*this)) {
         return;
