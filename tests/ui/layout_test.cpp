@@ -7,6 +7,7 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/base/view_plate.h"
 #include "ui/base/window_room.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/rocks/rocks_panel.h"
@@ -143,6 +144,38 @@ private slots:
                 if (size == QSize(1280, 800) && !on.viewer.views.gray().isVisible()) faults << where + "the images are folded";
                 if (size == QSize(1280, 800) && window.findChild<QDockWidget*>("dock-edges")->isHidden() != (name == std::string("edges")))
                     faults << where + "edges";
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void legendAndScaleCoverNeitherEachOtherNorTheTarget() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        CloudView& cloud = on.viewer.views.cloud();
+        std::mt19937 random(7);
+        QStringList faults;
+        for (const QSize size : {QSize(853, 533), QSize(1024, 700), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            const std::vector<std::uint32_t>& edges = *on.picture().detection->edges;
+            for (int n = 0; n < 25; ++n) {
+                on.viewer.views.pin(edges[random() % edges.size()]);
+                QVERIFY(eventually([&] { return cloud.atRest(); }));
+                for (int more = 0; more < 3; ++more) QApplication::processEvents();
+                const auto at = cloud.pixelOf(static_cast<std::uint32_t>(*on.viewer.views.pinned()));
+                std::vector<const ViewPlate*> plates;
+                for (const ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+                    if (plate->isVisible()) plates.push_back(plate);
+                }
+                for (const ViewPlate* plate : plates) {
+                    if (at && plate->geometry().contains(at->toPoint()))
+                        faults << QString("%1: %2 covers the target").arg(size.width()).arg(plate->objectName());
+                    if (!cloud.rect().contains(plate->geometry())) faults << plate->objectName() + " is cut off";
+                    for (const ViewPlate* other : plates) {
+                        if (other < plate && other->geometry().intersects(plate->geometry()))
+                            faults << QString("%1: %2 covers %3").arg(size.width()).arg(plate->objectName(), other->objectName());
+                    }
+                }
             }
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));

@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
@@ -143,7 +144,7 @@ void Live::showHealth() {
     panel_.showHealth(scanner_.health(), !own   ? HealthStrip::Picture::Other
                                          : held ? HealthStrip::Picture::Held
                                                 : HealthStrip::Picture::Follows);
-    views_.setStale(scanner_.showsStale() ? shownText(scanner_.health().badge) : QString());
+    views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
         held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(shownName(exactText(shown->detection->scan->name), 60))
              : QString();

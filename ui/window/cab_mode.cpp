@@ -178,7 +178,7 @@ void CabMode::showScan() {
         tr(" · %1 % no return")
             .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);
     for (const QString& warning : warnings) {
-        if (warning.startsWith("INCOMPLETE")) facts = "✕ INCOMPLETE · " + facts;
+        if (warning.startsWith("INCOMPLETE")) facts = tr("✕ INCOMPLETE") + " · " + facts;
     }
     if (scan.placement && scan.placement->outOfSpec) facts = tr("▲ OUT OF SPEC") + " · " + facts;
     frame_->head().showScan(shownName(exactText(scan.name)), facts);

@@ -1,6 +1,7 @@
 // Builds the window and lays it out.
 #include "ui/window/main_window.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -263,7 +264,7 @@ QImage MainWindow::screenshot() {
     QPainter painter(&image);
     painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
     painter.end();
-    return withWarnings(image, viewer_.warnings.warnings(), font());
+    return withWarnings(image, coreSentence(viewer_.warnings.warnings().join('\n')).split('\n', Qt::SkipEmptyParts), font());
 }
 
 bool MainWindow::mayClose() {
@@ -308,7 +309,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (viewer_.engine.works().cancel()) {
+    if (viewer_.engine.opening()) { // a save or a comparison has its button
+        viewer_.engine.cancel();
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
     } else if (endTour(*this)) {
         return;

@@ -5,6 +5,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/scanner_link.h"
 
@@ -42,8 +43,9 @@ PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanne
     const QString last = timeWords(measured.endUtc);
     const QString at = last.isEmpty() ? QObject::tr(" · no time") : " · " + last;
     if (scanner.connected() && scanner.following())
-        return {signOf(scanner.health().liveness), shownText(scanner.health().badge) + at,
-                QObject::tr("What the scanner sends now, with the time of its newest line. %1").arg(shownText(scanner.health().sentence))};
+        return {
+            signOf(scanner.health().liveness), coreWords(scanner.health().badge) + at,
+            QObject::tr("What the scanner sends now, with the time of its newest line. %1").arg(coreSentence(scanner.health().sentence))};
     return {StateBadge::Sign::Waiting, QObject::tr("HELD") + at,
             scanner.connected() ? QObject::tr("The scanner goes on, this picture does not: the time is that of its newest line")
                                 : QObject::tr("The scanner is no longer connected: the time is that of the newest line")};

@@ -1,9 +1,9 @@
 // The health of a live scan in one row.
 #include "ui/panels/live/health_strip.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/flow_layout.h"
-#include "ui/base/shown_text.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/sweep_bar.h"
 
@@ -42,13 +42,13 @@ HealthStrip::HealthStrip(QWidget* parent)
 void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     shown_ = health;
     const auto showText = [](QLabel* label, const std::string& text) {
-        const QString words = shownText(text);
+        const QString words = coreWords(text);
         if (label->text() != words) label->setText(words);
         label->setVisible(!text.empty());
     };
     const auto badge = [](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
-        each->showState(sign, shownText(text));
-        each->setToolTip(shownText(text)); // a narrow strip cuts its end off
+        each->showState(sign, coreWords(text));
+        each->setToolTip(coreWords(text)); // a narrow strip cuts its end off
         each->setVisible(!text.empty());
     };
     // Green is only for data that arrives now. A fault of the scanner has priority.
@@ -64,7 +64,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     showText(noReturn_, health.noReturn);
     badge(remark_, signOf(health.telegrams), health.remark);
     QStringList remarks;
-    for (const std::string& sentence : health.remarks) remarks << shownText(sentence);
+    for (const std::string& sentence : health.remarks) remarks << coreSentence(sentence);
     remark_->setToolTip(remarks.join('\n'));
     badge(window_, signOf(health.window), health.contamination);
     // A device without faults has no badge.
@@ -72,8 +72,10 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     showText(pose_, health.lines.empty() ? std::string() : health.pose);
     showText(end_, health.end);
     badge(recording_, signOf(health.recorded), health.recording);
-    showText(sentence_, health.liveness == files::Liveness::Live ? std::string() : health.sentence);
-    sentence_->setToolTip(shownText(health.sentence));
+    const QString sentence = coreSentence(health.sentence);
+    if (sentence_->text() != sentence) sentence_->setText(sentence);
+    sentence_->setVisible(health.liveness != files::Liveness::Live && !sentence.isEmpty());
+    sentence_->setToolTip(sentence);
 }
 
 } // namespace edgescan::ui

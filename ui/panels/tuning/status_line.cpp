@@ -7,6 +7,7 @@
 #include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -79,7 +80,7 @@ StatusLine::StatusLine(QWidget* parent)
     bar_->setTextVisible(true);
     bar_->setFixedWidth(140);
     line->addWidget(bar_);
-    auto* cancel = new QPushButton(tr("Cancel (Esc)"));
+    auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setObjectName("cancel-work");
     stage_->setObjectName("work-stage");
     connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
@@ -221,7 +222,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     longestProbe_ = longestCell_ = 0;
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
     const bool part = !growing && incomplete != scan.warnings.end();
-    const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
+    const QString howMuch = part ? "✕ " + coreSentence(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
     showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
     QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
