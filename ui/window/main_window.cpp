@@ -33,6 +33,7 @@
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
+#include "ui/window/pane_places.h"
 #include "ui/window/rock_docks.h"
 #include "ui/window/session_menu.h"
 #include "ui/window/target_dock.h"
@@ -116,7 +117,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
     const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
-                                  cabCommand(*cab_, viewer_.preferences)};
+                                  imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -168,6 +169,8 @@ void MainWindow::layOutViews() {
     }
     splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
+    places_ = new PanePlaces(*splitter_, *images_, panes_, this);
+    followPlaces();
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -177,6 +180,23 @@ void MainWindow::layOutViews() {
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
     cab_ = new CabMode(*this, centre);
+}
+
+/// A double-click on the title of an image exchanges it with the cloud; on the title of the cloud it shows the cloud alone.
+void MainWindow::followPlaces() {
+    for (Pane* pane : panes_)
+        connect(pane, &Pane::swapRequested, this, [this, pane] {
+            if (cab_->on()) return;
+            if (maximised_ != nullptr) return maximise(maximised_);
+            if (pane == places_->inCloudsPlace() && pane == panes_.back()) return maximise(pane);
+            places_->swap(pane);
+        });
+    connect(places_, &PanePlaces::changed, this, [this] {
+        viewer_.preferences.keep("window/large-view", places_->text());
+        arrangedImages_ = 0; // the width of the new places
+        arrange();
+        rememberTimer_.start();
+    });
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {

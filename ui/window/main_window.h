@@ -21,6 +21,7 @@ class CabMode;
 class DockRail;
 class Preferences;
 class Pane;
+class PanePlaces;
 class Sessions;
 
 class MainWindow : public QMainWindow {
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] Viewer& viewer() { return viewer_; }
     [[nodiscard]] Sessions& sessions() { return *sessions_; }
     [[nodiscard]] CabMode& cab() { return *cab_; }
+    [[nodiscard]] PanePlaces& places() { return *places_; }
 
     void resetLayout();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
@@ -72,6 +74,7 @@ private:
     void showOrigin();
     void escape();
     void showWarnings();
+    void followPlaces();
     void showTitle();
     void arrange();
     void setImagesWidth(int width);
@@ -91,6 +94,7 @@ private:
     QWidget* pictures_ = nullptr; // both images and the range window
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     QList<QDockWidget*> hiddenForCab_; // restored after cab mode
     QList<QDockWidget*> docks_;

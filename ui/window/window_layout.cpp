@@ -8,6 +8,7 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
 
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -23,11 +24,12 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kFoldedBelow = 1100;    // px of the window: in a narrower one the panels are folded unless the operator opens them
-constexpr double kCloudShare = 0.55;  // of the width, minimum
-constexpr int kRangeWindowFrom = 600; // px of the window's height
-constexpr int kLeastPanel = 240;      // px; narrower panels cut off text
-constexpr int kOpenFrame = 2;         // px: widths that differ by less count as equal
+constexpr int kFoldedBelow = 1100;              // px of the window: in a narrower one the panels are folded unless the operator opens them
+constexpr double kCloudShare = 0.55;            // of the width, minimum
+constexpr double kImagesFirstShare = 2.0 / 3.0; // of the views' width, for both images side by side
+constexpr int kRangeWindowFrom = 600;           // px of the window's height
+constexpr int kLeastPanel = 240;                // px; narrower panels cut off text
+constexpr int kOpenFrame = 2;                   // px: widths that differ by less count as equal
 
 // Widths at which the cloud has most of the window and images and panel stay readable.
 int usualImages(int window) {
@@ -69,7 +71,8 @@ void MainWindow::arrange() {
     if (maximised_ != nullptr) return;
     const int most = static_cast<int>(wide * (1.0 - kCloudShare)) - panel;
     if (asArranged(pictures_->width(), arrangedImages_))
-        setImagesWidth(std::min(usualImages(wide), std::max(most, pictures_->minimumSizeHint().width())));
+        setImagesWidth(places_->imagesFirst() ? static_cast<int>(kImagesFirstShare * splitter_->width())
+                                              : std::min(usualImages(wide), std::max(most, pictures_->minimumSizeHint().width())));
     showRangeWindow();
 }
 
@@ -84,7 +87,7 @@ void MainWindow::maximise(Pane* pane) {
         each->setVisible(maximised_ == nullptr || maximised_ == each);
         each->showAlone(maximised_ == each);
     }
-    pictures_->setVisible(maximised_ == nullptr || maximised_->content() != &viewer_.cloud);
+    pictures_->setVisible(maximised_ == nullptr || maximised_ != places_->inCloudsPlace());
     viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
     showRangeWindow();
 }
@@ -112,7 +115,8 @@ void MainWindow::restoreLayout() {
     restoreGeometry(viewer_.preferences.bytes("window/geometry"));
     restoreState(viewer_.preferences.bytes("window/state"));
     images_->restoreState(viewer_.preferences.bytes("window/images"));
-    images_->setOrientation(Qt::Vertical); // a former version may have stored them side by side
+    places_->orient();
+    places_->use(viewer_.preferences.text("window/large-view"));
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
     arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
     arrangedPanel_ = viewer_.preferences.text("window/panel-width").toInt();
@@ -144,6 +148,8 @@ void MainWindow::resetLayout() {
         dock->setFloating(false);
         addDockWidget(Qt::RightDockWidgetArea, dock);
     }
+    places_->use(QString());
+    places_->setImagesFirst(false);
     images_->setSizes({1000, 1000});
     arrangedImages_ = arrangedPanel_ = 0;
     arrange();

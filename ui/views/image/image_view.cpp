@@ -193,7 +193,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
 
 void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     if (pyramid.empty()) return;
-    const QSizeF cell = viewPort_->cellSize() * devicePixelRatioF();
+    const QSizeF cell = viewPort_->cellSize(size()) * devicePixelRatioF();
     const double scale = std::min(cell.width(), cell.height());
     const QImage& image = pyramid.level(pyramidLevel(scale));
     const QSizeF full = pyramid.image()->size();
@@ -221,7 +221,7 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
 void ImageView::drawTrail(QPainter& painter) const {
     const QRectF seen = QRectF(rect()).adjusted(-20, -20, 20, 20);
     QVector<QRect> frames;
-    const bool framed = std::min(viewPort_->cellSize().width(), viewPort_->cellSize().height()) >= kLeastFramed;
+    const bool framed = std::min(viewPort_->cellSize(size()).width(), viewPort_->cellSize(size()).height()) >= kLeastFramed;
     for (const QPoint& cell : framed ? trail_.cells : std::vector<QPoint>()) {
         const QRectF frame = toPixels(QRectF(cell, QSizeF(1, 1))).adjusted(-1, -1, 1, 1);
         if (seen.intersects(frame)) frames.append(frame.toAlignedRect());
@@ -259,7 +259,7 @@ void ImageView::drawMarks(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     if (crosshair_) {
         const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());
-        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize().width(), viewPort_->cellSize().height()));
+        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize(size()).width(), viewPort_->cellSize(size()).height()));
         strokeTwice(painter, dark(3.0), light(), [&] {
             painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
             painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));
