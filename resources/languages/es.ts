@@ -3,6 +3,77 @@
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
+<message><source>LIVE</source><translation>EN VIVO</translation></message>
+<message><source>STALE</source><translation>ANTICUADO</translation></message>
+<message><source>STALE %1</source><translation>ANTICUADO %1</translation></message>
+<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
+<message><source>STOPPED</source><translation>DETENIDO</translation></message>
+<message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUDOSOS</translation></message>
+<message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 líneas</translation></message>
+<message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
+<message><source>%1 lines</source><translation>%1 líneas</translation></message>
+<message><source>line %1</source><translation>línea %1</translation></message>
+<message><source>lines %1 and others</source><translation>líneas %1 y otras</translation></message>
+<message><source>lines %1</source><translation>líneas %1</translation></message>
+<message><source>no return %1 %</source><translation>sin retorno %1 %</translation></message>
+<message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
+<message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
+<message><source>1 remark</source><translation>1 observación</translation></message>
+<message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
+<message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
+<message><source>WINDOW TOO DIRTY</source><translation>VENTANA DEMASIADO SUCIA</translation></message>
+<message><source>WINDOW DIRTY</source><translation>VENTANA SUCIA</translation></message>
+<message><source>window clean</source><translation>ventana limpia</translation></message>
+<message><source>device ok</source><translation>equipo en orden</translation></message>
+<message><source>DEVICE ERROR</source><translation>ERROR DEL EQUIPO</translation></message>
+<message><source>no pose</source><translation>sin pose</translation></message>
+<message><source>pose of unknown age</source><translation>pose de edad desconocida</translation></message>
+<message><source>pose %1 old</source><translation>pose de hace %1</translation></message>
+<message><source>sweep whole</source><translation>barrido completo</translation></message>
+<message><source>sweep ended</source><translation>barrido terminado</translation></message>
+<message><source>ends in %1</source><translation>termina en %1</translation></message>
+<message><source>recording %1 MB, %2</source><translation>grabación %1 MB, %2</translation></message>
+<message><source>recording %1 MB</source><translation>grabación %1 MB</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>
+<message><source>RECORDING ENDED: %1</source><translation>GRABACIÓN TERMINADA: %1</translation></message>
+<message><source>RECORDING HAS GAPS: %1</source><translation>LA GRABACIÓN TIENE HUECOS: %1</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: hay %1 líneas, no se sabe cuántas eran.</translation></message>
+<message><source>Telegrams were lost: lines </source><translation>Se perdieron telegramas: líneas </translation></message>
+<message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
+<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
+<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>El escáner comunicó una ventana sucia</translation></message>
+<message><source> in all)</source><translation> en total)</translation></message>
+<message><source>Trying again in %1 s.</source><translation>Nuevo intento en %1 s.</translation></message>
+<message><source>Connecting to %1.</source><translation>Conectando con %1.</translation></message>
+<message><source> accepts the connection; asking what it is.</source><translation> acepta la conexión; se le pregunta qué es.</translation></message>
+<message><source> is sending again.</source><translation> vuelve a enviar.</translation></message>
+<message><source> is sending.</source><translation> envía.</translation></message>
+<message><source>: no scan for %1 s.</source><translation>: sin escaneo desde hace %1 s.</translation></message>
+<message><source>: disconnected.</source><translation>: desconectado.</translation></message>
+<message><source>there is no such file</source><translation>no existe ese archivo</translation></message>
+<message><source>check the spelling and the folder</source><translation>compruebe el nombre y la carpeta</translation></message>
+<message><source>reading this file is not allowed</source><translation>no se permite leer este archivo</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>pida a su dueño permiso para leerlo</translation></message>
+<message><source>this is a folder, not a file</source><translation>es una carpeta, no un archivo</translation></message>
+<message><source>choose a file inside it</source><translation>elija un archivo dentro de ella</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>no hay memoria suficiente para este escaneo</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>cierre otros programas o abra un escaneo más pequeño</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
+<message><source>save it again</source><translation>guárdelo otra vez</translation></message>
+<message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
+<message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
+<message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
+<message><source>the filled cells in the export dialog</source><translation>las celdas rellenadas del diálogo de exportación</translation></message>
+<message><source>the comments in the export dialog</source><translation>los comentarios del diálogo de exportación</translation></message>
+<message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
+<message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
+<message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -53,9 +124,12 @@
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
+<message><source>the demo</source><translation>la demo</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
+<message><source>Comparing with A</source><translation>Comparando con A</translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
@@ -94,6 +168,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
+<message><source>Making the report %1</source><translation>Creando el informe %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
@@ -159,15 +234,17 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
 <message><source> · no time</source><translation> · sin hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>HELD</source><translation>RETENIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
 <message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>RECORDED</source><translation>GRABADO</translation></message>
 <message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation>Otro escaneo está en camino: esta es la imagen anterior.</translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
@@ -299,6 +376,23 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
+<message><source>being cancelled</source><translation>cancelando</translation></message>
+<message><source>opened</source><translation>abierto</translation></message>
+<message><source>reading</source><translation>lectura</translation></message>
+<message><source>reading points</source><translation>lectura de los puntos</translation></message>
+<message><source>reading ranges</source><translation>lectura de las distancias</translation></message>
+<message><source>reading the picture</source><translation>lectura de la imagen</translation></message>
+<message><source>unpacking</source><translation>descompresión</translation></message>
+<message><source>finding telegrams</source><translation>búsqueda de telegramas</translation></message>
+<message><source>putting packets together</source><translation>unión de los paquetes</translation></message>
+<message><source>grid</source><translation>cuadrícula</translation></message>
+<message><source>finding the grid</source><translation>búsqueda de la cuadrícula</translation></message>
+<message><source>finding the axis</source><translation>búsqueda del eje</translation></message>
+<message><source>projecting the points</source><translation>proyección de los puntos</translation></message>
+<message><source>casting beams</source><translation>lanzamiento de los haces</translation></message>
+<message><source>placing the points</source><translation>colocación de los puntos</translation></message>
+<message><source>finding edges</source><translation>búsqueda de aristas</translation></message>
+<message><source>drawing</source><translation>dibujo</translation></message>
 <message><source>Menu</source><translation>Menú</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
@@ -372,13 +466,13 @@ mantenga \ para verla</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
@@ -411,6 +505,34 @@ mantenga \ para verla</translation></message>
 <message><source>Remark</source><translation>Observación</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>File</source><translation>Archivo</translation></message>
+<message><source>Name</source><translation>Nombre</translation></message>
+<message><source>SHA-256</source><translation>SHA-256</translation></message>
+<message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
+<message><source>Beams</source><translation>Haces</translation></message>
+<message><source>Cells</source><translation>Celdas</translation></message>
+<message><source>with a range</source><translation>con distancia</translation></message>
+<message><source>no return</source><translation>sin retorno</translation></message>
+<message><source>device status</source><translation>estado del equipo</translation></message>
+<message><source>out of window</source><translation>fuera de la ventana</translation></message>
+<message><source>masked</source><translation>enmascaradas</translation></message>
+<message><source>lost</source><translation>perdidas</translation></message>
+<message><source>Ranges [mm]</source><translation>Distancias [mm]</translation></message>
+<message><source>smallest</source><translation>la menor</translation></message>
+<message><source>largest</source><translation>la mayor</translation></message>
+<message><source>Unit of the file [mm]</source><translation>Unidad del archivo [mm]</translation></message>
+<message><source>Frame</source><translation>Marco</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Warnings</source><translation>Advertencias</translation></message>
+<message><source>Geometry</source><translation>Geometría</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
+<message><source>Beam angles [°]</source><translation>Ángulos de los haces [°]</translation></message>
+<message><source>Line angles [°]</source><translation>Ángulos de las líneas [°]</translation></message>
+<message><source>Intensity</source><translation>Intensidad</translation></message>
+<message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>yes</source><translation>sí</translation></message>
+<message><source>no</source><translation>no</translation></message>
+<message><source>and %1 more</source><translation>y %1 más</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
@@ -472,7 +594,6 @@ mantenga \ para verla</translation></message>
 <message><source>Step per line</source><translation>Paso por línea</translation></message>
 <message><source>Angle of the first line</source><translation>Ángulo de la primera línea</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Shift diez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
@@ -538,6 +659,7 @@ mantenga \ para verla</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -586,7 +708,6 @@ mantenga \ para verla</translation></message>
 <message><source>Cell</source><translation>Celda</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
-<message><source>yes</source><translation>sí</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
@@ -599,7 +720,6 @@ mantenga \ para verla</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Measured</source><translation>Mediciones</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
@@ -656,7 +776,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
-<message><source>no return</source><translation>sin retorno</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDE</translation></message>
@@ -665,7 +784,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
@@ -742,17 +860,19 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
+<message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Al cerrar termina aquí; lo grabado hasta ahora queda en su archivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
@@ -879,7 +999,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>line %1</source><translation>línea %1</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 de %2 bordes</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
@@ -889,11 +1008,9 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>free rotation</source><translation>rotación libre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>

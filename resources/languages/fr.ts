@@ -3,6 +3,77 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>CONNECTING</source><translation>CONNEXION</translation></message>
+<message><source>LIVE</source><translation>EN DIRECT</translation></message>
+<message><source>STALE</source><translation>PÉRIMÉ</translation></message>
+<message><source>STALE %1</source><translation>PÉRIMÉ %1</translation></message>
+<message><source>LOST</source><translation>PERDU</translation></message>
+<message><source>LOST %1</source><translation>PERDU %1</translation></message>
+<message><source>STOPPED</source><translation>ARRÊTÉ</translation></message>
+<message><source>%1, COUNTERS IN DOUBT</source><translation>%1, COMPTEURS DOUTEUX</translation></message>
+<message><source>INCOMPLETE %1 lines</source><translation>INCOMPLET %1 lignes</translation></message>
+<message><source>%1 lost: %2</source><translation>%1 perdues : %2</translation></message>
+<message><source>%1 lines</source><translation>%1 lignes</translation></message>
+<message><source>line %1</source><translation>ligne %1</translation></message>
+<message><source>lines %1 and others</source><translation>lignes %1 et d'autres</translation></message>
+<message><source>lines %1</source><translation>lignes %1</translation></message>
+<message><source>no return %1 %</source><translation>sans retour %1 %</translation></message>
+<message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
+<message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
+<message><source>1 remark</source><translation>1 remarque</translation></message>
+<message><source>%1 remarks</source><translation>%1 remarques</translation></message>
+<message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
+<message><source>WINDOW TOO DIRTY</source><translation>FENÊTRE TROP SALE</translation></message>
+<message><source>WINDOW DIRTY</source><translation>FENÊTRE SALE</translation></message>
+<message><source>window clean</source><translation>fenêtre propre</translation></message>
+<message><source>device ok</source><translation>appareil en ordre</translation></message>
+<message><source>DEVICE ERROR</source><translation>ERREUR DE L'APPAREIL</translation></message>
+<message><source>no pose</source><translation>pas de pose</translation></message>
+<message><source>pose of unknown age</source><translation>pose d'âge inconnu</translation></message>
+<message><source>pose %1 old</source><translation>pose vieille de %1</translation></message>
+<message><source>sweep whole</source><translation>balayage entier</translation></message>
+<message><source>sweep ended</source><translation>balayage terminé</translation></message>
+<message><source>ends in %1</source><translation>fin dans %1</translation></message>
+<message><source>recording %1 MB, %2</source><translation>enregistrement %1 Mo, %2</translation></message>
+<message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
+<message><source>RECORDING ENDED: %1</source><translation>ENREGISTREMENT TERMINÉ : %1</translation></message>
+<message><source>RECORDING HAS GAPS: %1</source><translation>L'ENREGISTREMENT A DES TROUS : %1</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLET : %1 lignes sont là, on ne sait pas combien il y en avait.</translation></message>
+<message><source>Telegrams were lost: lines </source><translation>Des télégrammes ont été perdus : lignes </translation></message>
+<message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
+<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
+<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>Le scanner a signalé une fenêtre sale</translation></message>
+<message><source> in all)</source><translation> en tout)</translation></message>
+<message><source>Trying again in %1 s.</source><translation>Nouvel essai dans %1 s.</translation></message>
+<message><source>Connecting to %1.</source><translation>Connexion à %1.</translation></message>
+<message><source> accepts the connection; asking what it is.</source><translation> accepte la connexion ; on lui demande ce qu'il est.</translation></message>
+<message><source> is sending again.</source><translation> envoie de nouveau.</translation></message>
+<message><source> is sending.</source><translation> envoie.</translation></message>
+<message><source>: no scan for %1 s.</source><translation> : pas de scan depuis %1 s.</translation></message>
+<message><source>: disconnected.</source><translation> : déconnecté.</translation></message>
+<message><source>there is no such file</source><translation>ce fichier n'existe pas</translation></message>
+<message><source>check the spelling and the folder</source><translation>vérifiez le nom et le dossier</translation></message>
+<message><source>reading this file is not allowed</source><translation>la lecture de ce fichier n'est pas autorisée</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>demandez à son propriétaire le droit de le lire</translation></message>
+<message><source>this is a folder, not a file</source><translation>c'est un dossier, pas un fichier</translation></message>
+<message><source>choose a file inside it</source><translation>choisissez un fichier à l'intérieur</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>il n'y a pas assez de mémoire pour ce scan</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>fermez d'autres programmes ou ouvrez un scan plus petit</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
+<message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
+<message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
+<message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
+<message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
+<message><source>the filled cells in the export dialog</source><translation>les cellules comblées dans le dialogue d'exportation</translation></message>
+<message><source>the comments in the export dialog</source><translation>les commentaires dans le dialogue d'exportation</translation></message>
+<message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
+<message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
+<message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
@@ -53,9 +124,12 @@
 <message><source>Forget A</source><translation>Oublier A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
+<message><source>the demo</source><translation>la démo</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
+<message><source>Comparing with A</source><translation>Comparaison avec A</translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
@@ -94,6 +168,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
+<message><source>Making the report %1</source><translation>Création du rapport %1</translation></message>
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
@@ -159,15 +234,17 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
 <message><source> · no time</source><translation> · sans heure</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>HELD</source><translation>FIGÉ</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
 <message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>RECORDED</source><translation>ENREGISTRÉ</translation></message>
 <message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation>Un autre scan arrive : ceci est l'image d'avant.</translation></message>
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
@@ -299,6 +376,23 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
+<message><source>being cancelled</source><translation>annulation en cours</translation></message>
+<message><source>opened</source><translation>ouvert</translation></message>
+<message><source>reading</source><translation>lecture</translation></message>
+<message><source>reading points</source><translation>lecture des points</translation></message>
+<message><source>reading ranges</source><translation>lecture des distances</translation></message>
+<message><source>reading the picture</source><translation>lecture de l'image</translation></message>
+<message><source>unpacking</source><translation>décompression</translation></message>
+<message><source>finding telegrams</source><translation>recherche des télégrammes</translation></message>
+<message><source>putting packets together</source><translation>assemblage des paquets</translation></message>
+<message><source>grid</source><translation>grille</translation></message>
+<message><source>finding the grid</source><translation>recherche de la grille</translation></message>
+<message><source>finding the axis</source><translation>recherche de l'axe</translation></message>
+<message><source>projecting the points</source><translation>projection des points</translation></message>
+<message><source>casting beams</source><translation>lancer des faisceaux</translation></message>
+<message><source>placing the points</source><translation>placement des points</translation></message>
+<message><source>finding edges</source><translation>recherche des arêtes</translation></message>
+<message><source>drawing</source><translation>dessin</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Cancel</source><translation>Annuler</translation></message>
@@ -372,13 +466,13 @@ tenez \ pour la voir</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>Format</source><translation>Format</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
 <message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
@@ -411,6 +505,34 @@ tenez \ pour la voir</translation></message>
 <message><source>Remark</source><translation>Remarque</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logo</translation></message>
+<message><source>File</source><translation>Fichier</translation></message>
+<message><source>Name</source><translation>Nom</translation></message>
+<message><source>SHA-256</source><translation>SHA-256</translation></message>
+<message><source>Scan lines</source><translation>Lignes de scan</translation></message>
+<message><source>Beams</source><translation>Faisceaux</translation></message>
+<message><source>Cells</source><translation>Cellules</translation></message>
+<message><source>with a range</source><translation>avec une distance</translation></message>
+<message><source>no return</source><translation>sans retour</translation></message>
+<message><source>device status</source><translation>état de l'appareil</translation></message>
+<message><source>out of window</source><translation>hors de la fenêtre</translation></message>
+<message><source>masked</source><translation>masquées</translation></message>
+<message><source>lost</source><translation>perdues</translation></message>
+<message><source>Ranges [mm]</source><translation>Distances [mm]</translation></message>
+<message><source>smallest</source><translation>la plus petite</translation></message>
+<message><source>largest</source><translation>la plus grande</translation></message>
+<message><source>Unit of the file [mm]</source><translation>Unité du fichier [mm]</translation></message>
+<message><source>Frame</source><translation>Repère</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Warnings</source><translation>Avertissements</translation></message>
+<message><source>Geometry</source><translation>Géométrie</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
+<message><source>Beam angles [°]</source><translation>Angles des faisceaux [°]</translation></message>
+<message><source>Line angles [°]</source><translation>Angles des lignes [°]</translation></message>
+<message><source>Intensity</source><translation>Intensité</translation></message>
+<message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>yes</source><translation>oui</translation></message>
+<message><source>no</source><translation>non</translation></message>
+<message><source>and %1 more</source><translation>et %1 de plus</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
 <message><source>Keys</source><translation>Touches</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
@@ -472,7 +594,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Step per line</source><translation>Pas par ligne</translation></message>
 <message><source>Angle of the first line</source><translation>Angle de la première ligne</translation></message>
 <message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
@@ -538,6 +659,7 @@ tenez \ pour la voir</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -586,7 +708,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Cell</source><translation>Cellule</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
-<message><source>yes</source><translation>oui</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
@@ -599,7 +720,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Measured</source><translation>Mesures</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
@@ -656,7 +776,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
-<message><source>no return</source><translation>sans retour</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>ARÊTE</translation></message>
@@ -665,7 +784,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
@@ -742,17 +860,19 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
+<message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Fermer y met fin ici ; ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
@@ -879,7 +999,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>line %1</source><translation>ligne %1</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 arêtes sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
@@ -889,11 +1008,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>free rotation</source><translation>rotation libre</translation></message>
 <message><source>orthographic</source><translation>orthographique</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
-<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
-<message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>

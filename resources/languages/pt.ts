@@ -3,6 +3,77 @@
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
+<message><source>LIVE</source><translation>AO VIVO</translation></message>
+<message><source>STALE</source><translation>DESATUALIZADO</translation></message>
+<message><source>STALE %1</source><translation>DESATUALIZADO %1</translation></message>
+<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
+<message><source>STOPPED</source><translation>PARADO</translation></message>
+<message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUVIDOSOS</translation></message>
+<message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 linhas</translation></message>
+<message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
+<message><source>%1 lines</source><translation>%1 linhas</translation></message>
+<message><source>line %1</source><translation>linha %1</translation></message>
+<message><source>lines %1 and others</source><translation>linhas %1 e outras</translation></message>
+<message><source>lines %1</source><translation>linhas %1</translation></message>
+<message><source>no return %1 %</source><translation>sem retorno %1 %</translation></message>
+<message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
+<message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
+<message><source>1 remark</source><translation>1 observação</translation></message>
+<message><source>%1 remarks</source><translation>%1 observações</translation></message>
+<message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
+<message><source>WINDOW TOO DIRTY</source><translation>JANELA SUJA DEMAIS</translation></message>
+<message><source>WINDOW DIRTY</source><translation>JANELA SUJA</translation></message>
+<message><source>window clean</source><translation>janela limpa</translation></message>
+<message><source>device ok</source><translation>aparelho em ordem</translation></message>
+<message><source>DEVICE ERROR</source><translation>ERRO DO APARELHO</translation></message>
+<message><source>no pose</source><translation>sem pose</translation></message>
+<message><source>pose of unknown age</source><translation>pose de idade desconhecida</translation></message>
+<message><source>pose %1 old</source><translation>pose de há %1</translation></message>
+<message><source>sweep whole</source><translation>varredura completa</translation></message>
+<message><source>sweep ended</source><translation>varredura terminada</translation></message>
+<message><source>ends in %1</source><translation>termina em %1</translation></message>
+<message><source>recording %1 MB, %2</source><translation>gravação %1 MB, %2</translation></message>
+<message><source>recording %1 MB</source><translation>gravação %1 MB</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>
+<message><source>RECORDING ENDED: %1</source><translation>GRAVAÇÃO TERMINADA: %1</translation></message>
+<message><source>RECORDING HAS GAPS: %1</source><translation>A GRAVAÇÃO TEM FALHAS: %1</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: há %1 linhas, não se sabe quantas eram.</translation></message>
+<message><source>Telegrams were lost: lines </source><translation>Perderam-se telegramas: linhas </translation></message>
+<message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
+<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
+<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>O scanner comunicou uma janela suja</translation></message>
+<message><source> in all)</source><translation> no total)</translation></message>
+<message><source>Trying again in %1 s.</source><translation>Nova tentativa em %1 s.</translation></message>
+<message><source>Connecting to %1.</source><translation>Conectando a %1.</translation></message>
+<message><source> accepts the connection; asking what it is.</source><translation> aceita a conexão; pergunta-se o que é.</translation></message>
+<message><source> is sending again.</source><translation> envia de novo.</translation></message>
+<message><source> is sending.</source><translation> envia.</translation></message>
+<message><source>: no scan for %1 s.</source><translation>: sem scan há %1 s.</translation></message>
+<message><source>: disconnected.</source><translation>: desconectado.</translation></message>
+<message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
+<message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
+<message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>peça ao dono permissão para o ler</translation></message>
+<message><source>this is a folder, not a file</source><translation>é uma pasta, não um arquivo</translation></message>
+<message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para este scan</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra um scan menor</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
+<message><source>save it again</source><translation>salve outra vez</translation></message>
+<message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
+<message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
+<message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
+<message><source>the filled cells in the export dialog</source><translation>as células preenchidas na caixa de exportação</translation></message>
+<message><source>the comments in the export dialog</source><translation>os comentários na caixa de exportação</translation></message>
+<message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
+<message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
+<message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -53,9 +124,12 @@
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
+<message><source>the demo</source><translation>a demo</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar com um scan</translation></message>
+<message><source>Comparing with A</source><translation>Comparando com A</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
@@ -94,6 +168,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
+<message><source>Making the report %1</source><translation>Criando o relatório %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
@@ -159,15 +234,17 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
 <message><source> · no time</source><translation> · sem hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>HELD</source><translation>RETIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
 <message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>RECORDED</source><translation>GRAVADO</translation></message>
 <message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation>Outro scan está a caminho: esta é a imagem anterior.</translation></message>
 <message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
@@ -299,6 +376,23 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
+<message><source>being cancelled</source><translation>cancelando</translation></message>
+<message><source>opened</source><translation>aberto</translation></message>
+<message><source>reading</source><translation>leitura</translation></message>
+<message><source>reading points</source><translation>leitura dos pontos</translation></message>
+<message><source>reading ranges</source><translation>leitura das distâncias</translation></message>
+<message><source>reading the picture</source><translation>leitura da imagem</translation></message>
+<message><source>unpacking</source><translation>descompressão</translation></message>
+<message><source>finding telegrams</source><translation>busca de telegramas</translation></message>
+<message><source>putting packets together</source><translation>junção dos pacotes</translation></message>
+<message><source>grid</source><translation>grade</translation></message>
+<message><source>finding the grid</source><translation>busca da grade</translation></message>
+<message><source>finding the axis</source><translation>busca do eixo</translation></message>
+<message><source>projecting the points</source><translation>projeção dos pontos</translation></message>
+<message><source>casting beams</source><translation>lançamento dos feixes</translation></message>
+<message><source>placing the points</source><translation>colocação dos pontos</translation></message>
+<message><source>finding edges</source><translation>busca de arestas</translation></message>
+<message><source>drawing</source><translation>desenho</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
@@ -372,13 +466,13 @@ segure \ para vê-la</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
@@ -411,6 +505,34 @@ segure \ para vê-la</translation></message>
 <message><source>Remark</source><translation>Observação</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>File</source><translation>Arquivo</translation></message>
+<message><source>Name</source><translation>Nome</translation></message>
+<message><source>SHA-256</source><translation>SHA-256</translation></message>
+<message><source>Scan lines</source><translation>Linhas de scan</translation></message>
+<message><source>Beams</source><translation>Feixes</translation></message>
+<message><source>Cells</source><translation>Células</translation></message>
+<message><source>with a range</source><translation>com distância</translation></message>
+<message><source>no return</source><translation>sem retorno</translation></message>
+<message><source>device status</source><translation>estado do aparelho</translation></message>
+<message><source>out of window</source><translation>fora da janela</translation></message>
+<message><source>masked</source><translation>mascaradas</translation></message>
+<message><source>lost</source><translation>perdidas</translation></message>
+<message><source>Ranges [mm]</source><translation>Distâncias [mm]</translation></message>
+<message><source>smallest</source><translation>a menor</translation></message>
+<message><source>largest</source><translation>a maior</translation></message>
+<message><source>Unit of the file [mm]</source><translation>Unidade do arquivo [mm]</translation></message>
+<message><source>Frame</source><translation>Referencial</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Warnings</source><translation>Avisos</translation></message>
+<message><source>Geometry</source><translation>Geometria</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
+<message><source>Beam angles [°]</source><translation>Ângulos dos feixes [°]</translation></message>
+<message><source>Line angles [°]</source><translation>Ângulos das linhas [°]</translation></message>
+<message><source>Intensity</source><translation>Intensidade</translation></message>
+<message><source>Measured</source><translation>Medições</translation></message>
+<message><source>yes</source><translation>sim</translation></message>
+<message><source>no</source><translation>não</translation></message>
+<message><source>and %1 more</source><translation>e mais %1</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
@@ -472,7 +594,6 @@ segure \ para vê-la</translation></message>
 <message><source>Step per line</source><translation>Passo por linha</translation></message>
 <message><source>Angle of the first line</source><translation>Ângulo da primeira linha</translation></message>
 <message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
@@ -538,6 +659,7 @@ segure \ para vê-la</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -586,7 +708,6 @@ segure \ para vê-la</translation></message>
 <message><source>Cell</source><translation>Célula</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
-<message><source>yes</source><translation>sim</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
@@ -599,7 +720,6 @@ segure \ para vê-la</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Measured</source><translation>Medições</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
@@ -656,7 +776,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
-<message><source>no return</source><translation>sem retorno</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDA</translation></message>
@@ -665,7 +784,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
 <message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
@@ -742,17 +860,19 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
+<message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abrindo outro scan · ainda na tela: </translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Ao fechar ela termina aqui; o que foi gravado até agora fica no seu arquivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
@@ -879,7 +999,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>line %1</source><translation>linha %1</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 de %2 bordas</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
@@ -889,11 +1008,9 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>free rotation</source><translation>rotação livre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>

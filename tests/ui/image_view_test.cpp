@@ -130,6 +130,29 @@ private slots:
         keep(grab(*view_), "image_edges_small");
     }
 
+    // Many lost lines in a picture that shows several lines per pixel: dashes, no even colour.
+    void lostLinesAreDashesAtEveryZoom() {
+        for (const int lines : {40, 300, 3000}) {
+            auto image = std::make_shared<QImage>(400, lines, QImage::Format_RGB32);
+            image->fill(qRgb(24, 26, 30));
+            view_->setImage(image);
+            view_->setLost({QRect(0, 0, 400, lines)});
+            const QImage shown = grab(*view_);
+            const double dpr = view_->devicePixelRatioF();
+            const QRect middle(QPoint(int(190 * dpr), int(140 * dpr)), QSize(int(20 * dpr), int(20 * dpr)));
+            int amber = 0, ground = 0;
+            for (int y = middle.top(); y <= middle.bottom(); ++y) {
+                for (int x = middle.left(); x <= middle.right(); ++x) {
+                    const QRgb pixel = shown.pixel(x, y);
+                    amber += qRed(pixel) > 150 && qBlue(pixel) < 120 ? 1 : 0;
+                    ground += qRed(pixel) < 60 ? 1 : 0;
+                }
+            }
+            const int all = middle.width() * middle.height();
+            QVERIFY2(amber > all / 40 && ground > all / 2, qPrintable(QString("%1 lines: %2, %3").arg(lines).arg(amber).arg(ground)));
+        }
+    }
+
     void theSameImageAgainCostsNothing() {
         const auto image = ramp(200, 100);
         view_->setImage(image);

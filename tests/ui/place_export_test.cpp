@@ -114,6 +114,29 @@ private slots:
         QVERIFY(!dialog.options().includeAttached);
     }
 
+    void theNumbersOfAllContentsAreOfWhatIsSelected() {
+        const auto detection = detectionOf(*files::openScan(placed_));
+        auto cells = std::make_shared<std::vector<std::uint32_t>>();
+        for (std::uint32_t k = 0; k < detection->scan->cells(); k += 7) cells->push_back(k);
+        for (const bool only : {false, true}) {
+            ExportDialog dialog(detection, exports::ExportContent::EdgeCloud, {cells, only});
+            auto* box = dialog.findChild<QCheckBox*>("onlySelected");
+            for (const bool checked : {only, !only}) {
+                box->setChecked(checked);
+                int counted = 0;
+                for (const exports::ExportKind& kind : exports::exportKinds()) {
+                    auto* button = dialog.findChild<QRadioButton*>(kind.key);
+                    if (button == nullptr || !exports::isCloud(kind.content)) continue;
+                    button->setChecked(true);
+                    ++counted;
+                    QVERIFY2(button->text().remove(',').contains(QString::number(dialog.count())), qPrintable(button->text()));
+                    QCOMPARE(dialog.options().selection != nullptr, checked);
+                }
+                QVERIFY(counted >= 2);
+            }
+        }
+    }
+
     void theCommandAsksAndNothingIsSavedWhenItIsDismissed() {
         WindowFixture on;
         MainWindow& window = on.window;

@@ -228,6 +228,23 @@ private slots:
         QVERIFY(!views.cloud().outline());
     }
 
+    void aPinThatIsUndoneTakesItsOutlineAlong() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        click(on, 3);
+        QVERIFY(on.viewer.views.pinned() && on.viewer.views.cloud().outline());
+        on.viewer.undo.undo();
+        QVERIFY(!on.viewer.views.pinned());
+        QVERIFY(on.viewer.rocks.selected().empty());
+        QVERIFY(!on.viewer.views.cloud().outline());
+        // Several rocks that were chosen with Ctrl are not of the pin.
+        click(on, 3);
+        click(on, 4, Qt::ControlModifier);
+        QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
+        on.viewer.views.clearPin();
+        QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
+    }
+
     void theTableSortsFiltersAndJumps() {
         WindowFixture on;
         QVERIFY(showRocks(on));

@@ -60,7 +60,6 @@ DockRail::DockRail(QWidget* parent) : QToolBar(parent) {
 }
 
 void DockRail::add(QDockWidget* dock) {
-    docks_ << dock;
     dock->setTitleBarWidget(headOf(dock));
     auto* button = new QToolButton;
     button->setObjectName("rail-" + dock->objectName());
@@ -70,16 +69,18 @@ void DockRail::add(QDockWidget* dock) {
     button->setAutoRaise(true);
     button->setAccessibleName(dock->windowTitle());
     button->setToolTip(tr("Open %1").arg(dock->windowTitle()));
-    QAction* place = addWidget(button);
+    docks_.push_back({dock, addWidget(button)});
     connect(button, &QToolButton::clicked, dock->toggleViewAction(), &QAction::trigger);
-    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) { emit changedByOperator(dock, open); });
-    const auto follow = [this, dock, place] {
-        place->setVisible(dock->isHidden());
-        showFolded();
-    };
-    connect(dock, &QDockWidget::visibilityChanged, this, follow);
-    connect(dock->toggleViewAction(), &QAction::toggled, this, follow);
-    follow();
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockRail::showFolded);
+    connect(dock->toggleViewAction(), &QAction::toggled, this, &DockRail::showFolded);
+    showFolded();
+}
+
+void DockRail::setWanted(const QDockWidget* dock, bool on) {
+    for (Folded& each : docks_) {
+        if (each.dock == dock) each.wanted = on;
+    }
+    showFolded();
 }
 
 void DockRail::setLocked(bool on) {
@@ -89,7 +90,11 @@ void DockRail::setLocked(bool on) {
 
 void DockRail::showFolded() {
     bool any = false;
-    for (const QDockWidget* dock : docks_) any = any || dock->isHidden();
+    for (const Folded& each : docks_) {
+        const bool folded = each.wanted && each.dock->isHidden();
+        each.place->setVisible(folded);
+        any = any || folded;
+    }
     setVisible(any && !locked_);
 }
 

@@ -1,6 +1,7 @@
 // The bar above the views.
 #include "ui/base/notice_bar.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
@@ -78,7 +79,8 @@ void NoticeBar::paintKind() {
 }
 
 void NoticeBar::showNotice(Kind kind, const QString& text) {
-    const Note note{kind, shownText(text), {}, {}};
+    // What was done is shown as it is: it may be a command for a terminal.
+    const Note note{kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}};
     keepShown();
     std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
     put(note);

@@ -3,6 +3,7 @@
 
 #include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
+#include "core/base/stop.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "core/edges/settings/command_text.h"
@@ -20,6 +21,9 @@
 
 #include <QDir>
 #include <QFileInfo>
+
+#include <atomic>
+#include <memory>
 
 namespace edgescan::ui {
 namespace {
@@ -122,9 +126,13 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words) {
     }
     preferences_.keepFolder("exports", path);
     ++working_;
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    const std::shared_ptr<Works::Running> work =
+        engine_.works().start(tr("Making the report %1").arg(QFileInfo(path).fileName()), [stop] { *stop = true; });
     inBackground(
         this,
-        [this, detection, rocks, said, path, notebook = targets_.notebook(), compared]() -> std::function<void()> {
+        [this, detection, rocks, said, path, notebook = targets_.notebook(), compared, stop]() -> std::function<void()> {
+            const BindStop bound(*stop);
             exports::PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
             if (compared) {
                 const edges::Detection& before = *compared->asked.before->detection;
@@ -141,7 +149,8 @@ void ScanReport::writeTo(const QString& path, const ReportWords& words) {
             };
         },
         [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, tr("The report could not be made (%1).").arg(what)); },
-        [this] {
+        [this, running = std::make_shared<std::shared_ptr<Works::Running>>(work)] {
+            running->reset();
             --working_;
             emit ended();
         });

@@ -47,6 +47,7 @@ private:
     void connectSide();
     void follow();
     void showScan();
+    void showWork();
     void showNumbers();
     void showSettings();
     void showCorner();

@@ -1,7 +1,7 @@
 // Builds the window and lays it out.
 #include "ui/window/main_window.h"
 
-#include "core/scan/georef/placed_points.h"
+#include "ui/base/core_words.h"
 #include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -30,13 +30,12 @@
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/compare_menu.h"
+#include "ui/window/docks.h"
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
 #include "ui/window/pane_places.h"
-#include "ui/window/rock_docks.h"
 #include "ui/window/session_menu.h"
-#include "ui/window/target_dock.h"
 #include "ui/window/theme_menu.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
@@ -44,7 +43,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QMenuBar>
@@ -97,14 +95,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     viewer_.scalePlate.raise();
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
-    addDock(tr("Edges"), "dock-edges", &viewer_.panel);
-    connect(rail_, &DockRail::changedByOperator, this, [this](QDockWidget* dock, bool open) {
-        dock->setProperty(kByHand, open ? "open" : "folded");
-        viewer_.preferences.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
-        arrange();
-    });
-    addRockDocks(*this, viewer_.rocks, viewer_.rocksPanel, viewer_.rockTable);
-    addTargetDock(*this, viewer_.targets, viewer_.targetsPanel);
+    docks_ = new Docks(*this, *rail_, viewer_);
+    connect(docks_, &Docks::changed, this, &MainWindow::arrange);
     setStatusBar(&viewer_.statusLine);
     viewer_.statusLine.addPinned(&viewer_.warnings);
     connect(&viewer_.warnings, &QToolButton::clicked, this, [this] {
@@ -167,6 +159,7 @@ void MainWindow::layOutViews() {
         splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
+    splitter_->installEventFilter(this);
     splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
     places_ = new PanePlaces(*splitter_, *images_, panes_, this);
@@ -199,17 +192,6 @@ void MainWindow::followPlaces() {
     });
 }
 
-QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setProperty(kByHand, viewer_.preferences.text("window/" + dock->objectName()));
-    dock->setWidget(content);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    rail_->add(dock);
-    docks_ << dock;
-    return dock;
-}
-
 // Over a free part of the cloud; more legends go above it.
 void MainWindow::layOutLegend() {
     auto* over = new QVBoxLayout(&viewer_.cloud);
@@ -239,7 +221,7 @@ void MainWindow::layOutTools() {
 }
 
 void MainWindow::showOrigin() {
-    const PictureOrigin origin = originOf(viewer_.engine.picture().get(), viewer_.live.scanner());
+    const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(origin.more);
     viewer_.targets.setSource(origin.badge);
@@ -247,10 +229,16 @@ void MainWindow::showOrigin() {
 }
 
 void MainWindow::connectEngine() {
-    connect(&viewer_.engine, &Engine::workStarted, &viewer_.statusLine, &StatusLine::startWork);
-    connect(&viewer_.engine, &Engine::workProgressed, &viewer_.statusLine, &StatusLine::showProgress);
-    connect(&viewer_.engine, &Engine::workEnded, &viewer_.statusLine, &StatusLine::endWork);
-    connect(&viewer_.statusLine, &StatusLine::cancelRequested, &viewer_.engine, &Engine::cancel);
+    Works& works = viewer_.engine.works();
+    connect(&works, &Works::changed, this, [this, &works] {
+        const Works::Running* work = works.newest();
+        work == nullptr ? viewer_.statusLine.endWork() : viewer_.statusLine.showWork(work->title, work->stage, work->fraction);
+    });
+    connect(&viewer_.statusLine, &StatusLine::cancelRequested, &works, &Works::cancel);
+    connect(&viewer_.engine, &Engine::replacingChanged, this, [this] {
+        showOrigin();
+        showTitle();
+    });
     connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
     viewer_.statusLine.showSettings(viewer_.engine.settings());
     connect(&viewer_.engine, &Engine::failed, this,
@@ -260,7 +248,7 @@ void MainWindow::connectEngine() {
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
         const edges::Detection& detection = *viewer_.engine.picture()->detection;
         viewer_.statusLine.showCounts(detection);
-        viewer_.statusLine.showPlace(*detection.scan);
+        viewer_.statusLine.showPlace(*detection.scan, viewer_.engine.picture()->source.growth.growing);
         const ScannerLink& scanner = viewer_.live.scanner();
         viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && viewer_.engine.picture()->source.stream == scanner.stream());
         viewer_.statusLine.showTime(viewer_.tuning.updateMs());
@@ -274,17 +262,13 @@ void MainWindow::connectEngine() {
 
 // The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.
 void MainWindow::showTitle() {
-    setWindowTitle(shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() + " - EdgeScan");
+    if (!viewer_.engine.picture()) return;
+    const QString arriving = viewer_.engine.replacing() ? tr("Opening another scan · still shown: ") : QString();
+    setWindowTitle(arriving + shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() +
+                   " - EdgeScan");
 }
 
-void MainWindow::showWarnings() {
-    const Scan& scan = *viewer_.engine.picture()->detection->scan;
-    QStringList warnings;
-    for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
-        for (const std::string& warning : some) warnings << shownText(warning);
-    }
-    viewer_.warnings.showWarnings(warnings);
-}
+void MainWindow::showWarnings() { viewer_.warnings.showWarnings(warningsOf(*viewer_.engine.picture())); }
 
 /// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged.
 QImage MainWindow::screenshot() {
@@ -295,7 +279,7 @@ QImage MainWindow::screenshot() {
     QPainter painter(&image);
     painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
     painter.end();
-    return withWarnings(image, viewer_.warnings.warnings(), font());
+    return withWarnings(image, coreSentence(viewer_.warnings.warnings().join('\n')).split('\n', Qt::SkipEmptyParts), font());
 }
 
 bool MainWindow::mayClose() {
@@ -340,8 +324,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (viewer_.engine.opening()) {
-        viewer_.engine.cancel();
+    if (viewer_.engine.works().cancel()) {
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
     } else if (viewer_.notice.isVisible())
         viewer_.notice.hide();

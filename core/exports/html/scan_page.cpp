@@ -6,6 +6,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
@@ -82,7 +83,7 @@ std::string uncertaintyText(const edges::Detection& detection) {
     constexpr double kNearM = 5, kFarM = 10;
     const RangeNoise noise = inspect::noiseOf(detection);
     const auto twice = [&](double atM) {
-        return fixedText(inspect::kReportedSigmas * noise.at(atM), 0) + " mm at " + fixedText(atM, 0) + " m";
+        return fixedText(shownTolerance(inspect::kReportedSigmas * noise.at(atM), 0), 0) + " mm at " + fixedText(atM, 0) + " m";
     };
     return "ranges ± " + twice(kNearM) + ", ± " + twice(kFarM) + " (two standard deviations)" +
            (detection.scan->placement ? "; the pose does not say its own" : "");

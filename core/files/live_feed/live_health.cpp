@@ -64,6 +64,13 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     return ageText(std::ceil(left / status.linesPerSecond)) + " left";
 }
 
+/// A sweep that grows and lost nothing is under way, not incomplete: more lines come.
+std::string linesOf(const scanner::SweepProgress& sweep, Liveness liveness) {
+    if (liveness != Liveness::Live || !sweep.growing || sweep.received != sweep.lines) return sweep.text();
+    const std::string doubt = sweep.irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "";
+    return std::to_string(sweep.lines) + (sweep.expected > 0 ? "/" + std::to_string(sweep.expected) : "") + " lines" + doubt;
+}
+
 void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
     const bool error = sweep.device.contaminationError || sweep.deviceEver.contaminationError;
     const bool warning = sweep.device.contaminationWarning || sweep.deviceEver.contaminationWarning;
@@ -116,7 +123,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     health.sentence = status.session.sentence;
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
-        health.lines = lines.text();
+        health.lines = linesOf(lines, health.liveness);
         health.row = lines.lines;
         health.rows = lines.expected;
         health.lostRows = lines.lost;

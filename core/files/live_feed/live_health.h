@@ -31,7 +31,7 @@ struct LiveHealth {
     std::string sentence; ///< of the session: what happened and what to do
     std::string scanner;  ///< what the device says it is; empty before it said so
 
-    std::string lines;                ///< "1000/1000 lines", "INCOMPLETE 312/1000 lines"
+    std::string lines;                ///< "312/1000 lines" while it grows, "INCOMPLETE 312/1000 lines" where lines are missing
     std::string lost;                 ///< "3 lost: lines 5 and 9 to 10"; empty when none
     int row = 0, rows = 0;            ///< of the sweep: so far, and of the whole sweep (0: unknown)
     std::vector<int> lostRows;        ///< ascending

@@ -74,6 +74,7 @@ void Rocks::connectViews() {
         });
         connect(view, &ImageView::cleared, this, [this] { select({}); });
     }
+    connect(&views_, &LinkedViews::pinChanged, this, &Rocks::followPin);
     CloudView& cloud = views_.cloud();
     connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
     connect(&cloud, &CloudView::hoverLeft, this, [this, &cloud] { point(std::nullopt, &cloud); });
@@ -193,6 +194,12 @@ void Rocks::showFaces() {
     }
     if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));
+}
+
+/// The rock of the pinned cell loses its outline with the pin.
+void Rocks::followPin(std::optional<std::size_t> cell) {
+    const auto was = std::exchange(pinned_, cell);
+    if (!cell && was && selected_ == std::vector{*was}) select({});
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {

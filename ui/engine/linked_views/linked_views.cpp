@@ -161,6 +161,7 @@ void LinkedViews::applyScene() {
     edges().setImage(scene_.edgeMap, Shrink::Share);
     for (ImageView* view : images_) {
         view->setFaces(scene_.faces, scene_.facesFaded);
+        view->setLost(scene_.picture->lost);
     }
     showCaption();
     if (cloud_.edgeColours() != scene_.colours) cloud_.setEdgeColours(scene_.colours);

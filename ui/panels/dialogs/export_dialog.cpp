@@ -74,6 +74,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     attached_->setVisible(hidden > 0);
     column->addWidget(attached_);
     column->addStretch(1);
+    showCounts();
     count_->setObjectName("count");
     auto* whole = new QVBoxLayout(this);
     QScrollArea* area = scrolled(*questions);
@@ -95,11 +96,9 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
 QGroupBox* ExportDialog::contentBox() {
     auto* box = new QGroupBox(tr("What"));
     auto* column = new QVBoxLayout(box);
-    const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.window.title == nullptr) continue;
-        const QString counted = exports::isCloud(kind.content) ? number(countOf(kind.content, false, false)) : size;
-        auto* button = new QRadioButton(QObject::tr(kind.window.title).arg(counted));
+        auto* button = new QRadioButton;
         button->setObjectName(kind.key);
         contents_->addButton(button, static_cast<int>(kind.content));
         column->addWidget(button);
@@ -218,6 +217,18 @@ std::size_t ExportDialog::filledToo(bool edges, bool onlySelected) const {
     }));
 }
 
+/// Each content with the number that would be saved of it, as the boxes below are checked.
+void ExportDialog::showCounts() {
+    const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
+    const bool onlySelected = selected_.cells && onlySelected_->isChecked();
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        QAbstractButton* button = contents_->button(static_cast<int>(kind.content));
+        if (button == nullptr) continue;
+        const QString counted = exports::isCloud(kind.content) ? number(countOf(kind.content, attached_->isChecked(), onlySelected)) : size;
+        button->setText(QObject::tr(kind.window.title).arg(counted));
+    }
+}
+
 exports::ExportContent ExportDialog::content() const { return static_cast<exports::ExportContent>(contents_->checkedId()); }
 
 exports::ExportOptions ExportDialog::options() const {
@@ -242,6 +253,7 @@ void ExportDialog::follow() {
     picture_->setVisible(!cloud);
     attached_->setEnabled(cloud);
     onlySelected_->setEnabled(cloud);
+    showCounts();
     count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
 }
 

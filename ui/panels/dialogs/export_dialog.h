@@ -55,6 +55,7 @@ private:
     [[nodiscard]] std::size_t filledToo(bool edges, bool onlySelected) const;
     [[nodiscard]] std::size_t countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const;
     void follow();
+    void showCounts();
 
     std::shared_ptr<const edges::Detection> detection_;
     QButtonGroup* contents_;

@@ -32,8 +32,13 @@ public:
 
     void setConnected(bool connected);
     void setRecording(bool recording);
+    /// Fewer fields, for cab mode.
+    void setBrief(bool on);
     void setFollowing(bool following);
     void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture);
+
+    /// Hides the panel with all that it says about the last scanner.
+    void forgetScanner();
 
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
@@ -49,8 +54,9 @@ signals:
 
 private:
     void addSweepMenu();
+    void showFields();
 
-    QLabel* name_;
+    QLabel* title_;
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;
@@ -61,7 +67,7 @@ private:
     QPushButton* follow_;
     QLabel* scanner_;
     HealthStrip* strip_;
-    bool connected_ = false;
+    bool connected_ = false, brief_ = false;
 };
 
 } // namespace edgescan::ui

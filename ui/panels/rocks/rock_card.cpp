@@ -1,6 +1,7 @@
 // The card of the selection.
 #include "ui/panels/rocks/rock_card.h"
 
+#include "core/base/tolerance_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_table_model.h"
 
@@ -148,7 +149,7 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
     title_->setText(tr("Rock %1").arg(rock.label));
     spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
-    setRow(0, tr("visible spans"), tr("± %1").arg(metres(rock.toleranceM)));
+    setRow(0, tr("visible spans"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));
     setRow(1, tr("distance"), metres(rock.distanceM));
     setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
     setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));

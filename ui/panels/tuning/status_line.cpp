@@ -1,11 +1,13 @@
 // The status bar.
 #include "ui/panels/tuning/status_line.h"
 
+#include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -36,7 +38,7 @@ QString rangeText(const edges::Probe& probe) {
     if (probe.filled)
         return QObject::tr("filled, not measured: %1 m ± %2")
             .arg(number(static_cast<double>(probe.filled->rangeMm) / 1000.0, 3),
-                 number(static_cast<double>(probe.filled->sdMm) / 1000.0, 3));
+                 number(shownTolerance(static_cast<double>(probe.filled->sdMm) / 1000.0, 3), 3));
     if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));
     if (probe.state == CellState::DeviceStatus) return QObject::tr("device status %1").arg(number(probe.rangeMm, 0));
     if (probe.state == CellState::NoReturn) return QObject::tr("no return");
@@ -79,12 +81,14 @@ StatusLine::StatusLine(QWidget* parent)
     bar_->setFixedWidth(140);
     line->addWidget(bar_);
     auto* cancel = new QPushButton(tr("Cancel (Esc)"));
+    cancel->setObjectName("cancel-work");
+    stage_->setObjectName("work-stage");
     connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
     line->addWidget(cancel);
     work_->hide();
     untilWorkIsShown_.setSingleShot(true);
     untilWorkIsShown_.setInterval(kShowWorkAfterMs);
-    connect(&untilWorkIsShown_, &QTimer::timeout, this, [this] { showProgress(QString(), 0.0); });
+    connect(&untilWorkIsShown_, &QTimer::timeout, this, &StatusLine::paintWork);
 
     auto* left = new QHBoxLayout;
     left->setSpacing(kBetween);
@@ -214,11 +218,11 @@ void StatusLine::showProbe(const std::optional<edges::Probe>& probe) {
     probe_->setToolTip(probeShown()); // in a narrow window the end is cut off
 }
 
-void StatusLine::showPlace(const Scan& scan) {
+void StatusLine::showPlace(const Scan& scan, bool growing) {
     longestProbe_ = longestCell_ = 0;
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
-    const bool part = incomplete != scan.warnings.end();
-    const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
+    const bool part = !growing && incomplete != scan.warnings.end();
+    const QString howMuch = part ? "✕ " + coreSentence(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
     showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
     QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
@@ -288,15 +292,21 @@ void StatusLine::showRenderer(const QString& name) {
     factLabel(Fact::Renderer).label->setToolTip(name);
 }
 
-void StatusLine::startWork(const QString& title) {
-    workTitle_ = shownName(title);
-    untilWorkIsShown_.start();
+void StatusLine::showWork(const QString& title, const QString& stage, double fraction) {
+    workTitle_ = title;
+    workStage_ = stage;
+    workFraction_ = fraction;
+    if (!work_->isHidden())
+        paintWork();
+    else if (!untilWorkIsShown_.isActive())
+        untilWorkIsShown_.start();
 }
 
-void StatusLine::showProgress(const QString& stage, double fraction) {
-    if (untilWorkIsShown_.isActive()) return;
-    stage_->setText(stage.isEmpty() ? workTitle_ : workTitle_ + ": " + shownName(stage));
-    bar_->setValue(static_cast<int>(std::lround(fraction * 1000)));
+void StatusLine::paintWork() {
+    constexpr int kLongestTitle = 40, kLongestStage = 30; // characters
+    const QString title = shownName(workTitle_, kLongestTitle);
+    stage_->setText(workStage_.isEmpty() ? title : title + ": " + shownName(workStage_, kLongestStage));
+    bar_->setValue(static_cast<int>(std::lround(workFraction_ * 1000)));
     work_->show();
     fit();
 }

@@ -13,8 +13,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kRing = 7.0;        // radius, px
-constexpr int kRoomForTags = 420;    // px of the view: in a smaller view targets show only their numbers
+constexpr double kRing = 7.0;     // radius, px
+constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
+const QColor kLostDash(242, 181, 74);
 constexpr double kFaded = 0.45;      // opacity of faces of an older picture
 const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
 constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
@@ -121,6 +122,16 @@ void ImageView::setSelection(std::shared_ptr<const QImage> selection) {
 
 void ImageView::setDragTool(DragTool tool) { tool_ = tool; }
 
+void ImageView::setLost(std::vector<QRect> areas) {
+    if (areas == lost_) return;
+    lost_ = std::move(areas);
+    update();
+}
+
+void ImageView::setTaken(int pixels) {
+    if (std::exchange(taken_, pixels) != pixels) update();
+}
+
 void ImageView::setTitle(const QString& title) {
     title_ = title;
     update();
@@ -174,6 +185,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), background_);
     drawPyramid(painter, picture_);
+    drawLost(painter);
     if (!faces_.empty()) {
         painter.setOpacity(facesFaded_ ? kFaded : 1.0);
         drawPyramid(painter, faces_);
@@ -216,6 +228,25 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
     painter.drawImage(target, image, source);
     painter.restore();
+}
+
+/// In pixels of the view: a hatch of cells would become one even colour in a small picture.
+void ImageView::drawLost(QPainter& painter) const {
+    constexpr double kBetween = 6.0; // px
+    QVector<QLineF> dashes;
+    for (const QRect& area : lost_) {
+        const QRectF at = toPixels(QRectF(area)).intersected(QRectF(rect()));
+        if (at.width() <= 0.0 || at.height() <= 0.0) continue;
+        const int rows = std::max(1, static_cast<int>(at.height() / kBetween));
+        for (int row = 0; row < rows; ++row) {
+            const double y = at.top() + (row + 0.5) * at.height() / rows;
+            dashes << QLineF(at.left(), y, at.right(), y);
+        }
+    }
+    QPen amber(kLostDash, 1.0);
+    amber.setDashPattern({5.0, 5.0});
+    painter.setPen(amber);
+    painter.drawLines(dashes);
 }
 
 void ImageView::drawTrail(QPainter& painter) const {
@@ -296,9 +327,8 @@ void ImageView::drawDragged(QPainter& painter) const {
 
 void ImageView::drawTexts(QPainter& painter) const {
     const QRect inner = rect().adjusted(11, 8, -11, -8);
-    if (!title_.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, title_);
-    if (note_.isEmpty()) return;
-    drawLabel(painter, inner, picture_.empty() ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignTop, note_);
+    if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
+    drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
 }
 
 } // namespace edgescan::ui

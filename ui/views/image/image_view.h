@@ -81,7 +81,11 @@ public:
     [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
     [[nodiscard]] std::optional<QRect> box() const { return box_; }
 
+    /// Areas of lost cells: amber dashes over them, of the same size at every zoom.
+    void setLost(std::vector<QRect> areas);
     void setTitle(const QString& title);
+    /// Pixels at the top right that another widget covers: the texts avoid them.
+    void setTaken(int pixels);
     /// Short text over the picture: "preview", "stale", "no scan open". Empty = no text.
     void setNote(const QString& note);
     [[nodiscard]] const QString& note() const { return note_; }
@@ -130,6 +134,7 @@ private:
 
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
     void drawMarks(QPainter& painter) const;
+    void drawLost(QPainter& painter) const;
     void drawTrail(QPainter& painter) const;
     void drawOutline(QPainter& painter) const;
     void drawTip(QPainter& painter) const;
@@ -159,6 +164,8 @@ private:
     std::optional<QRect> box_;
     EdgeTrail trail_;
     QString title_, note_, stale_;
+    int taken_ = 0;
+    std::vector<QRect> lost_;
     QColor background_{48, 48, 48};
 
     Drag drag_ = Drag::None;

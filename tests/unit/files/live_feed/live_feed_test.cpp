@@ -73,6 +73,13 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     LiveHealth health = healthOf(status);
     EXPECT_EQ(health.lines, "INCOMPLETE 309/1000 lines");
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
+    LiveStatus normal = status; // more lines come and none is missing: nothing is incomplete yet
+    normal.sweep.growing = true;
+    normal.sweep.received = 312;
+    normal.sweep.lost.clear();
+    EXPECT_EQ(healthOf(normal).lines, "312/1000 lines");
+    normal.session.phase = scanner::ConnectionPhase::Stopped;
+    EXPECT_EQ(healthOf(normal).lines, "INCOMPLETE 312/1000 lines");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
     EXPECT_EQ(health.end, "28 s left");
     status.session.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
