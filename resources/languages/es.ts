@@ -88,9 +88,9 @@
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Doble clic: solo esta vista, y de vuelta</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Todas las vistas de nuevo (doble clic en el título)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Solo esta vista (doble clic en el título)</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
+<message><source>All views again</source><translation>Todas las vistas de nuevo</translation></message>
+<message><source>This view alone</source><translation>Esta vista sola</translation></message>
 <message><source>Replace the file?</source><translation>¿Reemplazar el archivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Ya existe un archivo con este nombre:</translation></message>
 <message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
@@ -162,6 +162,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
+<message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
@@ -836,6 +838,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
+<<<<<<< HEAD
+=======
+<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
@@ -869,6 +875,13 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
+<message><source>Front</source><translation>Frente</translation></message>
+<message><source>Back</source><translation>Atrás</translation></message>
+<message><source>Left</source><translation>Izq.</translation></message>
+<message><source>Right</source><translation>Der.</translation></message>
+<message><source>Top</source><translation>Arriba</translation></message>
+<message><source>Bottom</source><translation>Abajo</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Mantenga Bloqueado un segundo para salir del modo cabina.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
@@ -955,12 +968,16 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nube de puntos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
 <message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
 <message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
 <message><source>&amp;Ground Grid</source><translation>Cuadrícula del &amp;suelo</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cubo de vistas</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
@@ -1056,6 +1073,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>

@@ -88,9 +88,9 @@
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Double-clic : cette vue seule, et retour</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Toutes les vues de nouveau (double-clic sur le titre)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Cette vue seule (double-clic sur le titre)</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
+<message><source>All views again</source><translation>Toutes les vues à nouveau</translation></message>
+<message><source>This view alone</source><translation>Cette vue seule</translation></message>
 <message><source>Replace the file?</source><translation>Remplacer le fichier ?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Il existe déjà un fichier de ce nom :</translation></message>
 <message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
@@ -162,6 +162,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
+<message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
@@ -836,6 +838,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
+<<<<<<< HEAD
+=======
+<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
@@ -869,6 +875,13 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
+<message><source>Front</source><translation>Avant</translation></message>
+<message><source>Back</source><translation>Arrière</translation></message>
+<message><source>Left</source><translation>Gauche</translation></message>
+<message><source>Right</source><translation>Droite</translation></message>
+<message><source>Top</source><translation>Haut</translation></message>
+<message><source>Bottom</source><translation>Bas</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillé une seconde pour quitter le mode cabine.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
@@ -955,12 +968,16 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
 <message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vues enregistrées</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Enregistrer comme vue &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vue &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuage de points</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
 <message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
 <message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
 <message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
 <message><source>&amp;Ground Grid</source><translation>&amp;Grille au sol</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cube des vues</translation></message>
 <message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
@@ -1056,6 +1073,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>

@@ -88,9 +88,9 @@
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Clique duplo: só esta vista, e de volta</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Todas as vistas de novo (clique duplo no título)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Só esta vista (clique duplo no título)</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
+<message><source>All views again</source><translation>Todas as vistas de novo</translation></message>
+<message><source>This view alone</source><translation>Só esta vista</translation></message>
 <message><source>Replace the file?</source><translation>Substituir o arquivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Já existe um arquivo com este nome:</translation></message>
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
@@ -162,6 +162,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
+<message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
@@ -836,6 +838,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
+<<<<<<< HEAD
+=======
+<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
@@ -869,6 +875,13 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
+<message><source>Front</source><translation>Frente</translation></message>
+<message><source>Back</source><translation>Trás</translation></message>
+<message><source>Left</source><translation>Esq.</translation></message>
+<message><source>Right</source><translation>Dir.</translation></message>
+<message><source>Top</source><translation>Topo</translation></message>
+<message><source>Bottom</source><translation>Base</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
 <message><source>No scan</source><translation>Nenhum scan</translation></message>
@@ -955,12 +968,16 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuvem de pontos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
 <message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
 <message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
 <message><source>&amp;Ground Grid</source><translation>&amp;Grade do chão</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cubo de vistas</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
@@ -1056,6 +1073,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>

@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/sweep_form.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -32,7 +33,7 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 } // namespace
 
 LivePanel::LivePanel(QWidget* parent)
-    : QWidget(parent), name_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
+    : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
       connect_(button("live-connect", tr("Connect"), tr("Reads and a subscription are all that is sent to the scanner"))),
       sweepButton_(new QToolButton), sweep_(new SweepForm),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, untouched, as it arrives"))),
@@ -51,21 +52,33 @@ LivePanel::LivePanel(QWidget* parent)
     follow_->setIcon(toolIcon("hold"));
     scanner_->setObjectName("live-scanner");
 
+<<<<<<< HEAD
     auto* fields = new QWidget;
     auto* row = new FlowLayout(fields);
     row->setContentsMargins(6, 0, 6, 2);
     for (QWidget* each : std::initializer_list<QWidget*>{name_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
+=======
+    auto* head = new QWidget;
+    auto* row = new FlowLayout(head);
+    row->setContentsMargins(6, 0, 6, 2);
+    row->setSpacing(kBetween);
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
         row->addWidget(each);
     auto* first = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
     first->setSpacing(kBetween);
-    first->addWidget(follow_);
+    first->addWidget(follow_, 0, Qt::AlignTop);
     first->addWidget(strip_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
     column->addLayout(first);
+<<<<<<< HEAD
     column->addWidget(fields);
+=======
+    column->addWidget(head);
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::returnPressed, this, [this] {
@@ -118,6 +131,10 @@ void LivePanel::setConnected(bool connected) {
     connect_->clearFocus();
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
+<<<<<<< HEAD
+=======
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
     if (!connected) setRecording(false);
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
@@ -138,7 +155,11 @@ void LivePanel::setBrief(bool on) {
 
 /// What the state needs; with gloves on, only what a connected scanner needs.
 void LivePanel::showFields() {
+<<<<<<< HEAD
     for (QWidget* each : std::initializer_list<QWidget*>{name_, host_, port_}) each->setHidden(connected_);
+=======
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setHidden(!connected_);
 }
