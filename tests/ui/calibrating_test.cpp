@@ -219,7 +219,7 @@ private slots:
     }
 
     void aTurnThatTellsNothingIsRefusedWithTheReason() {
-        for (const auto& [scan, reason] : {std::pair{half_, "turn 200 degrees once"}, {sweep_, "an axis that lies in the fan"}}) {
+        for (const auto& [scan, reason] : {std::pair{half_, "turn 200 degrees once"}, {sweep_, "about an axis in the fan"}}) {
             Bench on(scan);
             QVERIFY(on.ready);
             on.click("calibration-start");
