@@ -55,7 +55,7 @@ constexpr std::array kNumbers{
                      0.9, 0, 3, EDGESCAN_NUMBER(SimulationSettings, rockRounding)},
     SimulationNumber{"rock-size", "", "", "Times the size of every rock; small ones need more --rocks to fill the same room", 0.1, 3, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, rockSize)},
-    SimulationNumber{"rock-lumps", "", "", "Smooth lumps of the rocks beside their relief, standard deviation [mm]", 0, 100, 0, 3,
+    SimulationNumber{"rock-lumps", "", "", "Smooth lumps of the rocks in addition to their relief, standard deviation [mm]", 0, 100, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, rockLumpsMm)},
     SimulationNumber{"rock-lump-size", "", "",
                      "Lattice that the lumps are drawn on; from one to the next it is two to three times as far [m]", 0.02, 10, 0, 3,

@@ -4,10 +4,12 @@
 #include "core/inspect/session_file/viewer_state.h"
 #include "ui/base/notice_bar.h"
 #include "ui/engine/worker_bridge/derived.h"
+#include "ui/engine/worker_bridge/works.h"
 #include "ui/panels/change/comparison.h"
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -78,6 +80,8 @@ private:
         inspect::EarlierScan from;
         std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
         bool asStep = false;              ///< the result becomes an undo step
+        /// Shows the stage; false: the reading is not wanted any more
+        std::function<bool(const Asker& asker, const char* stage, double fraction)> show{};
     };
     using Read = Result<std::shared_ptr<const Picture>>;
     using Compared = Result<std::shared_ptr<const Comparison>>;
@@ -110,7 +114,8 @@ private:
     bool byDistance_ = false;
     bool pairWanted_ = false; ///< the demo after the blast is being opened
     std::size_t region_ = 0;
-    quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed
+    quint32 heldCode_ = 0; ///< of the flip key while it is pressed
+    std::unique_ptr<Works::Running> readingWork_, comparingWork_;
     std::shared_ptr<const Comparison> last_; // used only by compare()
     Derived<Reading, Read> reader_;
     Derived<ComparisonAsked, Compared> comparer_; // last

@@ -137,7 +137,7 @@ Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& ed
         scan->rangeMm[*cell] = range;
     }
     if (hits == 0)
-        return Error{"no point of the earlier scan lies in a direction that the later one looked at", pair.earlier.scan->name,
+        return Error{"no point of the earlier scan is in a direction that the later one looked at", pair.earlier.scan->name,
                      "choose two scans of one place, with poses that say so"};
     auto mask = std::make_shared<Grid<std::uint8_t>>(later.lines(), later.beams());
     for (const Fallen& edge : edgeCells) {
@@ -154,8 +154,9 @@ Result<RegistrationBasis> waysOf(const Scan& later, const Scan& earlier, const R
     if (!later.placement && !earlier.placement) return RegistrationBasis::Surfaces;
     if (wish.bySurfaces) return RegistrationBasis::Surfaces;
     const Scan& without = later.placement ? earlier : later;
-    return Error{"one of the two scans has a place in the mine and this one has none, so nobody knows how they lie to each other",
-                 without.name, "give it a pose, or line the two up by their surfaces"};
+    return Error{
+        "one of the two scans has a place in the mine and this one has none, so their positions relative to each other are unknown",
+        without.name, "give it a pose, or line the two up by their surfaces"};
 }
 
 /// Adds the warnings about the registration.
@@ -171,7 +172,7 @@ void judge(RegistrationResult& how, double off) {
             " apart, and " + tenthsOfMm(how.surfaces->residualM) + " if one is moved by " + fixedText(off, 1) + " cells.");
     if (how.surfaces && how.surfaces->residualM > kMostOffM)
         say("the surfaces of the two scans lie " + tenthsOfMm(how.surfaces->residualM) +
-            " apart at best, so most of the place changed or they are no scans of one place.");
+            " apart at best, so most of the place changed or they are not scans of one place.");
 }
 
 } // namespace

@@ -3,11 +3,11 @@
 
 #include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/angle_correction/straighten_scan.h"
-#include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/file_filters.h"
+#include "ui/controllers/files/source.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/reading_dialog.h"
 
@@ -176,9 +176,7 @@ void Files::noteOpened(const QString& path) {
 void Files::showWarnings() {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
-    QStringList warnings;
-    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
-    for (const std::string& warning : placeWarnings(scan)) warnings << shownText(warning);
+    const QStringList warnings = warningsOf(picture);
     // The health strip reports the warnings of a live scan.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
