@@ -51,7 +51,8 @@ public:
 
     Result<RosBag> read() {
         ByteView rest = bytes_.subspan(kMagic.size());
-        if (const std::size_t used = records(rest, true); used < rest.size())
+        const std::size_t used = records(rest, true);
+        if (std::ranges::any_of(rest.subspan(used), [](std::uint8_t byte) { return byte != 0; }))
             bag_.warnings.push_back("The bag is cut off or damaged at byte " + std::to_string(kMagic.size() + used) + ": the last " +
                                     std::to_string(rest.size() - used) + " bytes were not read.");
         nameTopics();

@@ -46,7 +46,8 @@ struct AngleAt {
 Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, double fanMiddleDeg, std::int64_t fromNs,
                                    std::int64_t toNs, const std::string& where);
 
-/// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest.
+/// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest,
+/// and of one whose name is a scanner's rather than of others.
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
                                   const std::string& where);
 
