@@ -103,9 +103,14 @@ private:
     void connection(ByteView header, ByteView data) {
         const auto id = static_cast<std::uint32_t>(littleEndian(fieldOf(header, "conn")));
         if (topics_.contains(id) || bag_.topics.size() >= kMostTopics) return;
-        topics_[id] = static_cast<std::uint32_t>(bag_.topics.size());
-        bag_.topics.push_back({std::string(textOf(fieldOf(header, "topic"))), rosTypeName(textOf(fieldOf(data, "type"))),
-                               std::string(textOf(fieldOf(data, "message_definition"))), RosEncoding::Ros1, false});
+        RosTopic topic{std::string(textOf(fieldOf(header, "topic"))), rosTypeName(textOf(fieldOf(data, "type"))),
+                       std::string(textOf(fieldOf(data, "message_definition"))), RosEncoding::Ros1, false};
+        // Each program that sends on a topic has a connection of its own.
+        const auto same = std::ranges::find_if(bag_.topics, [&](const RosTopic& known) {
+            return known.name == topic.name && known.type == topic.type && known.definition == topic.definition;
+        });
+        topics_[id] = static_cast<std::uint32_t>(same - bag_.topics.begin());
+        if (same == bag_.topics.end()) bag_.topics.push_back(std::move(topic));
     }
 
     void message(ByteView header, ByteView data) {
