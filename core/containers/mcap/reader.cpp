@@ -372,7 +372,7 @@ bool looksLikeMcap(ByteView bytes) {
 }
 
 Result<McapContent> readMcap(ByteView bytes, const std::string& where) {
-    if (!looksLikeMcap(bytes)) return Error{"this is no MCAP recording of a version that is known", where, "choose a recording"};
+    if (!looksLikeMcap(bytes)) return Error{"this is not an MCAP recording of a known version", where, "choose a recording"};
     return Reader(bytes, where).read();
 }
 

@@ -270,7 +270,8 @@ Result<E57Choice> readChoice(const Source& source) {
         table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
     if (file->pictures > 0) table.remarks.push_back("The pictures of this file (" + std::to_string(file->pictures) + ") are not read.");
     if (auto behind = bytesBehind(file->rest, "the end that the header gives")) table.remarks.push_back(std::move(*behind));
-    if (scan.poseIsNone) table.remarks.emplace_back("The pose in the file is no turn and shift, so the scan stays in the scanner's frame.");
+    if (scan.poseIsNone)
+        table.remarks.emplace_back("The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.");
     return choice;
 }
 

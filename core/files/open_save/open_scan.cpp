@@ -9,6 +9,7 @@
 #include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/files/open_save/unpack.h"
 #include "core/files/ros/bag_folder.h"
 
@@ -93,7 +94,8 @@ Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const
         if (!file) return file.error();
         const auto bytes = bytesAt(*file, options);
         if (!bytes) return bytes.error();
-        auto scan = scanOfBytes({*file, bytes->bytes(), &options, isPipe(*file), played});
+        const ReadingOptions withPose = withPoseSidecar(options, *file);
+        auto scan = scanOfBytes({*file, bytes->bytes(), &withPose, isPipe(*file), played});
         if (scan) scan->path = file->string();
         return scan;
     });

@@ -146,7 +146,7 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
     if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end()) {
         std::string words;
         for (const std::string& word : option.words) words += (words.empty() ? "" : &word == &option.words.back() ? " or " : ", ") + word;
-        return Error{"\"" + text + "\" is none of its values", flag, "use " + words};
+        return Error{"\"" + text + "\" is not one of its values", flag, "use " + words};
     }
     if (option.limit == nullptr) return Done{};
     const std::vector<double> numbers = numbersOf(text);

@@ -35,11 +35,11 @@ struct ReadingOptions {
     std::optional<Eigen::Vector3d> sensorM; ///< position of the sensor, metres, in the frame of the cloud's points
     std::optional<double> gridStepDeg;      ///< size of a projected cloud's cells; empty: from the spacing of its points
     Projection projection = Projection::Auto;
-    std::string pose;          ///< pose file; together with the calibration it gives the scan its place in the mine
-    std::string calibration;   ///< the robot's calibration file
-    bool straighten = false;   ///< correct the angles of interlaced beams and slipped lines; openAsAsked() does this, openScan() does not
-    std::string topic;         ///< of a ROS bag: the topic that is the scan
-    std::string joint;         ///< of a ROS bag: the joint that turns the laser
+    std::string pose;        ///< pose file; together with the calibration it gives the scan its place in the mine
+    std::string calibration; ///< the robot's calibration file
+    bool straighten = false; ///< correct the angles of interlaced beams and slipped lines; openAsAsked() does this, openScan() does not
+    std::string topic;       ///< of a ROS bag: the topic that is the scan
+    std::string joint;       ///< of a ROS bag: the joint that turns the laser
     /// index, from 0, of the scan in a file that holds several; empty: the first, or of sweeps and clouds of a bag the largest
     std::optional<std::size_t> scanIndex;
 

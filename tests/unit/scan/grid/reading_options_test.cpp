@@ -47,9 +47,10 @@ TEST(ReadingOptions, DamagedRecordsAreRefused) {
 
 TEST(ReadingOptions, FlagsGiveBackWhatWasSaid) {
     EXPECT_EQ(readingFlags({}), "");
-    EXPECT_EQ(readingFlags(everything()), "--beam-start -5.5 --beam-step 0.1 --line-start -90 --line-step 1e-07 --unit cm --grid-step 0.25 "
-                                          "--axis sweep --sensor 1,2.5,-3 --project never --straighten --scan 4 --topic '/arm/scan' --joint 'tilt joint' "
-                                          "--pose 'it'\\''s here.json' --calibration 'robot.json'");
+    EXPECT_EQ(readingFlags(everything()),
+              "--beam-start -5.5 --beam-step 0.1 --line-start -90 --line-step 1e-07 --unit cm --grid-step 0.25 "
+              "--axis sweep --sensor 1,2.5,-3 --project never --straighten --scan 4 --topic '/arm/scan' --joint 'tilt joint' "
+              "--pose 'it'\\''s here.json' --calibration 'robot.json'");
     ReadingOptions again;
     for (const ReadingOption& option : readingOptionTable()) {
         const std::string text = option.get(everything());
