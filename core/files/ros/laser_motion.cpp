@@ -13,7 +13,6 @@
 namespace edgescan::files {
 namespace {
 
-constexpr double kLeastTurnDeg = 1.0;
 constexpr double kMostWobbleDeg = 1.0;      // of a rotation about one axis
 constexpr double kMostOutOfPlaneDeg = 30.0; // a fan that turns in its own plane, or nearly so, does not sweep
 

@@ -12,6 +12,8 @@
 
 namespace edgescan::files {
 
+inline constexpr double kLeastTurnDeg = 1.0; ///< of a sweep; what turns less is at rest
+
 /// An angle of the axis that turns the laser.
 struct TimedAngle {
     std::int64_t ns = 0;
