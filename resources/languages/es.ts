@@ -927,6 +927,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Al cerrar termina aquí; lo grabado hasta ahora queda en su archivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
+<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
+<message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
@@ -1051,6 +1053,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
+<message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>

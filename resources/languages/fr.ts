@@ -927,6 +927,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Fermer y met fin ici ; ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
+<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
+<message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
@@ -1051,6 +1053,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
+<message><source>&amp;Manual</source><translation>&amp;Manuel</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>

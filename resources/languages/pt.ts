@@ -927,6 +927,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Ao fechar ela termina aqui; o que foi gravado até agora fica no seu arquivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
+<message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
+<message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
@@ -1051,6 +1053,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
+<message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>

@@ -1,20 +1,37 @@
 // Shortcuts that the operator changes: in the real window, with real keys; the palette and the sheet show the current ones.
+#include "tests/support/folders.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/shortcut_editor.h"
 #include "ui/panels/keys/key_editing.h"
 #include "ui/panels/keys/shortcuts.h"
+#include "ui/window/manual.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTimer>
+#include <QUrl>
 
 using namespace edgescan;
 using namespace edgescan::ui;
+
+/// In place of the browser.
+class UrlCatcher : public QObject {
+    Q_OBJECT
+public:
+    explicit UrlCatcher(QStringList& opened) : opened_(opened) {}
+public slots:
+    void take(const QUrl& url) { opened_ << url.toString(); }
+
+private:
+    QStringList& opened_;
+};
 
 class ShortcutsTest : public QObject {
     Q_OBJECT
@@ -145,6 +162,46 @@ private slots:
         WindowFixture again(ini);
         QCOMPARE(commandOf(again.window, "View/Look from/Top").action->shortcut(), QKeySequence("1"));
         QCOMPARE(commandOf(again.window, "View/Look from/Front").action->shortcut(), QKeySequence("7"));
+    }
+
+    // F1 opens the page of the manual in the browser, or says where it is if no manual is installed; both name the page.
+    void f1OpensThePageOfWhatHasTheFocus() {
+        WindowFixture on;
+        QVERIFY(on.showWith(usualScan(folder_)));
+        QVERIFY(on.activate());
+        QStringList opened;
+        UrlCatcher catcher{opened};
+        QDesktopServices::setUrlHandler("file", &catcher, "take");
+        const auto pageOpened = [&](QWidget* at) {
+            opened.clear();
+            on.viewer.notice.hide();
+            at->setFocus();
+            QTest::keyClick(at, Qt::Key_F1);
+            return opened.isEmpty() ? on.viewer.notice.text() : opened.join(' ');
+        };
+        const QString edges = pageOpened(on.slider("sensitivity")), image = pageOpened(&on.viewer.gray);
+        ShortcutEditor editor({}, &on.window);
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        const QString keys = pageOpened(editor.findChild<QLineEdit*>());
+        QDesktopServices::unsetUrlHandler("file");
+        QVERIFY2(edges.contains("guide/tune"), qPrintable(edges));
+        QVERIFY2(image.contains("index"), qPrintable(image));
+        QVERIFY2(keys.contains("guide/keys"), qPrintable(keys));
+    }
+    void everyPageThatAPlaceHasIsInTheManual() {
+        WindowFixture on;
+        int known = 0;
+        for (const QWidget* each : on.window.findChildren<QWidget*>()) {
+            const QString page = manualPageOf(each);
+            if (page == "index") continue;
+            ++known;
+            QVERIFY2(QFile::exists(QString::fromStdString((test::sourceFolder() / "docs").string()) + "/" + page + ".md"),
+                     qPrintable(page));
+        }
+        QVERIFY(known > 20);
+        for (const char* name : {"dock-edges", "dock-rocks", "dock-rock-table", "dock-targets", "live-panel"})
+            QVERIFY2(manualPageOf(on.window.findChild<QWidget*>(name)) != "index", name);
     }
 };
 

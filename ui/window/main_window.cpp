@@ -33,6 +33,7 @@
 #include "ui/window/docks.h"
 #include "ui/window/first_tour.h"
 #include "ui/window/legend_place.h"
+#include "ui/window/manual.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
 #include "ui/window/pane_places.h"
@@ -109,8 +110,9 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); },    [this] { startTour(*this); },
-                                  sessionCommands(*this),          imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
+    const WindowCommands commands{[this] { return screenshot(); },       [this] { resetLayout(); }, [this] { startTour(*this); },
+                                  [this] { openManual(*this); },         sessionCommands(*this),    imagesFirstCommand(*places_),
+                                  cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -177,6 +179,7 @@ void MainWindow::layOutViews() {
     column->addWidget(&viewer_.timeline);
     cab_ = new CabMode(*this, centre);
     addTour(*this, *top);
+    addManualKey(*this);
 }
 
 /// A double-click on the title of an image exchanges it with the cloud; on the title of the cloud it shows the cloud alone.

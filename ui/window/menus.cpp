@@ -440,7 +440,8 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             rocksMenu(viewer, window),
             measureMenu(viewer),
             submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
-                              command("&Keys and Mouse", "F1; H; ?", showKeys), command("&Tour", "", commands.tour),
+                              command("&Manual", "F1", commands.manual), command("&Keys and Mouse", "H; ?", showKeys),
+                              command("&Tour", "", commands.tour),
                               command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); }),
                               command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }

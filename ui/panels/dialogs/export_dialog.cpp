@@ -49,6 +49,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     coordinatesGroup_ = coordinatesBox();
     column->addWidget(coordinatesGroup_);
     more_ = new QToolButton;
+    setObjectName("export-dialog");
     more_->setObjectName("for-program");
     more_->setText(tr("For the program that will read it"));
     more_->setCheckable(true);

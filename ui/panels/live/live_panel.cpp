@@ -41,6 +41,7 @@ LivePanel::LivePanel(QWidget* parent)
       follow_(
           button("live-follow", tr("Hold"), tr("The picture stays as it is while the scanner goes on; off: it grows with the scanner"))),
       scanner_(new ElidedLabel), strip_(new HealthStrip) {
+    setObjectName("live-panel");
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("name or address of the scanner"));
     host_->setMaximumWidth(220);

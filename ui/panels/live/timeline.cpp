@@ -33,6 +33,7 @@ QString utcText(std::int64_t ns) {
 
 Timeline::Timeline(QWidget* parent)
     : QWidget(parent), play_(new QPushButton(tr("Play"))), slider_(new TimelineSlider), label_(new ElidedLabel), speeds_(new QComboBox) {
+    setObjectName("timeline");
     play_->setObjectName("timeline-play");
     slider_->setObjectName("timeline-slider");
     label_->setObjectName("timeline-label");
