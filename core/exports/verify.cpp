@@ -60,11 +60,11 @@ Result<Done> knownFormat(const Json& object, const char* known, const Verificati
 /// Compares what the sidecar says about the file with the file.
 void compareSidecar(const Json& sidecar, const std::string& bytes, Verification& v) {
     if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar))
-        v.findings.emplace_back("The file beside the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
+        v.findings.emplace_back("The file next to the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
     if (wordAt(sidecar, "/export/sha256") != v.foundSha256)
-        v.findings.emplace_back("The export is not the file that the record beside it was written for: its SHA-256 is another.");
+        v.findings.emplace_back("The export is not the file that the record next to it was written for: its SHA-256 is another.");
     if (at(sidecar, "/export/bytes") != Json(bytes.size()))
-        v.findings.emplace_back("The record beside the export says another number of bytes.");
+        v.findings.emplace_back("The record next to the export says another number of bytes.");
     const std::string name = wordAt(sidecar, "/export/file");
     if (name != v.exported.filename().string()) v.remarks.push_back("It was called " + name + " when it was written.");
 }
@@ -78,7 +78,7 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
         if (const auto known = knownFormat(whole, files::kSidecarFormat, v); !known) return known.error();
         if (wordAt(whole, "/format") == files::kSidecarFormat) fromSidecar = at(whole, "/record");
         if (const auto known = knownFormat(fromSidecar, kRecordFormat, v); !known) return known.error();
-        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record beside the export is damaged or was altered.");
+        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record next to the export is damaged or was altered.");
         compareSidecar(whole, bytes, v);
     }
     const std::string embedded = embeddedRecord(bytes);
@@ -86,13 +86,13 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
     if (const auto known = knownFormat(inside, kRecordFormat, v); !known) return known.error();
     if (!embedded.empty() && !recordIsWhole(inside)) v.findings.emplace_back("The record inside the export is damaged or was altered.");
     if (recordIsWhole(inside) && recordIsWhole(fromSidecar) && inside != fromSidecar)
-        v.findings.emplace_back("The record inside the export and the one beside it are not the same.");
+        v.findings.emplace_back("The record inside the export and the one next to it are not the same.");
     if (recordIsWhole(fromSidecar)) return fromSidecar;
     if (recordIsWhole(inside)) return inside;
     const bool none = embedded.empty() && v.findings.empty();
-    return Error{none ? "there is no record in the export and none beside it" : "no record of the export is left unaltered",
+    return Error{none ? "there is no record in the export and none next to it" : "no record of the export is left unaltered",
                  v.exported.string(),
-                 none ? "copy " + files::sidecarPath(v.exported).filename().string() + " beside it" : "export the scan again"};
+                 none ? "copy " + files::sidecarPath(v.exported).filename().string() + " next to it" : "export the scan again"};
 }
 
 Error notUnderstood(const Verification& v, const std::string& what) {

@@ -122,15 +122,34 @@ TEST(Manual, SentencesAreShort) {
 }
 
 // What the window shows, *in italics* or "in quotes", has the words that the window has.
-TEST(Manual, IsInPlainEnglish) {
+TEST(Manual, EveryPageIsInPlainEnglish) {
     static const std::regex label(R"(\*[^*\s][^*]*\*)");
-    for (const fs::path& page : pagesOfTheManual()) {
-        if (!isEnglish(page)) continue;
+    std::vector<fs::path> pages{fs::path(test::sourceFolder()) / "README.md"};
+    for (const auto& entry : fs::recursive_directory_iterator(kManual))
+        if (entry.path().extension() == ".md" && isEnglish(entry.path())) pages.push_back(entry.path());
+    EXPECT_GT(pages.size(), 40U);
+    for (const fs::path& page : pages) {
         for (const Passage& passage : passagesOf(test::fileText(page))) {
             const std::string text = std::regex_replace(passage.text, label, "_");
             EXPECT_EQ(test::bannedWord(text).first, "") << page << ": " << passage.text << " (CONTRIBUTING.md, \"Words\")";
         }
     }
+}
+
+// A reader must not take a simulated rock for a real one: the line after a picture says what it shows.
+TEST(Manual, PicturesSayWhetherTheyAreSimulated) {
+    std::size_t pictures = 0;
+    for (const fs::path& page : pagesOfTheManual()) {
+        const std::string text = test::fileText(page);
+        for (std::size_t at = text.find("\n!["); at != std::string::npos; at = text.find("\n![", at + 1)) {
+            const std::size_t caption = text.find_first_not_of('\n', text.find('\n', at + 1));
+            const std::string line = text.substr(caption, text.find('\n', caption) - caption);
+            ++pictures;
+            EXPECT_TRUE(line.find("imul") != std::string::npos || line.find("Real scan") != std::string::npos)
+                << page << ": a picture without its origin: " << line;
+        }
+    }
+    EXPECT_GT(pictures, 15U);
 }
 
 TEST(Manual, LinksWithinAPageLeadToAHeading) {

@@ -156,7 +156,8 @@ void Tuning::askSavePreset() {
     SaveQuestion question{tr("Save preset"), preferences_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
     // Scans use this extension too.
     question.keeps = [](const QString& there) {
-        return edges::findPreset(exactBytes(there)) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
+        return edges::findPreset(exactBytes(there)) ? QString()
+                                                    : tr("%1 is not a preset and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;

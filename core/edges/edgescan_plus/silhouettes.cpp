@@ -14,6 +14,11 @@ constexpr float kSure = 1;     // jump thresholds
 constexpr float kBend = 0.25F; // tangent of the angle by which a surface may bend across the void
 constexpr int kBridged = 4;    // longest gap that step 1 may have filled, cells
 
+// The least distance in mm from the near to the far end of a void of `cells` at an outline.
+float leastBehindMm(float farMm, int cells, float angle, const DepthLimits& limits) {
+    return kSure * limits.jumpAt(farMm) + kBend * static_cast<float>(cells + 1) * angle * farMm;
+}
+
 // Whether the surface of `near` ends before the void of `cells` and the other surface is behind it.
 bool isOutline(const SurfaceEnd& near, const SurfaceEnd& far, int cells, float angle, const DepthLimits& limits) {
     if (!near.known || !far.known || near.slants(angle)) return false;
@@ -22,7 +27,7 @@ bool isOutline(const SurfaceEnd& near, const SurfaceEnd& far, int cells, float a
     const float backwards = far.u + steps * far.slope;   // next to the near end
     if (continued <= 0) return false;
     const float farMm = 1000 / far.u;
-    const float least = kSure * limits.jumpAt(farMm) + kBend * steps * angle * farMm;
+    const float least = leastBehindMm(farMm, cells, angle, limits);
     const bool behind = farMm - 1000 / near.u > least && farMm - 1000 / continued > least;
     return behind && (backwards <= 0 || 1000 / backwards - 1000 / near.u > least);
 }
@@ -32,8 +37,12 @@ void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits
     const bool first = way.u(before) >= way.u(after);
     const int at = first ? before : after;
     if (way.inverse.support[way.cell(at)] != Support::Measured) return;
+    // Most gaps are on one surface: what isOutline() asks of the two ranges alone comes before the lines are fitted.
+    const int behind = first ? after : before;
+    const float farMm = 1000 / way.u(behind);
+    if (!(farMm - 1000 / way.u(at) > leastBehindMm(farMm, after - before - 1, way.angle(at), limits))) return;
     const SurfaceEnd near = surfaceEnd(way, at, first ? -1 : 1, limits);
-    const SurfaceEnd far = surfaceEnd(way, first ? after : before, first ? 1 : -1, limits);
+    const SurfaceEnd far = surfaceEnd(way, behind, first ? 1 : -1, limits);
     if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
 }
 

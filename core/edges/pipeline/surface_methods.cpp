@@ -16,11 +16,11 @@ FoundEdges surfaceEdges(const Detection& detection) {
     return {std::move(found.mask), std::move(found.kind)};
 }
 
-ThresholdMap surfaceThresholds(const Detection& detection) {
+ThresholdMap surfaceThresholds(const Detection& detection, double least) {
     const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
     ThresholdMap map =
-        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength);
+        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength, least);
     for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
         for (const std::uint32_t k : edges.cells) map.highest[k] = std::numeric_limits<double>::infinity();
     }

@@ -147,7 +147,8 @@ Result<PointTable> dxfPoints(const Source& source) {
     for (std::size_t at = 0; at < text.size();) {
         const TextLine codeLine = textLineAt(text, at);
         const auto code = wholeText<int>(withoutBlanks(codeLine.text));
-        if (!code || codeLine.next >= text.size()) return source.refusedAtLine(line + 1, "this is no whole DXF group", "export it again");
+        if (!code || codeLine.next >= text.size())
+            return source.refusedAtLine(line + 1, "this is not a whole DXF group", "export it again");
         const TextLine valueLine = textLineAt(text, codeLine.next);
         const std::string_view value = withoutBlanks(valueLine.text);
         at = valueLine.next;
@@ -158,7 +159,7 @@ Result<PointTable> dxfPoints(const Source& source) {
         }
         if (!inPoint || (*code != 10 && *code != 20 && *code != 30)) continue;
         const auto number = wholeText<double>(value);
-        if (!number) return source.refusedAtLine(line, "this coordinate is no number", "export it again");
+        if (!number) return source.refusedAtLine(line, "this coordinate is not a number", "export it again");
         points.back()[*code / 10 - 1] = *number;
     }
     return table;

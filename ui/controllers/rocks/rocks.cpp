@@ -74,6 +74,7 @@ void Rocks::connectViews() {
         });
         connect(view, &ImageView::cleared, this, [this] { select({}); });
     }
+    connect(&views_, &LinkedViews::pinChanged, this, &Rocks::followPin);
     CloudView& cloud = views_.cloud();
     connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
     connect(&cloud, &CloudView::hoverLeft, this, [this, &cloud] { point(std::nullopt, &cloud); });
@@ -167,7 +168,7 @@ QString Rocks::remark() const {
     if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
         words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
     if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
-    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being worked out anew");
+    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
     return words.join(" · ");
 }
@@ -193,6 +194,12 @@ void Rocks::showFaces() {
     }
     if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));
+}
+
+/// The rock of the pinned cell loses its outline with the pin.
+void Rocks::followPin(std::optional<std::size_t> cell) {
+    const auto was = std::exchange(pinned_, cell);
+    if (!cell && was && selected_ == std::vector{*was}) select({});
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {
@@ -243,6 +250,8 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 void Rocks::click(std::size_t cell) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(cell);
+    const std::size_t meant = views_.meant(cell).cell; // a click just behind the outline of a rock means the rock
+    if (picture_->labelAt(meant) != 0) cell = meant;
     if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {
@@ -260,7 +269,7 @@ void Rocks::jumpTo(std::uint32_t label) {
     if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
     const std::size_t cell = picture_->rock(label)->cell;
     select({cell});
-    views_.pinByClick(cell);
+    views_.pinByClick(inspect::exactly(cell));
     views_.gray().viewPort()->centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5));
     views_.cloud().flyTo(static_cast<qint64>(cell));
 }

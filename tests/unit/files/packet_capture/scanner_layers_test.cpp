@@ -85,7 +85,7 @@ TEST(ScannerLayers, AreLeftOutLive) {
     session.port = static_cast<std::uint16_t>((*scanner)->port());
     LiveFeed feed(session, scanner::SweepSettings{}, [] {});
     const auto all = static_cast<std::int64_t>(kLayers.size()) * kLayeredLines;
-    EXPECT_TRUE(waitUntil([&] { return feed.status().sweep.account.telegrams >= all; })) << feed.status().session.sentence;
+    EXPECT_TRUE(waitUntil([&] { return feed.status().sweep.account.telegrams >= all; })) << feed.status().connection.sentence;
     const auto scan = feed.snapshot();
     ASSERT_TRUE(scan);
     expectTheLevelLayer(*scan);
@@ -101,5 +101,5 @@ TEST(ScannerLayers, AloneTheyAreNoSweep) {
     }
     const auto scan = readScanBytes(bytes, ".bin");
     ASSERT_FALSE(scan);
-    EXPECT_NE(scan.error().sentence().find("none of the 90 scan telegrams"), std::string::npos) << scan.error().sentence();
+    EXPECT_NE(scan.error().sentence().find("the 90 scan telegrams in this recording hold no line"), std::string::npos) << scan.error().sentence();
 }
