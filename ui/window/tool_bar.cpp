@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -100,8 +101,12 @@ void ToolBar::fit() {
 }
 
 QSize ToolBar::sizeHint() const {
-    const QSize least = QToolBar::sizeHint();
-    return parentWidget() == nullptr ? least : least.expandedTo({parentWidget()->width(), 0});
+    const int wide = parentWidget() == nullptr ? QToolBar::sizeHint().width() : parentWidget()->width() - reserved_;
+    return {std::max(wide, minimumSizeHint().width()), QToolBar::sizeHint().height()};
+}
+
+void ToolBar::reserve(int pixels) {
+    if (std::exchange(reserved_, pixels) != pixels) updateGeometry();
 }
 
 void ToolBar::setScanOpen(bool on) {

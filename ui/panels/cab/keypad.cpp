@@ -117,16 +117,15 @@ void Keypad::type(const QString& text) {
     if (field_ == nullptr) return;
     if (text == "Del") return press(Qt::Key_Backspace);
     if (text == "Enter") return press(Qt::Key_Return);
-    QKeyEvent down(QEvent::KeyPress, text[0].toUpper().unicode(), Qt::NoModifier, text),
-        up(QEvent::KeyRelease, text[0].toUpper().unicode(), Qt::NoModifier, text);
-    QApplication::sendEvent(field_, &down);
-    if (field_ != nullptr) QApplication::sendEvent(field_, &up);
+    press(text[0].toUpper().unicode(), text);
 }
 
-void Keypad::press(int key) {
-    QKeyEvent down(QEvent::KeyPress, key, Qt::NoModifier), up(QEvent::KeyRelease, key, Qt::NoModifier);
-    QApplication::sendEvent(field_, &down);
-    if (field_ != nullptr) QApplication::sendEvent(field_, &up);
+/// A number box reads the keys itself.
+void Keypad::press(int key, const QString& text) {
+    QWidget* box = qobject_cast<QAbstractSpinBox*>(field_->parentWidget());
+    QKeyEvent down(QEvent::KeyPress, key, Qt::NoModifier, text), up(QEvent::KeyRelease, key, Qt::NoModifier, text);
+    QApplication::sendEvent(box != nullptr ? box : field_, &down);
+    if (field_ != nullptr) QApplication::sendEvent(box != nullptr ? box : field_, &up);
 }
 
 } // namespace edgescan::ui

@@ -31,7 +31,7 @@ private:
     void openFor(QLineEdit& field);
     void close();
     void type(const QString& text);
-    void press(int key);
+    void press(int key, const QString& text = {});
     void setLetters(bool on);
 
     QWidget* home_; // its parent while it is closed
