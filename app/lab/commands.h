@@ -10,5 +10,6 @@ namespace edgescan::cli {
 void addBenchmark(CLI::App& app, int& code);
 void addRepeatability(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
+void addClicks(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

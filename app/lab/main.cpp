@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     cli::addBenchmark(app, code);
     cli::addRepeatability(app, code);
     cli::addEvaluate(app, code);
+    cli::addClicks(app, code);
     cli::addPages(
         app, {"edgescan-lab",
               "measures how good edge detection is",

@@ -169,7 +169,7 @@ private slots:
             QVERIFY(then->percent[cell] == truth->percent[cell] || card().contains(now + "\nwas " + figure(*truth, cell)));
             // A cell that is not an edge has no such row.
             const auto plain = std::ranges::find(second.mask->cells, 0) - second.mask->cells.begin();
-            on.viewer.views.pinByClick(static_cast<std::size_t>(plain));
+            on.viewer.views.pinByClick(inspect::exactly(static_cast<std::size_t>(plain)));
             QTRY_VERIFY(on.viewer.targets.active()->cell != cell && card().contains("Edge: none"));
             QVERIFY2(!card().contains("Confidence"), qPrintable(card()));
             QTRY_VERIFY(on.viewer.targets.settled());

@@ -89,7 +89,7 @@ class ModesTest : public QObject {
             {"rocks",
              [](WindowFixture& on) {
                  return pressed(on, Qt::Key_K) && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }) &&
-                        (on.viewer.views.pinByClick(on.viewer.rocks.picture()->study.rocks.front().cell), true) &&
+                        (on.viewer.views.pinByClick(inspect::exactly(on.viewer.rocks.picture()->study.rocks.front().cell)), true) &&
                         eventually([&] { return on.viewer.targets.settled(); });
              },
              [](WindowFixture& on) { return pressed(on, Qt::Key_K); }},

@@ -82,6 +82,17 @@ void drawMeasure(QPainter& painter, const ScreenMarks::Measure& measure) {
     for (const QPointF& end : measure.ends) painter.drawEllipse(end, kEndDot, kEndDot);
 }
 
+/// A dotted line from the click, which has a small cross.
+void drawMove(QPainter& painter, const QLineF& move) {
+    constexpr double kCross = 4.0; // px
+    const QPointF at = move.p1();
+    strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 3.0), QPen(Qt::white, 1.0), [&] {
+        painter.drawLine(at - QPointF(kCross, kCross), at + QPointF(kCross, kCross));
+        painter.drawLine(at - QPointF(kCross, -kCross), at + QPointF(kCross, -kCross));
+    });
+    strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 3.0), QPen(Qt::white, 1.0, Qt::DotLine), [&] { painter.drawLine(move); });
+}
+
 } // namespace
 
 ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t)>& placeOf, bool small) {
@@ -98,12 +109,20 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
             drawn.lines.emplace_back(places[a]->at, places[b]->at);
         }
         if (!drawn.lines.empty()) drawn.labelAt = drawn.lines.front().center();
+        for (std::size_t n = 0; n < measure.clicked.size() && n < places.size(); ++n) {
+            const auto click = measure.clicked[n] == measure.cells[n] ? std::nullopt : placeOf(measure.clicked[n]);
+            if (click && places[n]) shown.moves.emplace_back(click->at, places[n]->at);
+        }
         drawn.label = measure.label;
         if (!drawn.ends.empty()) shown.measures.push_back(std::move(drawn));
     }
     for (const TargetMark& target : marks.targets) {
         const QString& words = small && !target.active ? target.brief : target.tag;
-        if (const auto place = placeOf(target.cell)) shown.targets.push_back({*place, words, target.active});
+        const auto place = placeOf(target.cell);
+        if (!place) continue;
+        shown.targets.push_back({*place, words, target.active});
+        const auto click = target.clicked ? placeOf(*target.clicked) : std::nullopt;
+        if (click) shown.moves.emplace_back(click->at, place->at);
     }
     // The target whose card is shown is drawn over the others.
     std::stable_partition(shown.targets.begin(), shown.targets.end(), [](const ScreenMarks::Target& target) { return !target.active; });
@@ -113,6 +132,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
 void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
+    for (const QLineF& move : marks.moves) drawMove(painter, move);
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
     Tags tags(painter, place);

@@ -15,10 +15,11 @@ namespace edgescan::ui {
 
 /// A cell that the operator marked as a target.
 struct TargetMark {
-    std::size_t cell = 0; ///< k = line * beams + beam
-    QString tag;          ///< "1 keystone · 4.91 m"
-    QString brief;        ///< "1": shown instead of `tag` where space is short, unless the target is active
-    bool active = false;  ///< its card is shown
+    std::size_t cell = 0;                 ///< k = line * beams + beam
+    QString tag;                          ///< "1 keystone · 4.91 m"
+    QString brief;                        ///< "1": shown instead of `tag` where space is short, unless the target is active
+    bool active = false;                  ///< its card is shown
+    std::optional<std::size_t> clicked{}; ///< where the operator clicked, if the mark is at another cell
 
     bool operator==(const TargetMark&) const = default;
 };
@@ -28,6 +29,7 @@ struct MeasureMark {
     std::vector<std::size_t> cells;
     std::vector<std::pair<std::size_t, std::size_t>> links; ///< pairs of indices into `cells`; a line joins each pair
     QString label;                                          ///< empty until all cells are picked
+    std::vector<std::size_t> clicked{};                     ///< where the operator clicked; empty: at `cells`
 
     bool operator==(const MeasureMark&) const = default;
 };
@@ -64,6 +66,7 @@ struct ScreenMarks {
     };
     std::vector<Target> targets;
     std::vector<Measure> measures;
+    std::vector<QLineF> moves; ///< from a click to the cell that it meant
 
     bool operator==(const ScreenMarks&) const = default;
     [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }

@@ -61,8 +61,8 @@ Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& readi
     return earlierPicture(exactText(scan.path.string()), options, settings);
 }
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-                     Preferences& preferences, QUndoStack& undo)
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, Files& files, NoticeBar& notice, Preferences& preferences,
+                     QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       reader_(
           Urgency::Soon, [](const Reading& reading, const Asker& asker) { return pictureOf(reading, asker); },
@@ -85,11 +85,21 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
         ask();
         emit rowsChanged();
     });
+    connect(&legend_, &ChangeLegend::distancesRequested, this, [this](bool on) {
+        byDistance_ = on;
+        ask();
+        emit byDistanceChanged(on);
+    });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
+    connect(&engine_, &Engine::streamChanged, this, [this] {
+        if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
+        read({{.kind = inspect::SessionScan::Kind::Demo}, engine_.settings()}, true);
+    });
     QApplication::instance()->installEventFilter(this);
 }
 
 void Comparing::setRows(const ChangeRows& rows) { legend_.setRows(rows); }
+void Comparing::setByDistance(bool on) { legend_.setByDistance(on); }
 
 void Comparing::keep() {
     if (engine_.picture() == nullptr) {
@@ -145,7 +155,7 @@ void Comparing::compareWith(const QString& path) {
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
-    reading.scanIndex = 0; // the index belongs to the file on the screen
+    reading.scanIndex.reset(); // the index belongs to the file on the screen
     read({inspect::fileScan(exactBytes(path), reading), engine_.settings()}, true);
 }
 
@@ -179,6 +189,11 @@ void Comparing::askScan() {
     const QString path =
         QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), preferences_.folder("scans"), Files::filters());
     if (!path.isEmpty()) compareWith(path);
+}
+
+void Comparing::openDemoPair() {
+    files_.openDemo(true);
+    pairWanted_ = true;
 }
 
 void Comparing::refuse(NoticeBar::Kind kind, const QString& sentence) {
@@ -234,7 +249,7 @@ void Comparing::ask() {
             showLegend();
         });
     }
-    comparer_.ask({pictureA_, engine_.picture(), rows_});
+    comparer_.ask({pictureA_, engine_.picture(), rows_, byDistance_});
 }
 
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {

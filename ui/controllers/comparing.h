@@ -27,7 +27,7 @@ class Engine;
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Preferences& preferences,
+    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, Files& files, NoticeBar& notice, Preferences& preferences,
               QUndoStack& undo);
 
     /// A new picture is on the screen.
@@ -44,9 +44,14 @@ public:
     /// with the current settings.
     void compareWith(const QString& path);
     void askScan();
+    /// Opens the demo after the blast, with the demo before it as A.
+    void openDemoPair();
 
     /// Off: edges have their normal colours; the key still shows A.
     void setDifferenceShown(bool on);
+    /// The points have the colours of their distances from the surfaces of A, and the legend has a histogram.
+    void setByDistance(bool on);
+    [[nodiscard]] bool byDistance() const { return byDistance_; }
     /// The kinds of change that are shown.
     void setRows(const ChangeRows& rows);
     [[nodiscard]] const ChangeRows& rows() const { return rows_; }
@@ -65,6 +70,7 @@ public:
 signals:
     void pictureAChanged(bool some);
     void rowsChanged();
+    void byDistanceChanged(bool on);
     void flipped(bool on);
     /// A could not be read, or the comparison could not be made.
     void refused(const QString& sentence);
@@ -96,7 +102,7 @@ private:
     Engine& engine_;
     LinkedViews& views_;
     ChangeLegend& legend_;
-    const Files& files_;
+    Files& files_;
     NoticeBar& notice_;
     Preferences& preferences_;
     QUndoStack& undo_;
@@ -105,6 +111,8 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
+    bool byDistance_ = false;
+    bool pairWanted_ = false; ///< the demo after the blast is being opened
     std::size_t region_ = 0;
     quint32 heldCode_ = 0; ///< of the flip key while it is pressed
     std::unique_ptr<Works::Running> readingWork_, comparingWork_;

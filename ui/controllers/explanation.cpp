@@ -5,6 +5,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/targets/target_words.h"
 #include "ui/views/image/image_view.h"
 
 #include <QMenu>
@@ -61,9 +62,9 @@ std::optional<std::size_t> nearestEdge(const edges::Detection& detection, std::s
 Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
     : views_(views), notice_(notice),
       why_(
-          Urgency::Now, [](const Question& question) { return edges::whyCell(*question.picture->detection, question.cell); },
+          Urgency::Now, [](const Question& question) { return edges::whyCell(*question.picture->detection, question.click.cell); },
           [this](const Question& question, const std::shared_ptr<const edges::Why>& why) {
-              show(*question.picture, question.picture == views_.shown(), *why);
+              show(question, question.picture == views_.shown(), *why);
           },
           [this](const QString& what) {
               const QString sentence = tr("Why could not be worked out (%1).").arg(what);
@@ -71,23 +72,23 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
-        menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(cell); });
+        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, cell] { explain(views_.meant(cell)); });
     });
 }
 
-void Explanation::explain(std::size_t cell) {
+void Explanation::explain(const inspect::MeantCell& click) {
     const std::shared_ptr<const Picture> picture = views_.shown();
     if (!picture) return;
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
         connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
-            if (nearestEdge_) explain(*nearestEdge_);
+            if (nearestEdge_) explain(inspect::exactly(*nearestEdge_));
         });
     }
     card_->offerNearestEdge(0);
     card_->showExplanation(tr("Working out why …"));
-    why_.ask({picture, cell});
+    why_.ask({picture, click});
 }
 
 bool Explanation::closeCard() {
@@ -97,11 +98,13 @@ bool Explanation::closeCard() {
 }
 
 /// `still`: the picture is on the screen.
-void Explanation::show(const Picture& picture, bool still, const edges::Why& why) {
+void Explanation::show(const Question& question, bool still, const edges::Why& why) {
+    const Picture& picture = *question.picture;
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings));
     if (still && !why.chainMembers.empty())
         numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
+    if (const QString moved = clickText(question.click); !moved.isEmpty()) numbers += "\n" + tr("Clicked") + ": " + moved;
     nearestEdge_ = nearestEdge(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
@@ -127,10 +130,10 @@ void Explanation::showTrail(const edges::Why& why) {
 void Explanation::forgetTrail() { views_.setTrail({}); }
 
 void Explanation::explainMarked() {
-    if (const auto cell = views_.marked())
-        explain(*cell);
-    else
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then Why says what decides about it."));
+    const auto cell = views_.marked();
+    if (!cell)
+        return notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then Why says what decides about it."));
+    explain(views_.pinned() ? inspect::exactly(*cell) : views_.meant(*cell));
 }
 
 } // namespace edgescan::ui

@@ -21,7 +21,8 @@ class Explanation : public QObject {
 public:
     Explanation(LinkedViews& views, NoticeBar& notice);
 
-    void explain(std::size_t cell);
+    /// `click`: the text says if it was moved.
+    void explain(const inspect::MeantCell& click);
     /// Explains the cell under the mouse or the clicked cell.
     void explainMarked();
     void forgetTrail();
@@ -33,9 +34,9 @@ public:
 private:
     struct Question {
         std::shared_ptr<const Picture> picture;
-        std::size_t cell = 0;
+        inspect::MeantCell click;
     };
-    void show(const Picture& picture, bool still, const edges::Why& why);
+    void show(const Question& question, bool still, const edges::Why& why);
     void showTrail(const edges::Why& why);
 
     LinkedViews& views_;

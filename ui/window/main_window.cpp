@@ -31,6 +31,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/docks.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
@@ -108,8 +109,13 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
+<<<<<<< HEAD
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, [this] { startTour(*this); },
+                                  sessionCommands(*this), cabCommand(*cab_, viewer_.preferences)};
+=======
     const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
                                   imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
+>>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -168,11 +174,14 @@ void MainWindow::layOutViews() {
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    auto* top = new QVBoxLayout;
+    column->addLayout(top);
     column->addWidget(&viewer_.livePanel);
     column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
     cab_ = new CabMode(*this, centre);
+    addTour(*this, *top);
 }
 
 /// A double-click on the title of an image exchanges it with the cloud; on the title of the cloud it shows the cloud alone.
@@ -211,7 +220,8 @@ void MainWindow::layOutTools() {
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
-    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation, &Explanation::explain);
+    connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation,
+            [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell)); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
     const ScannerLink& scanner = viewer_.live.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
@@ -320,13 +330,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: first cancels the job, then closes the notice, the maximised view, the crosshair.
+    // Esc: first cancels the job, then closes the tour, the notice, the maximised view, the crosshair.
     if (event->key() != Qt::Key_Escape) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (viewer_.engine.works().cancel()) {
+    if (viewer_.engine.opening()) { // a save or a comparison has its button
+        viewer_.engine.cancel();
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    } else if (endTour(*this)) {
+        return;
     } else if (viewer_.notice.isVisible())
         viewer_.notice.hide();
     else if (maximised_ != nullptr && !cab_->on())

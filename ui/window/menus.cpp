@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
 #include "ui/controllers/files/calibrating.h"
+#include "ui/controllers/files/placing.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/sheets.h"
@@ -252,6 +253,12 @@ Command calibrateCommand(Viewer& v, QMainWindow& window) {
     return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
 }
 
+Command placeCommand(Viewer& v, QMainWindow& window) {
+    auto* placing = new Placing(v.engine, v.files, v.notice, v.preferences, v.undo, &window);
+    placing->setObjectName("placing");
+    return command("P&ose and Mounting…", "Ctrl+P", [placing] { placing->show(); });
+}
+
 Command scanMenu(Viewer& v, QMainWindow& window) {
     Files& files = v.files;
     Live& live = v.live;
@@ -288,6 +295,7 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
             kLine,
             linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
             command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
+            placeCommand(v, window),
             calibrateCommand(v, window),
             command("Does This Look &Right?", "", [&v] { v.opening.show(); }),
             command("&Properties…", "", showProperties),
@@ -320,7 +328,7 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),
-            command("&Why Is This Cell an Edge, or None?", "W", [&v] { v.explanation.explainMarked(); }),
+            command("&Why Is This Cell an Edge or Not?", "W", [&v] { v.explanation.explainMarked(); }),
             confidenceCommand(v.confidence),
             command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
             command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),
@@ -432,7 +440,7 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             rocksMenu(viewer, window),
             measureMenu(viewer),
             submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
-                              command("&Keys and Mouse", "F1; H; ?", showKeys),
+                              command("&Keys and Mouse", "F1; H; ?", showKeys), command("&Tour", "", commands.tour),
                               command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); }),
                               command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }

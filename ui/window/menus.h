@@ -14,7 +14,7 @@ struct Viewer;
 /// What the window itself does.
 struct WindowCommands {
     std::function<QImage()> screenshot;
-    std::function<void()> resetLayout;
+    std::function<void()> resetLayout, tour;
     std::vector<Command> sessions;
     Command imagesFirst, cab;
 };

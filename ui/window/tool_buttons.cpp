@@ -36,7 +36,7 @@ constexpr std::array kBefore{
     ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin"), ToolBar::Word::IfSpace, kOfScan},
 };
 constexpr std::array kBehind{
-    ToolRow{"Edges/Why Is This Cell an Edge, or None?", "why", QT_TRANSLATE_NOOP("QObject", "Why"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"Edges/Why Is This Cell an Edge or Not?", "why", QT_TRANSLATE_NOOP("QObject", "Why"), ToolBar::Word::IfSpace, kOfScan},
     ToolRow{},
     ToolRow{"View/Look from/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner view"), ToolBar::Word::IfSpace,
             kOfScan},

@@ -154,7 +154,8 @@ std::string cssColour(const Rgb& colour) {
 }
 
 std::string edgeLegend(const edges::Detection& detection) {
-    constexpr const char* kNames[]{"edge", "jump", "convex crease", "concave crease", "border of the data", "outline before a void"};
+    constexpr const char* kNames[]{"edge",    "jump", "convex crease", "concave crease", "border of the data", "outline before a void",
+                                   "void rim"};
     std::string html = "<div class=\"legend\">";
     const auto counts = edges::countClasses(detection);
     for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {

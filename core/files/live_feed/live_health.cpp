@@ -23,7 +23,7 @@ std::optional<double> ageOf(const LiveStatus& status, const scanner::SweepProgre
 }
 
 Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
-    const scanner::ConnectionPhase phase = status.session.phase;
+    const scanner::ConnectionPhase phase = status.connection.phase;
     if (phase == scanner::ConnectionPhase::Stopped) return Liveness::Stopped;
     if (!ageSeconds) return phase == scanner::ConnectionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
     if (phase == scanner::ConnectionPhase::Lost || phase == scanner::ConnectionPhase::Connecting) return Liveness::Lost;
@@ -88,7 +88,7 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
         if (count > 0) health.remarks.push_back(std::to_string(count) + what);
     };
     tell(static_cast<std::uint64_t>(status.undecodable), " scan telegrams since the start could not be decoded: their lines are lost.");
-    tell(status.statistics.stream.skipped, " bytes since the start were no telegram and were skipped.");
+    tell(status.statistics.stream.skipped, " bytes since the start were not a telegram and were skipped.");
     if (health.remarks.empty()) return;
     health.telegrams = Condition::OutOfSpec;
     const std::size_t count = health.remarks.size();
@@ -120,7 +120,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     LiveHealth health;
     health.liveness = livenessOf(status, age);
     health.badge = badgeOf(health.liveness, age);
-    health.sentence = status.session.sentence;
+    health.sentence = status.connection.sentence;
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
         health.lines = linesOf(lines, health.liveness);

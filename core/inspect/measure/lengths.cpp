@@ -4,8 +4,10 @@
 #include "core/base/angles.h"
 #include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
+#include "core/inspect/measure/jumps_along.h"
 #include "core/inspect/measure/surface_path.h"
 #include "core/rocks/attributes/attributes.h"
+#include "core/rocks/segmentation/cuts.h"
 
 #include <Eigen/Geometry>
 
@@ -86,6 +88,18 @@ bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     return true;
 }
 
+/// Follows the cells under the line from both ends to their first jump.
+void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
+    std::vector<double> rangesM;
+    for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams()))
+        rangesM.push_back(scan.state[k] == CellState::Valid ? static_cast<double>(scan.rangeMm[k]) / 1000.0 : 0.0);
+    const std::vector<RowJump> jumps = jumpsAlong(rangesM, static_cast<int>(rangesM.size()));
+    if (jumps.empty()) return;
+    const double first = jumps.front().stepM, last = -jumps.back().stepM; // as seen from the ends: positive is away from the scanner
+    measured.behindM = std::max({measured.behindM, -first, -last});
+    if (measured.kind != MeasureKind::Throat) measured.inFrontM = std::max({measured.inFrontM, first, last});
+}
+
 std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
 
 } // namespace
@@ -97,6 +111,12 @@ const MeasureTraits& traitsOf(MeasureKind kind) { return kMeasures[static_cast<s
 std::optional<MeasureKind> measureKindNamed(std::string_view key) {
     const auto row = std::ranges::find(kMeasures, key, &MeasureTraits::key);
     return row == kMeasures.end() ? std::nullopt : std::optional(row->kind);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> linksOf(MeasureKind kind) {
+    if (kind == MeasureKind::Angle) return {{0, 1}, {1, 2}};
+    if (kind == MeasureKind::Spans) return {{0, 1}, {2, 3}};
+    return {{0, 1}};
 }
 
 Eigen::Matrix3d placeCovariance(const Eigen::Vector3d& direction, double sigmaRangeM, const Resolution& resolution) {
@@ -147,6 +167,7 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
     case MeasureKind::Spans:
         measured.lengths = {distanceOf(all.subspan(0, 2)), distanceOf(all.subspan(2, 2))};
     }
+    for (const auto& [from, to] : linksOf(kind)) takeJumpsUnder(scan, cells[from], cells[to], measured);
     return measured;
 }
 
@@ -175,6 +196,8 @@ std::string measureBasis(const MeasuredCells& measured) {
     if (measured.angleIsBelow) text += "; a side is below what is resolved there";
     if (measured.leaps > 0)
         text += "; " + std::to_string(measured.leaps) + (measured.leaps > 1 ? " jumps are" : " jump is") + " part of it";
+    if (measured.behindM > 0.0) text += "; ▲ an end is " + fixedText(measured.behindM, 2) + " m behind the surface under the line";
+    if (measured.inFrontM > 0.0) text += "; an end is " + fixedText(measured.inFrontM, 2) + " m in front of the surface under the line";
     if (measured.upAssumed) text += "; no pose: up is the scanner's z";
     return text;
 }

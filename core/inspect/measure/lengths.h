@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgescan::inspect {
@@ -34,6 +35,9 @@ struct MeasureTraits {
 [[nodiscard]] const MeasureTraits& traitsOf(MeasureKind kind);
 [[nodiscard]] std::optional<MeasureKind> measureKindNamed(std::string_view key);
 
+/// The lines between the cells of a measurement: pairs of indices.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> linksOf(MeasureKind kind);
+
 struct MeasuredLength {
     double valueM = 0.0;
     double toleranceM = 0.0; ///< two standard deviations
@@ -48,6 +52,8 @@ struct MeasuredCells {
     double angleToleranceDeg = 0.0;      ///< only for Angle; two standard deviations
     bool angleIsBelow = false;           ///< one of its sides is below the resolution
     int leaps = 0;                       ///< only for Path: number of jumps and gaps that it crosses
+    double behindM = 0.0;                ///< how far an end is behind the surface under the line, across a jump; 0: neither end is
+    double inFrontM = 0.0;               ///< the same for an end in front of that surface; not for Throat, which is such a length
     bool upAssumed = false;              ///< only for Vertical: the scan has no placement, so up is the scanner's z axis
     std::vector<double> rangesM;         ///< of its cells
 };

@@ -19,13 +19,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kNotebookFormat = "edgescan-targets/1";
-constexpr const char* kNotebookHint = "move the file away to begin anew";
+constexpr const char* kNotebookHint = "move the file away to begin a new one";
 constexpr std::size_t kMostRows = 40;
 constexpr std::size_t kLongestRow = 200; // bytes
 
 Json cellJson(std::uint32_t k, int beams) {
     const auto width = static_cast<std::uint32_t>(beams);
     return Json::array({k / width, k % width});
+}
+
+Json cellsJson(const std::vector<std::uint32_t>& cells, int beams) {
+    Json list = Json::array();
+    for (const std::uint32_t k : cells) list.push_back(cellJson(k, beams));
+    return list;
 }
 
 /// "[line, beam]" of the grid.
@@ -49,6 +55,7 @@ PinnedTarget targetFrom(JsonFields& fields, const NotebookScan& scan) {
     target.number = static_cast<int>(fields.wholeNumber("number", 1, 1'000'000));
     target.name = shortText(fields, "name", kLongestTargetName);
     target.cell = cellFrom(fields, fields.value("cell"), scan);
+    if (fields.has("clicked")) target.clicked = cellFrom(fields, fields.value("clicked"), scan);
     target.locked = fields.boolean("locked", false);
     target.pinnedUtc = fields.text("pinned_utc");
     if (!target.pinnedUtc.empty() && !parseUtc(target.pinnedUtc))
@@ -65,17 +72,25 @@ PinnedTarget targetFrom(JsonFields& fields, const NotebookScan& scan) {
     return target;
 }
 
+/// The list has one cell for each click.
+std::vector<std::uint32_t> cellsFrom(JsonFields& fields, const char* key, MeasureKind kind, const NotebookScan& scan) {
+    std::vector<std::uint32_t> list;
+    const nlohmann::json& cells = fields.value(key);
+    if (!cells.is_array() || cells.size() != traitsOf(kind).cells)
+        fields.refuse(key, "must have as many cells as its kind takes");
+    else
+        for (const nlohmann::json& cell : cells) list.push_back(cellFrom(fields, cell, scan));
+    return list;
+}
+
 StoredMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
     StoredMeasure measure;
     const std::string key = fields.text("kind");
     const auto kind = measureKindNamed(key);
-    if (!kind) fields.refuse("kind", "must be distance, vertical, angle or spans");
+    if (!kind) fields.refuse("kind", "must be distance, vertical, angle, spans, path or throat");
     measure.kind = kind.value_or(MeasureKind::Distance);
-    const nlohmann::json& cells = fields.value("cells");
-    if (!cells.is_array() || cells.size() != traitsOf(measure.kind).cells)
-        fields.refuse("cells", "must have as many cells as its kind takes");
-    else
-        for (const nlohmann::json& cell : cells) measure.cells.push_back(cellFrom(fields, cell, scan));
+    measure.cells = cellsFrom(fields, "cells", measure.kind, scan);
+    if (fields.has("clicked")) measure.clicked = cellsFrom(fields, "clicked", measure.kind, scan);
     return measure;
 }
 
@@ -116,12 +131,12 @@ std::string notebookText(const Notebook& notebook, const NotebookScan& scan) {
                            {"locked", target.locked},
                            {"pinned_utc", target.pinnedUtc},
                            {"as_pinned", std::move(rows)}});
+        if (target.clicked) targets.back()["clicked"] = cellJson(*target.clicked, scan.beams);
     }
     Json measures = Json::array();
     for (const StoredMeasure& measure : notebook.measures) {
-        Json cells = Json::array();
-        for (const std::uint32_t k : measure.cells) cells.push_back(cellJson(k, scan.beams));
-        measures.push_back({{"kind", traitsOf(measure.kind).key}, {"cells", std::move(cells)}});
+        measures.push_back({{"kind", traitsOf(measure.kind).key}, {"cells", cellsJson(measure.cells, scan.beams)}});
+        if (!measure.clicked.empty()) measures.back()["clicked"] = cellsJson(measure.clicked, scan.beams);
     }
     const Json whole{{"format", kNotebookFormat},
                      {"scan", {{"sha256", scan.sha256}, {"name", scan.name}, {"lines", scan.lines}, {"beams", scan.beams}}},
@@ -134,7 +149,7 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
     const auto object = parseJson(text, where, kSettingsJson);
     if (!object) return object.error();
     if (!object->is_object() || !object->contains("format") || (*object)["format"] != kNotebookFormat)
-        return Error{std::string("these are no targets (") + kNotebookFormat + ")", where, kNotebookHint};
+        return Error{std::string("these are not targets (") + kNotebookFormat + ")", where, kNotebookHint};
     JsonFields fields(*object, where, kNotebookHint);
     (void)fields.text("format");
     if (auto same = checkScan(fields.object("scan"), scan, where); !same) return same.error();
@@ -142,7 +157,7 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
     std::set<int> numbers;
     for (JsonFields& each : fields.objects("targets")) {
         notebook.targets.push_back(targetFrom(each, scan));
-        if (!numbers.insert(notebook.targets.back().number).second) each.refuse("number", "must stand once only");
+        if (!numbers.insert(notebook.targets.back().number).second) each.refuse("number", "must appear once only");
         each.done();
     }
     for (JsonFields& each : fields.objects("measures")) {

@@ -5,6 +5,7 @@
 #include "core/inspect/measure/lengths.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@ struct PinnedTarget {
     bool locked = false;                                       ///< only its own button removes it
     std::string pinnedUtc;                                     ///< ISO 8601
     std::vector<std::pair<std::string, std::string>> asPinned; ///< label and value of each row
+    std::optional<std::uint32_t> clicked{};                    ///< the cell of the click, if meantCell() moved it (near_side.h)
 
     bool operator==(const PinnedTarget&) const = default;
 };
@@ -32,6 +34,7 @@ struct PinnedTarget {
 struct StoredMeasure {
     MeasureKind kind = MeasureKind::Distance;
     std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> clicked{}; ///< the cells of the clicks; empty if all of them are `cells`
 
     bool operator==(const StoredMeasure&) const = default;
 };

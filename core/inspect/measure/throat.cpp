@@ -1,7 +1,7 @@
 // Finds rims, sorts pairs of rim cells by length, and checks the space between them.
 #include "core/inspect/measure/throat.h"
 
-#include "core/inspect/measure/resolution.h"
+#include "core/inspect/measure/jumps_along.h"
 #include "core/rocks/segmentation/cuts.h"
 
 #include <algorithm>
@@ -13,7 +13,6 @@ namespace edgescan::inspect {
 namespace {
 
 constexpr double kNearPicked = 0.25;       // share of the distance of the two cells
-constexpr double kRimStep = 2.0;           // times the resolution: a surface that is this much farther is behind the opening
 constexpr std::size_t kMostRimCells = 600; // per side; of more, evenly chosen ones
 constexpr int kMostTried = 4000;           // shortest pairs; if all of these are blocked, the result is empty
 
@@ -22,14 +21,13 @@ struct RimCell {
     Eigen::Vector3d pointM;
 };
 
-bool isRim(const Scan& scan, const CartesianTables& tables, int line, int beam) {
-    const auto resolved = resolutionAt(scan, tables, scan.rangeMm.index(line, beam));
-    if (!resolved) return false;
-    const double limit = static_cast<double>(scan.rangeMm.at(line, beam)) + 1000.0 * kRimStep * resolved->smallestM();
+bool isRim(const Scan& scan, int line, int beam) {
+    constexpr int kHere = CellsAround::kReach;
     for (const auto& [di, dj] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         if (!scan.rangeMm.contains(line + di, beam + dj)) continue;
-        const CellState state = scan.state.at(line + di, beam + dj);
-        if (state != CellState::Valid || static_cast<double>(scan.rangeMm.at(line + di, beam + dj)) > limit) return true;
+        if (scan.state.at(line + di, beam + dj) != CellState::Valid) return true;
+        const auto jumps = jumpsAlong(cellsAround(scan, line, beam, di, dj).rangesM, 0);
+        if (std::ranges::any_of(jumps, [](const RowJump& jump) { return jump.from == kHere && jump.stepM > 0.0; })) return true;
     }
     return false;
 }
@@ -51,7 +49,7 @@ std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, st
                 const Eigen::Vector3d p = tables.point(i, j);
                 if (!((p - at).norm() <= reachM)) continue;
                 any = true;
-                if (isRim(scan, tables, i, j)) rim.push_back({static_cast<std::uint32_t>(scan.rangeMm.index(i, j)), p});
+                if (isRim(scan, i, j)) rim.push_back({static_cast<std::uint32_t>(scan.rangeMm.index(i, j)), p});
             }
         }
         if (!any && ring > 3) break;

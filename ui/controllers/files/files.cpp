@@ -1,6 +1,7 @@
 // Opens files, a series of files, and the same file again.
 #include "ui/controllers/files/files.h"
 
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/angle_correction/straighten_scan.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
@@ -39,7 +40,7 @@ QStringList scansInFolder(const QString& path) {
         if (name.starts_with('.') || !entry->is_regular_file(gone) || ::access(entry->path().c_str(), R_OK) != 0) continue;
         if (!QDir::match(patterns, exactText(name))) continue;
         // A raw grid is a description and a file of numbers: the opened one of both counts.
-        const bool part = entry->path().extension() == ".u16" || name.ends_with(".provenance.json");
+        const bool part = entry->path().extension() == ".u16" || name.ends_with(".provenance.json") || files::isPoseSidecar(name);
         if (!part || entry->path().filename() == own.filename()) names << exactText(name);
     }
     names.sort();

@@ -168,7 +168,7 @@ QString Rocks::remark() const {
     if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
         words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
     if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
-    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being worked out anew");
+    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
     return words.join(" · ");
 }
@@ -250,6 +250,8 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 void Rocks::click(std::size_t cell) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(cell);
+    const std::size_t meant = views_.meant(cell).cell; // a click just behind the outline of a rock means the rock
+    if (picture_->labelAt(meant) != 0) cell = meant;
     if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {
@@ -267,7 +269,7 @@ void Rocks::jumpTo(std::uint32_t label) {
     if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
     const std::size_t cell = picture_->rock(label)->cell;
     select({cell});
-    views_.pinByClick(cell);
+    views_.pinByClick(inspect::exactly(cell));
     views_.gray().viewPort()->centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5));
     views_.cloud().flyTo(static_cast<qint64>(cell));
 }

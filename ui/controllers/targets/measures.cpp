@@ -8,6 +8,8 @@
 
 #include <QStringList>
 
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
@@ -30,21 +32,21 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
 } // namespace
 
 Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice) : views_(views), targets_(targets), notice_(notice) {
-    connect(&views_, &LinkedViews::picked, this, [this](std::size_t cell) {
-        if (kind_ && views_.tool() == Tool::Measure) pick(cell);
+    connect(&views_, &LinkedViews::picked, this, [this](const inspect::MeantCell& click) {
+        if (kind_ && views_.tool() == Tool::Measure) pick(click);
     });
     connect(&views_, &LinkedViews::toolChanged, this, [this] {
         if (views_.tool() != Tool::Measure) stop();
     });
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
-        picked_.clear(); // cells of the old scan have no meaning in the new one
+        forgetPicked(); // cells of the old scan have no meaning in the new one
         if (kind_) show();
     });
 }
 
 void Measures::start(inspect::MeasureKind kind) {
     kind_ = kind;
-    picked_.clear();
+    forgetPicked();
     views_.setTool(Tool::Measure);
     show();
     emit kindChanged();
@@ -52,13 +54,13 @@ void Measures::start(inspect::MeasureKind kind) {
 
 void Measures::startAt(std::size_t cell) {
     start(inspect::MeasureKind::Distance);
-    pick(cell);
+    pick(inspect::exactly(cell)); // the target on the card, wherever it is
 }
 
 void Measures::stop() {
     if (!kind_) return;
     kind_.reset();
-    picked_.clear();
+    forgetPicked();
     if (views_.tool() == Tool::Measure) views_.setTool(Tool::Pin);
     targets_.showDraft({});
     emit asked(QString());
@@ -68,25 +70,34 @@ void Measures::stop() {
 bool Measures::removeLastPick() {
     if (picked_.empty()) return false;
     picked_.pop_back();
+    clicked_.pop_back();
     show();
     return true;
 }
 
-void Measures::pick(std::size_t cell) {
-    if (!views_.shown() || views_.shown()->detection->scan->state[cell] != CellState::Valid) {
+void Measures::pick(const inspect::MeantCell& click) {
+    if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("Nothing was measured at this cell, so it is the end of no length: click one that has a range."));
+                           tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
+                               .arg(inspect::kSnapReach));
         return;
     }
-    picked_.push_back(static_cast<std::uint32_t>(cell));
+    picked_.push_back(click.cell);
+    clicked_.push_back(click.clicked);
     if (picked_.size() == inspect::traitsOf(*kind_).cells) keepPicked();
     show();
 }
 
+void Measures::forgetPicked() {
+    picked_.clear();
+    clicked_.clear();
+}
+
 void Measures::keepPicked() {
     std::vector<std::uint32_t> cells = std::exchange(picked_, {});
+    std::vector<std::uint32_t> clicked = std::exchange(clicked_, {});
+    const Scan& scan = *views_.shown()->detection->scan;
     if (kind_ == inspect::MeasureKind::Throat) {
-        const Scan& scan = *views_.shown()->detection->scan;
         const auto ends = inspect::narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
         if (!ends) {
             notice_.showNotice(NoticeBar::Kind::Warning,
@@ -95,13 +106,20 @@ void Measures::keepPicked() {
         }
         cells.assign(ends->begin(), ends->end());
     }
-    targets_.keepMeasure({*kind_, std::move(cells)});
+    if (clicked == cells) clicked.clear();
+    const auto measured = inspect::measureCells(scan, {}, *kind_, cells);
+    targets_.keepMeasure({*kind_, std::move(cells), std::move(clicked)});
+    if (!measured || !(measured->behindM > 0.0)) return;
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("An end of this measurement is %1 m behind the surface under its line: check where its "
+                                                    "ends are, and click again on the near side if that was meant.")
+                                                     .arg(measured->behindM, 0, 'f', 2));
 }
 
 void Measures::show() {
     MeasureMark draft;
     draft.cells.assign(picked_.begin(), picked_.end());
-    for (const auto& link : Targets::linksOf(*kind_)) {
+    draft.clicked.assign(clicked_.begin(), clicked_.end());
+    for (const auto& link : inspect::linksOf(*kind_)) {
         if (link.first < picked_.size() && link.second < picked_.size()) draft.links.push_back(link);
     }
     targets_.showDraft(draft);

@@ -1,6 +1,7 @@
 // Picks the cells of a measurement, click by click.
 #pragma once
 
+#include "core/inspect/measure/near_side.h"
 #include "core/inspect/measure/notebook.h"
 
 #include <QObject>
@@ -38,7 +39,8 @@ signals:
     void asked(const QString& words);
 
 private:
-    void pick(std::size_t cell);
+    void pick(const inspect::MeantCell& click);
+    void forgetPicked();
     void keepPicked();
     void show();
 
@@ -46,7 +48,7 @@ private:
     Targets& targets_;
     NoticeBar& notice_;
     std::optional<inspect::MeasureKind> kind_;
-    std::vector<std::uint32_t> picked_;
+    std::vector<std::uint32_t> picked_, clicked_;
 };
 
 } // namespace edgescan::ui

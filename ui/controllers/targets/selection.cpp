@@ -67,8 +67,9 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
         for (const QPointF& corner : corners) pixels << corner * cloud.devicePixelRatioF();
         inside_.ask({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
     });
-    connect(&views_, &LinkedViews::picked, this, [this](std::size_t cell) {
+    connect(&views_, &LinkedViews::picked, this, [this](const inspect::MeantCell& click) {
         if (views_.tool() != Tool::Box && views_.tool() != Tool::Lasso) return;
+        const std::size_t cell = click.clicked; // an edge may be on the far side
         const bool edge = (*views_.shown()->detection->mask)[cell] != 0;
         edge ? selectChainAt(cell) : selectRockAt(cell);
     });
@@ -99,7 +100,7 @@ void Selection::selectChainAt(std::size_t cell) {
     if (!views_.shown()) return;
     inspect::CellSet chain = inspect::chainAt(*views_.shown()->detection->mask, static_cast<std::uint32_t>(cell));
     if (chain.empty())
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is no edge, so it is on no chain of edges: choose one that is."));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is not an edge, so it is on no chain of edges: choose one that is."));
     else
         select(std::move(chain));
 }
@@ -107,9 +108,8 @@ void Selection::selectChainAt(std::size_t cell) {
 void Selection::selectRockAt(std::size_t cell) {
     const std::uint32_t label = rocks_.picture() ? rocks_.picture()->labelAt(cell) : 0;
     if (label == 0) {
-        notice_.showNotice(NoticeBar::Kind::Warning, rocks_.picture()
-                                                         ? tr("There is no rock at this cell: choose one that lies on a coloured face.")
-                                                         : tr("Rocks are not shown, so none can be selected: press K first."));
+        notice_.showNotice(NoticeBar::Kind::Warning, rocks_.picture() ? tr("There is no rock at this cell: choose one on a coloured face.")
+                                                                      : tr("Rocks are not shown, so none can be selected: press K first."));
         return;
     }
     inspect::CellSet rock;

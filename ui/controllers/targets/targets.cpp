@@ -119,8 +119,10 @@ void Targets::pin(std::size_t cell) {
     if (!engine_.picture() ||
         std::ranges::any_of(notebook_.targets, [&](const inspect::PinnedTarget& target) { return target.cell == cell; }))
         return emit pinned();
-    const bool onRock = views_.pinnedByClick() && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
-    if (onRock && moveRockPin(cell)) return emit pinned();
+    const auto& click = views_.pinningClick();
+    const auto clicked = click && click->moved() ? std::optional(click->clicked) : std::nullopt;
+    const bool onRock = click && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
+    if (onRock && moveRockPin(cell, clicked)) return emit pinned();
     if (notebook_.targets.size() >= inspect::kMostTargets) {
         notice_.showNotice(NoticeBar::Kind::Warning,
                            tr("This cell was not pinned: there are %1 targets, let go of some first.").arg(inspect::kMostTargets));
@@ -130,6 +132,7 @@ void Targets::pin(std::size_t cell) {
     inspect::PinnedTarget target;
     target.number = inspect::nextNumber(after);
     target.cell = static_cast<std::uint32_t>(cell);
+    target.clicked = clicked;
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
     if (onRock) rockPin_ = target.number;
@@ -139,11 +142,12 @@ void Targets::pin(std::size_t cell) {
 
 /// Clicking through the rocks does not leave a target on each: the last target that a click set on a rock moves with the clicks, until it
 /// is locked or named.
-bool Targets::moveRockPin(std::size_t cell) {
+bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked) {
     inspect::Notebook after = notebook_;
     inspect::PinnedTarget* target = numbered(after, rockPin_);
     if (target == nullptr || target->locked || !target->name.empty()) return false;
     target->cell = static_cast<std::uint32_t>(cell);
+    target->clicked = clicked;
     target->pinnedUtc = utcText(utcNow());
     target->asPinned.clear();
     change(stepName("Move %1", target->number), std::move(after));

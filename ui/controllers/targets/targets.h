@@ -86,8 +86,6 @@ public:
     /// Copies the card as text to the clipboard.
     void copyCard();
 
-    /// Lines between the cells of a measurement.
-    [[nodiscard]] static std::vector<std::pair<std::size_t, std::size_t>> linksOf(inspect::MeasureKind kind);
     /// Shows marks of another controller like targets; replaces earlier ones.
     void showExtraMarks(std::vector<TargetMark> marks);
 
@@ -116,12 +114,13 @@ private:
     void showCard();
     void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
-    [[nodiscard]] bool moveRockPin(std::size_t cell);
+    [[nodiscard]] bool moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked);
     [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] CellMarks marks() const;
     [[nodiscard]] QString tagOf(const inspect::PinnedTarget& target) const;
+    [[nodiscard]] QString clickOf(const inspect::PinnedTarget& target) const;
 
     Engine& engine_;
     LinkedViews& views_;

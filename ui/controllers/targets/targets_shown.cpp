@@ -13,6 +13,16 @@
 #include <algorithm>
 
 namespace edgescan::ui {
+namespace {
+
+QString movedText(const inspect::StoredMeasure& measure) {
+    int moved = 0;
+    for (std::size_t n = 0; n < measure.clicked.size(); ++n) moved += measure.clicked[n] != measure.cells[n] ? 1 : 0;
+    if (measure.kind == inspect::MeasureKind::Throat) return Targets::tr("narrowest way near the two clicks");
+    return moved == 1 ? Targets::tr("1 end was moved to the near side") : Targets::tr("%1 ends were moved to the near side").arg(moved);
+}
+
+} // namespace
 
 const inspect::CellTarget* Targets::knownOf(std::uint32_t cell) const {
     const auto found = known_.targets.find(cell);
@@ -43,22 +53,26 @@ QString Targets::tagOf(const inspect::PinnedTarget& target) const {
     return tag;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> Targets::linksOf(inspect::MeasureKind kind) {
-    if (kind == inspect::MeasureKind::Angle) return {{0, 1}, {1, 2}};
-    if (kind == inspect::MeasureKind::Spans) return {{0, 1}, {2, 3}};
-    return {{0, 1}};
+QString Targets::clickOf(const inspect::PinnedTarget& target) const {
+    if (!engine_.picture()) return {};
+    const std::uint32_t clicked = target.clicked.value_or(target.cell);
+    if (clicked >= engine_.picture()->detection->scan->cells()) return {};
+    const inspect::MeantCell click = inspect::meantCell(*engine_.picture()->detection->scan, clicked);
+    return click.cell == target.cell ? clickText(click) : QString(); // else the operator chose this very cell
 }
 
 CellMarks Targets::marks() const {
     CellMarks marks;
     const inspect::PinnedTarget* shown = active();
     for (const inspect::PinnedTarget& target : notebook_.targets)
-        marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown});
+        marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown, target.clicked});
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
+        const bool warned = now != nullptr && now->behindM > 0.0;
         marks.measures.push_back({{measure.cells.begin(), measure.cells.end()},
-                                  linksOf(measure.kind),
-                                  now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")});
+                                  inspect::linksOf(measure.kind),
+                                  (warned ? "▲ " : "") + (now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")),
+                                  {measure.clicked.begin(), measure.clicked.end()}});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
@@ -81,7 +95,8 @@ void Targets::show() {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
         const QString value = now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range");
-        const QString basis = now != nullptr ? shownText(inspect::measureBasis(*now)) : QString();
+        QString basis = now != nullptr ? shownText(inspect::measureBasis(*now)) : QString();
+        if (!measure.clicked.empty()) basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
         lines.push_back({tr(inspect::traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
     }
     panel_.showMeasures(lines);
@@ -89,10 +104,13 @@ void Targets::show() {
 }
 
 void Targets::showCard() {
-    if (const inspect::PinnedTarget* shown = active())
-        panel_.card().show(*shown, knownOf(shown->cell), around(shown->cell));
-    else
+    if (const inspect::PinnedTarget* shown = active()) {
+        TargetSurroundings near = around(shown->cell);
+        near.clicked = clickOf(*shown);
+        panel_.card().show(*shown, knownOf(shown->cell), near);
+    } else {
         panel_.card().hide();
+    }
     emit cardChanged();
 }
 

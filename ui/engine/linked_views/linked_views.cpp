@@ -7,9 +7,11 @@
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
 
+#include <QCursor>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QPolygonF>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +48,8 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
     connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { click(static_cast<std::size_t>(cell)); });
+    connect(&cloud_, &CloudView::missed, this,
+            [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
     connect(&cloud_, &CloudView::outlined, this, &LinkedViews::cloudOutlined);
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
         showCellMenu(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
@@ -61,7 +65,7 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
         if (pinned_ == cell)
             menu.addAction(tr("&Let go of this cell"), this, &LinkedViews::clearPin);
         else
-            menu.addAction(tr("&Pin this cell"), this, [this, cell] { pin(cell); });
+            menu.addAction(tr("&Pin this cell"), this, [this, cell] { pinByClick(meant(*cell)); });
         QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
         fly->setEnabled(shown() && shown()->cloud->drawable(*cell));
         menu.addSeparator();
@@ -71,12 +75,13 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     menu.exec(position);
 }
 
-/// Ctrl selects several rocks and pins no cell.
+/// Ctrl selects several rocks and pins no cell. Shift takes the clicked cell itself, whatever is near.
 void LinkedViews::click(std::size_t cell) {
     const Qt::KeyboardModifiers modifiers = QGuiApplication::keyboardModifiers();
-    if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pinByClick(cell);
+    const inspect::MeantCell click = modifiers.testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell);
+    if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pinByClick(click);
     for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
-    if (tool_ != Tool::Pin) emit picked(cell, modifiers);
+    if (tool_ != Tool::Pin) emit picked(click, modifiers);
 }
 
 void LinkedViews::setTool(Tool tool) {
@@ -264,10 +269,14 @@ void LinkedViews::pin(std::optional<std::size_t> cell) {
     if (another) emit pinChanged(cell);
 }
 
-void LinkedViews::pinByClick(std::size_t cell) {
-    byClick_ = true;
-    pin(cell);
-    byClick_ = false;
+inspect::MeantCell LinkedViews::meant(std::size_t clicked) const {
+    return inspect::meantCell(*shown()->detection->scan, static_cast<std::uint32_t>(clicked));
+}
+
+void LinkedViews::pinByClick(const inspect::MeantCell& click) {
+    byClick_ = click;
+    pin(click.cell);
+    byClick_.reset();
 }
 
 void LinkedViews::clearPin() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edges/explain/cell_values.h"
+#include "core/inspect/measure/near_side.h"
 #include "ui/base/gestures.h"
 #include "ui/engine/linked_views/scene.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -45,9 +46,12 @@ public:
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
     /// Sets the cell of the crosshair.
     void pin(std::optional<std::size_t> cell);
+    /// The cell that a click means: on the near side of an edge, or the nearest measured one.
+    [[nodiscard]] inspect::MeantCell meant(std::size_t clicked) const;
     /// Pins like a click. If one target follows the clicks, it moves there.
-    void pinByClick(std::size_t cell);
-    [[nodiscard]] bool pinnedByClick() const { return byClick_; }
+    void pinByClick(const inspect::MeantCell& click);
+    /// While pinChanged() is emitted: the click that pins.
+    [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
     /// Clears the pinned cell and the box.
     void clearPin();
     void setTool(Tool tool);
@@ -99,7 +103,7 @@ signals:
     /// The operator cleared the pinned cell; pinChanged() was emitted before.
     void pinCleared(std::size_t cell);
     /// A click on a cell with a tool other than Pin.
-    void picked(std::size_t cell, Qt::KeyboardModifiers modifiers);
+    void picked(const edgescan::inspect::MeantCell& click, Qt::KeyboardModifiers modifiers);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...
     void imageOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// ... and over the cloud: corners in pixels of its view.
@@ -145,7 +149,7 @@ private:
     int fittedLines_ = 0;
     bool windowKept_ = false;
     bool trueAngles_ = false;
-    bool byClick_ = false; // the current pin comes from a click
+    std::optional<inspect::MeantCell> byClick_;
 };
 
 } // namespace edgescan::ui

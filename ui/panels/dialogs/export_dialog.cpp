@@ -140,7 +140,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
         column->addWidget(button);
     };
     add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
-    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
+    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid is in the header"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
     coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {

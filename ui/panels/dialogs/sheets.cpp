@@ -63,7 +63,7 @@ void showAbout(QWidget* parent) {
     box.setWindowTitle(words("About EdgeScan"));
     box.setTextFormat(Qt::RichText);
     box.setText(words("<h3>EdgeScan %1</h3>Finds the edges of rocks in a laser range scan and shows them in the cloud.<br>"
-                      "What it shows is geometry from one viewpoint; it is no judgement of any rock.<br><br>Licence: BSD-3-Clause")
+                      "What it shows is geometry from one viewpoint; it is not a judgement of any rock.<br><br>Licence: BSD-3-Clause")
                     .arg(version()));
     box.setStandardButtons(QMessageBox::Ok);
     box.exec();

@@ -23,7 +23,7 @@ QString atLeastText(const QString& value) { return RockCard::tr("at least %1").a
 QString contactsText(const rocks::Rock& rock) {
     QStringList labels;
     for (const std::uint32_t other : rock.contacts) labels << QString::number(other);
-    if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is no rock") : RockCard::tr("none seen");
+    if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is not a rock") : RockCard::tr("none seen");
     return labels.size() == 1 ? RockCard::tr("at least 1: rock %1").arg(labels.front())
                               : RockCard::tr("at least %1: rocks %2").arg(QString::number(labels.size()), labels.join(", "));
 }
@@ -131,7 +131,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     else
         showNoRock(picture, cells.back());
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
-    QString state = stale ? tr("▲ of the picture before; being worked out anew") : QString();
+    QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
     if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ doubtful outline: hatched");
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("called a rock by hand");
     state_->setText(state);

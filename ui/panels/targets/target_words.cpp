@@ -98,7 +98,7 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
     TargetRow row{
         QObject::tr(kConfidenceRow), QStringLiteral("…"),
         QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
-                    "It tells how much the edge depends on the settings, not whether a rock is there")};
+                    "It shows how much the edge depends on the settings, not whether a rock is there")};
     row.known = confidence.state == State::Known;
     if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(confidence.percent).arg(confidence.settings);
     if (confidence.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
@@ -107,6 +107,21 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
 }
 
 } // namespace
+
+QString clickText(const inspect::MeantCell& click) {
+    switch (click.reason) {
+    case inspect::SnapReason::AsClicked:
+        return {};
+    case inspect::SnapReason::BehindAnEdge:
+        return QObject::tr("%1 m behind an edge; measured on its near side").arg(fixed(click.nearerM, 2));
+    case inspect::SnapReason::MixedPixel:
+        return QObject::tr("a beam between two surfaces; measured on the nearer one");
+    case inspect::SnapReason::NoRange:
+        break;
+    }
+    return click.moved() ? QObject::tr("nothing was measured there; measured at the nearest cell")
+                         : QObject::tr("nothing was measured within %1 cells").arg(inspect::kSnapReach);
+}
 
 QString distanceText(const inspect::CellTarget& target) {
     if (target.probe.state == CellState::Valid) return QObject::tr("%1 m").arg(fixed(target.distanceM, 3));
@@ -121,6 +136,9 @@ QString toleranceText(const inspect::CellTarget& target) {
 
 std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around) {
     std::vector<TargetRow> rows;
+    if (!around.clicked.isEmpty())
+        rows.push_back({QObject::tr("Clicked"), around.clicked,
+                        QObject::tr("A click near an edge means its near side; with Shift it means the very cell"), false});
     if (target.probe.state == CellState::Valid) {
         rows.push_back({QObject::tr("from"), QObject::tr("scanner, line of sight"), QString(), false});
         rows.push_back(placeRow(target));

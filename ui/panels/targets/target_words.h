@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/inspect/measure/cell_target.h"
+#include "core/inspect/measure/near_side.h"
 #include "core/rocks/attributes/attributes.h"
 
 #include <QString>
@@ -24,6 +25,7 @@ struct TargetSurroundings {
     const rocks::Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden
     QString source;                    ///< source of the picture, with its time
     ShownConfidence confidence{};
+    QString clicked{}; ///< where the click was, if it was moved
 };
 
 inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Confidence"); ///< name of that row in files
@@ -35,6 +37,8 @@ struct TargetRow {
     bool known = true;    ///< false: not computed yet, not to be stored
 };
 
+/// "8.13 m behind an edge; measured on its near side, 2 cells away"; empty if the click was not moved.
+[[nodiscard]] QString clickText(const inspect::MeantCell& click);
 /// "4.911 m", "no return".
 [[nodiscard]] QString distanceText(const inspect::CellTarget& target);
 /// "± 0.009"; empty if the cell is not valid.

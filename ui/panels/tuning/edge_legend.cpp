@@ -62,7 +62,7 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     grid->addWidget(covered_, grid->rowCount(), 0, 1, 2);
     filled_ = new QLabel;
     filled_->setObjectName("legend-filled");
-    filled_->setToolTip(tr("Striped green in the images; nobody measured these cells, and the cloud does not show them."));
+    filled_->setToolTip(tr("Striped green in the images; no beam measured these cells, and the cloud does not show them."));
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     paintSwatches();

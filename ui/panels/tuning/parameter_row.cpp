@@ -96,7 +96,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     // Automatic values are shown even beyond the limits for typed values.
     box->read([this, box](const QString& text) -> Result<double> {
         const Result<double> value = edges::parseValue(parameter_, text.toStdString());
-        if (value && std::isnan(*value)) return Error{"auto is no number", "", "tick auto beside the box"};
+        if (value && std::isnan(*value)) return Error{"auto is not a number", "", "tick auto next to the box"};
         if (!value && text == box->textFromValue(box->value())) return box->value();
         return value;
     });

@@ -80,7 +80,7 @@ StatusLine::StatusLine(QWidget* parent)
     bar_->setTextVisible(true);
     bar_->setFixedWidth(140);
     line->addWidget(bar_);
-    auto* cancel = new QPushButton(tr("Cancel (Esc)"));
+    auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setObjectName("cancel-work");
     stage_->setObjectName("work-stage");
     connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);

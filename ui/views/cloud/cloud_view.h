@@ -176,6 +176,8 @@ signals:
     void hovered(qint64 cell);
     void hoverLeft();
     void clicked(qint64 cell);
+    /// A left click where no point is drawn.
+    void missed();
     /// End of a drag with a selecting tool: its corners, widget pixels.
     void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     void contextMenuRequested(const QPoint& globalPosition, qint64 cell); ///< cell -1: the position is outside the cloud

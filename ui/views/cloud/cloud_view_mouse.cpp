@@ -124,6 +124,7 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     }
     const auto cell = cellAt(at);
     if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
+    if (event->button() == Qt::LeftButton && !cell && cloud_) emit missed();
     if (event->button() == Qt::MiddleButton) setRotationCentre(at);
     if (event->button() == Qt::RightButton) {
         emit contextMenuRequested(mapToGlobal(at.toPoint()), cell ? static_cast<qint64>(*cell) : -1);

@@ -1,0 +1,173 @@
+// Looks for jumps in the lines and beams around a click.
+#include "core/inspect/measure/near_side.h"
+
+#include "core/inspect/measure/jumps_along.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace edgescan::inspect {
+namespace {
+
+constexpr int kBeyond = 4;                     // cells beyond the reach: the straight lines at a jump need them
+constexpr int kRadius = kSnapReach + kBeyond;  // of the cells that are read
+constexpr int kSide = 2 * kRadius + 1;         // of their square
+constexpr int kWidestGap = 2 * kSnapReach + 1; // cells without a range between two surfaces
+constexpr double kStair = 0.35;                // of the limit of a jump
+constexpr double kOffSurface = 0.3;            // least jumps: a cell at a rim that is this much behind its surface is a mixed pixel
+constexpr std::ptrdiff_t kFewestCells = 4;     // of a surface: fewer are dust
+constexpr std::array<std::array<int, 2>, 4> kSides{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
+
+struct Place {
+    int line = 0, beam = 0; // in the square
+    bool operator==(const Place&) const = default;
+    [[nodiscard]] Place by(int lines, int beams) const { return {line + lines, beam + beams}; }
+};
+
+/// The near side of a jump.
+struct Rim {
+    Place at;
+    double behindM = 0.0;       // range of the surface behind it
+    int inLine = 0, inBeam = 0; // one step into the near surface
+};
+
+/// The cells around a click, the jumps between them, and which of them are on one surface.
+class Square {
+public:
+    Square(const Scan& scan, std::uint32_t k)
+        : line0_(static_cast<int>(k) / scan.beams() - kRadius), beam0_(static_cast<int>(k) % scan.beams() - kRadius), beams_(scan.beams()) {
+        for (int i = 0; i < kSide; ++i) {
+            for (int j = 0; j < kSide; ++j) {
+                if (!scan.rangeMm.contains(line0_ + i, beam0_ + j) || scan.state.at(line0_ + i, beam0_ + j) != CellState::Valid) continue;
+                rangeM_[index({i, j})] = static_cast<double>(scan.rangeMm.at(line0_ + i, beam0_ + j)) / 1000.0;
+            }
+        }
+        for (int n = 0; n < kSide; ++n) {
+            takeRow({n, 0}, 0, 1);
+            takeRow({0, n}, 1, 0);
+        }
+    }
+
+    [[nodiscard]] static Place centre() { return {kRadius, kRadius}; }
+    [[nodiscard]] double rangeM(Place at) const { return isInside(at) ? rangeM_[index(at)] : 0.0; }
+    [[nodiscard]] bool isMixed(Place at) const { return mixed_[index(at)]; }
+    [[nodiscard]] const std::vector<Rim>& rims() const { return rims_; }
+    [[nodiscard]] std::uint32_t cellOf(Place at) const {
+        return static_cast<std::uint32_t>(line0_ + at.line) * static_cast<std::uint32_t>(beams_) +
+               static_cast<std::uint32_t>(beam0_ + at.beam);
+    }
+
+    /// The cells that are connected with `from` without a jump.
+    [[nodiscard]] std::array<bool, kSide * kSide> surfaceOf(Place from) const {
+        std::array<bool, kSide * kSide> reached{};
+        std::vector<Place> open{from};
+        reached[index(from)] = true;
+        while (!open.empty()) {
+            const Place at = open.back();
+            open.pop_back();
+            for (std::size_t side = 0; side < kSides.size(); ++side) {
+                const Place next = at.by(kSides[side][0], kSides[side][1]);
+                if (!isInside(next) || reached[index(next)] || rangeM(next) <= 0.0 || isMixed(next) || isCut(at, next)) continue;
+                reached[index(next)] = true;
+                open.push_back(next);
+            }
+        }
+        return reached;
+    }
+    [[nodiscard]] static std::size_t index(Place at) { return static_cast<std::size_t>(at.line * kSide + at.beam); }
+
+private:
+    [[nodiscard]] static bool isInside(Place at) { return at.line >= 0 && at.line < kSide && at.beam >= 0 && at.beam < kSide; }
+    [[nodiscard]] bool isCut(Place a, Place b) const {
+        if (b.line < a.line || b.beam < a.beam) std::swap(a, b);
+        return a.line == b.line ? cutBeam_[index(a)] : cutLine_[index(a)];
+    }
+    void takeRow(Place start, int downLine, int alongBeam) {
+        std::array<double, kSide> row;
+        const auto place = [&](int n) { return start.by(n * downLine, n * alongBeam); };
+        for (int n = 0; n < kSide; ++n) row[static_cast<std::size_t>(n)] = rangeM(place(n));
+        for (const RowJump& jump : jumpsAlong(row, kWidestGap)) {
+            for (int n = jump.from + 1; n < jump.to; ++n) mixed_[index(place(n))] = rangeM(place(n)) > 0.0;
+            const int inward = jump.nearer() == jump.from ? -1 : 1;
+            rims_.push_back({place(jump.nearer()), rangeM(place(jump.farther())), inward * downLine, inward * alongBeam});
+        }
+        // Mixed pixels along a slanted outline make a stair from one surface to the other, of steps below the limit of a jump.
+        for (const RowJump& step : jumpsAlong(row, kWidestGap, kStair)) {
+            for (int n = step.from; n < step.to; ++n) (alongBeam != 0 ? cutBeam_ : cutLine_)[index(place(n))] = true;
+        }
+    }
+
+    int line0_, beam0_, beams_;
+    std::array<double, kSide * kSide> rangeM_{};
+    std::array<bool, kSide * kSide> mixed_{}, cutBeam_{}, cutLine_{}; // cut: from the next cell along the beams, or along the lines
+    std::vector<Rim> rims_;
+};
+
+int squareAway(Place at) {
+    const int di = at.line - kRadius, dj = at.beam - kRadius;
+    return di * di + dj * dj;
+}
+bool isWithinReach(Place at) { return std::abs(at.line - kRadius) <= kSnapReach && std::abs(at.beam - kRadius) <= kSnapReach; }
+
+/// The measured cell nearest to the click; of several the one with the shortest range.
+std::optional<Place> nearestMeasured(const Square& square) {
+    std::optional<Place> best;
+    const auto order = [&](Place at) { return std::tuple(squareAway(at), square.rangeM(at), Square::index(at)); };
+    for (int i = kRadius - kSnapReach; i <= kRadius + kSnapReach; ++i) {
+        for (int j = kRadius - kSnapReach; j <= kRadius + kSnapReach; ++j) {
+            if (square.rangeM({i, j}) > 0.0 && (!best || order({i, j}) < order(*best))) best = Place{i, j};
+        }
+    }
+    return best;
+}
+
+/// The nearest rim in front of the surface of `at`.
+std::optional<Place> rimInFront(const Square& square, Place at) {
+    const double rangeM = square.rangeM(at);
+    const auto surface = square.surfaceOf(at);
+    std::optional<Place> best;
+    const auto order = [&](Place rim) { return std::tuple(squareAway(rim), square.rangeM(rim), Square::index(rim)); };
+    for (const Rim& rim : square.rims()) {
+        if (!isWithinReach(rim.at) || surface[Square::index(rim.at)] || square.isMixed(rim.at)) continue;
+        // In the middle between two surfaces a cell is on neither of them.
+        const double limit = square.isMixed(at) ? square.rangeM(rim.at) : (square.rangeM(rim.at) + rim.behindM) / 2;
+        if (rangeM <= limit || (best && order(*best) <= order(rim.at))) continue;
+        if (std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
+    }
+    return best;
+}
+
+/// The cell of the near surface at a rim that is not a mixed pixel: the rim itself, or the next one inward.
+Place soundCell(const Square& square, Place at) {
+    for (const Rim& rim : square.rims()) {
+        if (rim.at != at) continue;
+        const Place next = at.by(rim.inLine, rim.inBeam), afterNext = next.by(rim.inLine, rim.inBeam);
+        const double first = square.rangeM(next), second = square.rangeM(afterNext);
+        if (!(first > 0.0) || !(second > 0.0) || square.isMixed(next) || square.isMixed(afterNext)) continue;
+        const double continued = 1.0 / std::max(1e-3, 2.0 / first - 1.0 / second); // straight in inverse range
+        if (square.rangeM(at) > first && square.rangeM(at) - continued > kOffSurface * leastJumpM(first)) return next;
+    }
+    return at;
+}
+
+} // namespace
+
+MeantCell meantCell(const Scan& scan, std::uint32_t k) {
+    const Square square(scan, k);
+    const std::optional<Place> start = nearestMeasured(square); // the clicked cell itself if it has a range
+    if (!start) return {k, k, SnapReason::NoRange, 0.0};
+    MeantCell meant{square.cellOf(*start), k, SnapReason::AsClicked, 0.0};
+    if (meant.moved()) meant.reason = SnapReason::NoRange;
+    const std::optional<Place> rim = rimInFront(square, *start);
+    if (rim && !meant.moved()) meant.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
+    meant.cell = square.cellOf(soundCell(square, rim.value_or(*start)));
+    if (meant.moved() && meant.reason == SnapReason::AsClicked) meant.reason = SnapReason::MixedPixel;
+    if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
+    return meant;
+}
+
+} // namespace edgescan::inspect

@@ -1,0 +1,36 @@
+// Random clicks near the edges of a simulated scan: how many measurements are off by more than their stated uncertainty.
+#pragma once
+
+#include "core/sim/simulate.h"
+
+#include <cstdint>
+
+namespace edgescan::lab {
+
+/// Lengths between one click and the next.
+struct ClickedLengths {
+    std::size_t refused = 0;  ///< one of the two clicks has no range, and so the operator gets a sentence
+    std::size_t measured = 0; ///< all others
+    std::size_t off = 0;      ///< number of these that differ from the true length by more than their ±
+    std::size_t behind = 0;   ///< number of these with an end on a surface behind the one that was meant
+    std::size_t silent = 0;   ///< number of these without a warning
+    [[nodiscard]] double shareOff() const { return measured == 0 ? 0.0 : static_cast<double>(off) / static_cast<double>(measured); }
+
+    ClickedLengths& operator+=(const ClickedLengths& other);
+};
+
+struct ClickScore {
+    std::size_t clicks = 0;
+    std::size_t moved = 0;    ///< number of these that inspect::meantCell() moved
+    ClickedLengths asClicked; ///< measured at the clicked cells
+    ClickedLengths nearSide;  ///< measured where inspect::meantCell() puts them
+
+    ClickScore& operator+=(const ClickScore& other);
+};
+
+/// Each click is a random cell within two cells of a random cell on the near side of a true edge (jump or void). The surface at that edge's
+/// cell is meant. A length is compared with that between the true points of these surfaces nearest to the measured cells. The simulation
+/// must have its truth, and recorded angles without errors. One seed gives the same clicks.
+[[nodiscard]] ClickScore scoreClicks(const sim::Simulation& simulation, int clicks, std::uint64_t seed);
+
+} // namespace edgescan::lab
