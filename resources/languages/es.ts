@@ -838,10 +838,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<<<<<<< HEAD
-=======
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
@@ -876,7 +872,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
-<message><source>Back</source><translation>Atrás</translation></message>
 <message><source>Left</source><translation>Izq.</translation></message>
 <message><source>Right</source><translation>Der.</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>

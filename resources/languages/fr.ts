@@ -721,7 +721,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Show the rocks</source><translation>Afficher les rochers</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
-<message><source>Back</source><translation>Retour</translation></message>
+<message><source>Back</source><translation>Arrière</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
@@ -838,10 +838,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<<<<<<< HEAD
-=======
-<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
@@ -876,7 +872,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Front</source><translation>Avant</translation></message>
-<message><source>Back</source><translation>Arrière</translation></message>
 <message><source>Left</source><translation>Gauche</translation></message>
 <message><source>Right</source><translation>Droite</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>

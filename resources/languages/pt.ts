@@ -721,7 +721,7 @@ segure \ para vê-la</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
-<message><source>Back</source><translation>Voltar</translation></message>
+<message><source>Back</source><translation>Trás</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
@@ -838,10 +838,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
-<<<<<<< HEAD
-=======
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 <message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
@@ -876,7 +872,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
-<message><source>Back</source><translation>Trás</translation></message>
 <message><source>Left</source><translation>Esq.</translation></message>
 <message><source>Right</source><translation>Dir.</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>

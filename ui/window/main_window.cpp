@@ -109,13 +109,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-<<<<<<< HEAD
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, [this] { startTour(*this); },
-                                  sessionCommands(*this), cabCommand(*cab_, viewer_.preferences)};
-=======
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
-                                  imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); },    [this] { startTour(*this); },
+                                  sessionCommands(*this),          imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);

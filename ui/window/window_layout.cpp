@@ -77,10 +77,6 @@ void MainWindow::maximise(Pane* pane) {
     for (Pane* each : panes_) each->showAlone(maximised_ == each);
     viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
     showImages();
-<<<<<<< HEAD
-=======
-    viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 }
 
 /// What has room next to the cloud, or the maximised view. The range window not if the images would lose their space, and not next to the

@@ -12,7 +12,7 @@ namespace edgescan::sim {
 namespace {
 
 constexpr double kSideMm = 100.0;
-constexpr double kJumpMm = 50.0;
+constexpr double kTearMm = 50.0;
 constexpr float kUnsureDeg = 30.0F;
 constexpr int kFewest = 2, kMost = 16; // cells of a side
 
@@ -29,7 +29,7 @@ struct Row {
     // Whether one surface goes on from a cell to the next one.
     [[nodiscard]] bool goesOn(int n) const {
         const std::size_t a = cell(n), b = cell(n + 1);
-        return truth.object[a] != 0 && truth.object[a] == truth.object[b] && truth.face[a] == truth.face[b] && seams[a].tearMm <= kJumpMm;
+        return truth.object[a] != 0 && truth.object[a] == truth.object[b] && truth.face[a] == truth.face[b] && seams[a].tearMm <= kTearMm;
     }
 };
 

@@ -26,15 +26,8 @@ HealthStrip::HealthStrip(QWidget* parent)
     QFont bold = lines_->font();
     bold.setBold(true);
     for (QLabel* label : {lines_, end_}) label->setFont(bold);
-<<<<<<< HEAD
-    row->addWidget(badge_);
-    row->addWidget(lines_);
-    row->addWidget(bar_);
-    for (QWidget* each : std::initializer_list<QWidget*>{end_, lost_, noReturn_, remark_, window_, device_, pose_, recording_})
-=======
     for (QWidget* each :
          std::initializer_list<QWidget*>{badge_, lines_, bar_, end_, lost_, noReturn_, remark_, window_, device_, pose_, recording_})
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
         row->addWidget(each);
     row->addWidget(sentence_);
     // A long sentence must not widen the window; the tool tip shows all of it.

@@ -52,18 +52,11 @@ LivePanel::LivePanel(QWidget* parent)
     follow_->setIcon(toolIcon("hold"));
     scanner_->setObjectName("live-scanner");
 
-<<<<<<< HEAD
-    auto* fields = new QWidget;
-    auto* row = new FlowLayout(fields);
-    row->setContentsMargins(6, 0, 6, 2);
-    for (QWidget* each : std::initializer_list<QWidget*>{name_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
-=======
     auto* head = new QWidget;
     auto* row = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 2);
     row->setSpacing(kBetween);
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
         row->addWidget(each);
     auto* first = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
@@ -74,11 +67,7 @@ LivePanel::LivePanel(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
     column->addLayout(first);
-<<<<<<< HEAD
-    column->addWidget(fields);
-=======
     column->addWidget(head);
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::returnPressed, this, [this] {
@@ -131,10 +120,7 @@ void LivePanel::setConnected(bool connected) {
     connect_->clearFocus();
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
-<<<<<<< HEAD
-=======
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
     if (!connected) setRecording(false);
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
@@ -155,11 +141,7 @@ void LivePanel::setBrief(bool on) {
 
 /// What the state needs; with gloves on, only what a connected scanner needs.
 void LivePanel::showFields() {
-<<<<<<< HEAD
-    for (QWidget* each : std::initializer_list<QWidget*>{name_, host_, port_}) each->setHidden(connected_);
-=======
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setHidden(!connected_);
 }

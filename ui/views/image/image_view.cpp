@@ -13,21 +13,12 @@
 namespace edgescan::ui {
 namespace {
 
-<<<<<<< HEAD
-constexpr double kRing = 7.0;        // radius, px
-constexpr int kRoomForTags = 420;    // px of the view: in a smaller view targets show only their numbers
-constexpr double kFaded = 0.45;      // opacity of faces of an older picture
-const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
-constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
-const QColor kLostDash(242, 181, 74);
-=======
 constexpr double kRing = 7.0;     // radius, px
 constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
 const QColor kLostDash(242, 181, 74);
 constexpr double kFaded = 0.45;      // opacity of faces of an older picture
 const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
 constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
->>>>>>> 4d9f8343acaddf4db4ec885983a763bc5d8bf4e6
 
 QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
 QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
