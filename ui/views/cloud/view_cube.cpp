@@ -127,7 +127,7 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(letters);
     for (const Seen& each : seen_) {
         const int light = static_cast<int>(56 + 60 * each.towardsEye);
-        painter.setPen(QPen(QColor(0x85, 0x8b, 0x92), 1.0));
+        painter.setPen(QPen(QColor(0x63, 0x68, 0x6e), 1.0)); // as the rim of a plate
         painter.setBrush(under_ == each.face ? QColor(0x1f, 0x4f, 0x80) : QColor(light, light, light));
         painter.drawPolygon(each.corners);
         if (each.towardsEye < 0.4) continue; // too narrow for letters
