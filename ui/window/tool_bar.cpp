@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QStringList>
+#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
