@@ -158,7 +158,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
-<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation>Congelado: %1. Seguir muestra lo que el escáner envía ahora.</translation></message>
+<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Retenido: %1. Pulse Retener otra vez para seguir al escáner.</translation></message>
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>

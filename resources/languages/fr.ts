@@ -158,7 +158,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
-<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation>Figé : %1. Suivre montre ce que le scanner envoie maintenant.</translation></message>
+<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Figé : %1. Appuyez encore sur Figer pour suivre le scanner.</translation></message>
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>

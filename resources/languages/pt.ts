@@ -158,7 +158,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
-<message><source>Held: %1. Follow shows what the scanner sends now.</source><translation>Congelado: %1. Seguir mostra o que o scanner envia agora.</translation></message>
+<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Retido: %1. Pressione Reter outra vez para seguir o scanner.</translation></message>
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
