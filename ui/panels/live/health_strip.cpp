@@ -15,6 +15,7 @@ HealthStrip::HealthStrip(QWidget* parent)
     : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), bar_(new SweepBar), lost_(new QLabel), noReturn_(new QLabel),
       remark_(new StateBadge), window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel),
       recording_(new StateBadge), sentence_(new ElidedLabel) {
+    for (StateBadge* each : {badge_, remark_, window_, device_, recording_}) each->setShrinks();
     badge_->setObjectName("live-badge");
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
