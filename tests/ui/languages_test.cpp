@@ -306,7 +306,7 @@ private slots:
     // Whatever a live scanner is: every word of the strip has a translation that is used.
     void theStripSpeaksTheLanguageOfTheWindow() {
         files::LiveStatus status;
-        status.session.sentence = "10.0.0.5:2112: no scan for 3.0 s.";
+        status.connection.sentence = "10.0.0.5:2112: no scan for 3.0 s.";
         status.lines = 312;
         status.linesPerSecond = 25;
         status.sweep.expected = 1000;
@@ -320,7 +320,7 @@ private slots:
                 for (const double age : {0.0, 5.0, 300.0}) {
                     for (const int part : {0, 1, 2, 3, 4, 5}) {
                         files::LiveStatus now = status;
-                        now.session.phase = phase;
+                        now.connection.phase = phase;
                         now.secondsSinceLine = age;
                         now.sweep.lines = part == 1 ? 1000 : 312;
                         now.sweep.received = part == 2 ? 309 : now.sweep.lines;
@@ -342,7 +342,7 @@ private slots:
                     }
                 }
             }
-            QVERIFY(coreSentence(status.session.sentence) != QString::fromStdString(status.session.sentence));
+            QVERIFY(coreSentence(status.connection.sentence) != QString::fromStdString(status.session.sentence));
         }
         QVERIFY(seen > 500);
         QVERIFY2(same.isEmpty(), qPrintable(QStringList(same.values()).join('\n')));
