@@ -342,7 +342,7 @@ private slots:
                     }
                 }
             }
-            QVERIFY(coreSentence(status.connection.sentence) != QString::fromStdString(status.session.sentence));
+            QVERIFY(coreSentence(status.connection.sentence) != QString::fromStdString(status.connection.sentence));
         }
         QVERIFY(seen > 500);
         QVERIFY2(same.isEmpty(), qPrintable(QStringList(same.values()).join('\n')));

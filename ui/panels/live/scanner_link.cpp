@@ -74,7 +74,7 @@ void ScannerLink::disconnectScanner() {
     const QString recorded = recording_ ? recordingPath_ : QString();
     const std::shared_ptr<files::LiveFeed> feed = std::exchange(feed_, nullptr);
     files::LiveStatus last = feed->status();
-    last.session.phase = scanner::ConnectionPhase::Stopped;
+    last.connection.phase = scanner::ConnectionPhase::Stopped;
     last.recording.reset();
     health_ = files::healthOf(last);
     health_.end.clear();
