@@ -10,6 +10,7 @@
 #include "core/edges/gray/gray.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
+#include "core/edges/tuning/flat_scan.h"
 #include "core/files/point_tables/acquisition_json.h"
 #include "core/scan/georef/placement_json.h"
 
@@ -164,6 +165,7 @@ nlohmann::ordered_json detectReport(const edges::Detection& detection, double lo
                 {"noise_mm_at_5_m", detection.responses ? json(tidy(detection.responses->noise.at(5.0), 1000)) : json()},
                 {"noise", detection.responses ? noiseReport(*detection.responses) : json()},
                 {"roughness", roughnessReport(detection)},
+                {"proposed_preset", edges::isFlatAndQuiet(detection) ? json("smooth-walls") : json()},
                 {"jump_mm", detection.responses ? json(tidy(detection.responses->jumpMm, 1000)) : json()},
                 {"edge_mask_sha256", maskSha256(*detection.mask)},
                 {"frame", scan.placement ? "mine grid" : "scanner"},

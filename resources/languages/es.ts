@@ -88,9 +88,9 @@
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Doble clic: solo esta vista, y de vuelta</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Todas las vistas de nuevo (doble clic en el título)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Solo esta vista (doble clic en el título)</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
+<message><source>All views again</source><translation>Todas las vistas de nuevo</translation></message>
+<message><source>This view alone</source><translation>Esta vista sola</translation></message>
 <message><source>Replace the file?</source><translation>¿Reemplazar el archivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Ya existe un archivo con este nombre:</translation></message>
 <message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
@@ -162,6 +162,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
+<message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
@@ -173,6 +175,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste smooth-walls, los escalones bajos lejanos también son bordes.</translation></message>
+<message><source>Use It</source><translation>Usarlo</translation></message>
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
@@ -867,6 +871,12 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
+<message><source>Front</source><translation>Frente</translation></message>
+<message><source>Left</source><translation>Izq.</translation></message>
+<message><source>Right</source><translation>Der.</translation></message>
+<message><source>Top</source><translation>Arriba</translation></message>
+<message><source>Bottom</source><translation>Abajo</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Mantenga Bloqueado un segundo para salir del modo cabina.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
@@ -953,12 +963,16 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nube de puntos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
 <message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
 <message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
 <message><source>&amp;Ground Grid</source><translation>Cuadrícula del &amp;suelo</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cubo de vistas</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
@@ -1054,6 +1068,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
@@ -1086,6 +1101,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Cuánto puede estar fuera de lugar un haz antes de que una superficie rasante muestre un salto: 0.1 para un barrido motorizado, 1 para haces entrelazados.</translation></message>
 <message><source>Allow for slips</source><translation>Tener en cuenta los deslizamientos</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Los haces entrelazados de dos pasadas y las líneas en que el motor paso a paso patinó se reconocen y se tienen en cuenta.</translation></message>
+<message><source>Allow for turns</source><translation>Tener en cuenta los retrocesos</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>En las primeras y últimas líneas de un barrido, el motor puede retroceder todavía, y toda superficie parece plegarse allí; esos pliegues se descartan.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruido de distancia a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruido de celda a celda</translation></message>
@@ -1158,7 +1175,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
-<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, escaneos rugosos como los demás.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superficies planas y con poco ruido: los escalones bajos son bordes también de lejos.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, sin atender a escaneos rugosos ni a retrocesos del motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>

@@ -88,9 +88,9 @@
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Double-clic : cette vue seule, et retour</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Toutes les vues de nouveau (double-clic sur le titre)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Cette vue seule (double-clic sur le titre)</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
+<message><source>All views again</source><translation>Toutes les vues à nouveau</translation></message>
+<message><source>This view alone</source><translation>Cette vue seule</translation></message>
 <message><source>Replace the file?</source><translation>Remplacer le fichier ?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Il existe déjà un fichier de ce nom :</translation></message>
 <message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
@@ -162,6 +162,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
+<message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
@@ -173,6 +175,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Ce scan est plan et peu bruité : avec le préréglage smooth-walls, les marches basses au loin sont aussi des arêtes.</translation></message>
+<message><source>Use It</source><translation>L'utiliser</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
@@ -717,7 +721,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Show the rocks</source><translation>Afficher les rochers</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
-<message><source>Back</source><translation>Retour</translation></message>
+<message><source>Back</source><translation>Arrière</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
@@ -867,6 +871,12 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
+<message><source>Front</source><translation>Avant</translation></message>
+<message><source>Left</source><translation>Gauche</translation></message>
+<message><source>Right</source><translation>Droite</translation></message>
+<message><source>Top</source><translation>Haut</translation></message>
+<message><source>Bottom</source><translation>Bas</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillé une seconde pour quitter le mode cabine.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
@@ -953,12 +963,16 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
 <message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vues enregistrées</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Enregistrer comme vue &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vue &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuage de points</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
 <message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
 <message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
 <message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
 <message><source>&amp;Ground Grid</source><translation>&amp;Grille au sol</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cube des vues</translation></message>
 <message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
@@ -1054,6 +1068,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
@@ -1086,6 +1101,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>De combien un faisceau peut être mal placé avant qu'une surface rasante montre un saut : 0.1 pour un balayage motorisé, 1 pour des faisceaux entrelacés.</translation></message>
 <message><source>Allow for slips</source><translation>Tenir compte des glissements</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Les faisceaux entrelacés de deux passages et les lignes où le moteur pas à pas a glissé sont reconnus et pris en compte.</translation></message>
+<message><source>Allow for turns</source><translation>Tenir compte des retours</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>Aux premières et dernières lignes d'un balayage, un moteur peut encore revenir en arrière, et toute surface y semble plissée ; ces plis sont écartés.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Bruit de distance à 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Bruit de cellule à cellule</translation></message>
@@ -1158,7 +1175,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
-<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, scans rugueux comme les autres.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Comme default, pour des surfaces planes et peu bruitées : les marches basses sont des arêtes même au loin.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, sans égard aux scans rugueux ni aux retours du moteur.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
 <message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>

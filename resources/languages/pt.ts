@@ -88,9 +88,9 @@
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Clique duplo: só esta vista, e de volta</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Todas as vistas de novo (clique duplo no título)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Só esta vista (clique duplo no título)</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
+<message><source>All views again</source><translation>Todas as vistas de novo</translation></message>
+<message><source>This view alone</source><translation>Só esta vista</translation></message>
 <message><source>Replace the file?</source><translation>Substituir o arquivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Já existe um arquivo com este nome:</translation></message>
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
@@ -162,6 +162,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
+<message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
@@ -173,6 +175,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Esta varredura é plana e com pouco ruído: com a predefinição smooth-walls, os degraus baixos ao longe também são bordas.</translation></message>
+<message><source>Use It</source><translation>Usar</translation></message>
 <message><source>Open preset</source><translation>Abrir uma predefinição</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
@@ -717,7 +721,7 @@ segure \ para vê-la</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
-<message><source>Back</source><translation>Voltar</translation></message>
+<message><source>Back</source><translation>Trás</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
@@ -867,6 +871,12 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
+<message><source>Front</source><translation>Frente</translation></message>
+<message><source>Left</source><translation>Esq.</translation></message>
+<message><source>Right</source><translation>Dir.</translation></message>
+<message><source>Top</source><translation>Topo</translation></message>
+<message><source>Bottom</source><translation>Base</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
 <message><source>No scan</source><translation>Nenhum scan</translation></message>
@@ -953,12 +963,16 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuvem de pontos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
 <message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
 <message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
 <message><source>&amp;Ground Grid</source><translation>&amp;Grade do chão</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cubo de vistas</translation></message>
 <message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
 <message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
@@ -1054,6 +1068,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
@@ -1077,7 +1092,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Que arestas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contactos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a borda de um vazio aberto; e, o que não é aresta, onde terminam os dados.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a beira de um vazio aberto; e, o que não é borda, onde os dados terminam.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
@@ -1086,6 +1101,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Quanto um feixe pode estar fora do lugar antes que uma superfície rasante mostre um salto: 0.1 para uma varredura motorizada, 1 para feixes entrelaçados.</translation></message>
 <message><source>Allow for slips</source><translation>Levar em conta os escorregamentos</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Os feixes entrelaçados de duas passagens e as linhas em que o motor de passo escorregou são reconhecidos e levados em conta.</translation></message>
+<message><source>Allow for turns</source><translation>Considerar os recuos</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>Nas primeiras e últimas linhas de uma varredura, o motor pode ainda recuar, e toda a superfície parece dobrar ali; essas dobras são deixadas de fora.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruído de distância a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruído de célula a célula</translation></message>
@@ -1128,7 +1145,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>concave</source><translation>côncavo</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
-<message><source>void rim</source><translation>borda de um vazio</translation></message>
+<message><source>void rim</source><translation>beira de um vazio</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
@@ -1158,7 +1175,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
-<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.</source><translation>As definições predefinidas da versão 3: sem bordas de vazios abertos, cadeias de cinco células ou mais, varreduras rugosas como as outras.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superfícies planas e com pouco ruído: os degraus baixos são bordas também ao longe.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Os ajustes padrão da versão 3: sem beiras de vazios abertos, cadeias de cinco células ou mais, sem considerar varreduras rugosas nem recuos do motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de que indício dois pedaços são duas rochas: mais baixo corta mais, mais alto une mais.</translation></message>
 <message><source>Smallest rock</source><translation>Menor rocha</translation></message>

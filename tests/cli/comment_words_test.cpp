@@ -148,7 +148,7 @@ TEST(CommentWords, EveryMessageIsInPlainEnglish) {
         for (std::size_t n = 1; std::getline(lines, line); ++n) {
             for (const std::string& sentence : sentencesOf(line.substr(0, commentColumn(line, raw)))) {
                 ++messages;
-                const auto word = bannedWord(std::regex_replace(sentence, std::regex(R"(\\")"), "'")).first;
+                const auto word = test::bannedWord(std::regex_replace(sentence, std::regex(R"(\\")"), "'")).first;
                 EXPECT_EQ(word, "") << fs::relative(path, kTree).string() << ':' << n << ": the message contains \"" << word << '"';
             }
         }

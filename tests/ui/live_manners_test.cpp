@@ -8,6 +8,7 @@
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/scanner_link.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/sweep_bar.h"
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/tuning/warning_button.h"
 

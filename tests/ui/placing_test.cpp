@@ -44,6 +44,8 @@ struct PlaceForm : WindowFixture {
     bool reopened() {
         return eventually([this] { return placing.settled() && !viewer.engine.working(); }) && settled();
     }
+
+    Placing& placing;
 };
 
 } // namespace

@@ -7,12 +7,14 @@
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme.h"
@@ -38,7 +40,7 @@ constexpr int kCancelAfterMs = 300;
 CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      menu_(new QMenu(&window)) {
+      menu_(new QMenu(&window)), keypad_(new Keypad(&window)) {
     badge_->setShrinks();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
@@ -128,6 +130,8 @@ void CabMode::set(bool on) {
     window_.viewer().notice.setBrief(on);
     window_.viewer().live.panel().setBrief(on);
     frame_->setCab(on);
+    keypad_->setOn(on);
+    window_.viewer().viewCube.setForGloves(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
     window_.viewer().live.panel().setVisible(!on || window_.viewer().live.scanner().connected());

@@ -35,6 +35,7 @@
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
+#include "ui/window/pane_places.h"
 #include "ui/window/session_menu.h"
 #include "ui/window/theme_menu.h"
 #include "ui/window/tool_bar.h"
@@ -108,8 +109,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, [this] { startTour(*this); },
-                                  sessionCommands(*this), cabCommand(*cab_, viewer_.preferences)};
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); },    [this] { startTour(*this); },
+                                  sessionCommands(*this),          imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -162,6 +163,8 @@ void MainWindow::layOutViews() {
     splitter_->installEventFilter(this);
     splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
+    places_ = new PanePlaces(*splitter_, *images_, panes_, this);
+    followPlaces();
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -174,6 +177,23 @@ void MainWindow::layOutViews() {
     column->addWidget(&viewer_.timeline);
     cab_ = new CabMode(*this, centre);
     addTour(*this, *top);
+}
+
+/// A double-click on the title of an image exchanges it with the cloud; on the title of the cloud it shows the cloud alone.
+void MainWindow::followPlaces() {
+    for (Pane* pane : panes_)
+        connect(pane, &Pane::swapRequested, this, [this, pane] {
+            if (cab_->on()) return;
+            if (maximised_ != nullptr) return maximise(maximised_);
+            if (pane == places_->inCloudsPlace() && pane == panes_.back()) return maximise(pane);
+            places_->swap(pane);
+        });
+    connect(places_, &PanePlaces::changed, this, [this] {
+        viewer_.preferences.keep("window/large-view", places_->text());
+        arrangedImages_ = 0; // the width of the new places
+        arrange();
+        rememberTimer_.start();
+    });
 }
 
 // Over a free part of the cloud; more legends go above it.

@@ -21,6 +21,7 @@ class DockRail;
 class Docks;
 class Preferences;
 class Pane;
+class PanePlaces;
 class Sessions;
 
 class MainWindow : public QMainWindow {
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] Viewer& viewer() { return viewer_; }
     [[nodiscard]] Sessions& sessions() { return *sessions_; }
     [[nodiscard]] CabMode& cab() { return *cab_; }
+    [[nodiscard]] PanePlaces& places() { return *places_; }
 
     void resetLayout();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
@@ -71,6 +73,7 @@ private:
     void showOrigin();
     void escape();
     void showWarnings();
+    void followPlaces();
     void showTitle();
     void arrange();
     void setImagesWidth(int width);
@@ -90,6 +93,7 @@ private:
     QWidget* pictures_ = nullptr; // both images and the range window
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     Docks* docks_ = nullptr;
     bool framed_ = false;                // the desktop has reported the width of the window's frame

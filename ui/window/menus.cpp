@@ -18,6 +18,7 @@
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/window/colour_menu.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/theme_menu.h"
@@ -171,6 +172,31 @@ Command directions(CloudView& cloud) {
                                  });
 }
 
+Command savedViews(SavedViews& saved) {
+    static const std::vector<std::string> kNames = [] { // the shortcuts of commands are stored under their names
+        std::vector<std::string> names;
+        for (const char* what : {"Stored View ", "Store as View "}) {
+            for (int number = 1; number <= SavedViews::kMost; ++number) names.push_back(what + std::to_string(number));
+        }
+        for (const char* keys : {"Alt+", "Ctrl+"}) {
+            for (int number = 1; number <= SavedViews::kMost; ++number) names.push_back(keys + std::to_string(number));
+        }
+        return names;
+    }();
+    Command menu = submenu("Sto&red Views", {});
+    for (int n = 0; n < 2 * SavedViews::kMost; ++n) {
+        const bool store = n >= SavedViews::kMost;
+        const int number = n % SavedViews::kMost + 1;
+        if (n == SavedViews::kMost) menu.submenu.push_back(kLine);
+        Command made{.text = (store ? QObject::tr("Store as View &%1") : QObject::tr("View &%1")).arg(number),
+                     .keys = kNames[static_cast<std::size_t>(n + 2 * SavedViews::kMost)].c_str(),
+                     .run = [&saved, store, number] { store ? saved.store(number) : saved.recall(number); },
+                     .source = kNames[static_cast<std::size_t>(n)].c_str()};
+        menu.submenu.push_back(std::move(made));
+    }
+    return menu;
+}
+
 /// How the cloud is drawn and turned.
 Command cloudLook(Viewer& v, QMainWindow& window) {
     CloudView& cloud = v.cloud;
@@ -184,6 +210,7 @@ Command cloudLook(Viewer& v, QMainWindow& window) {
             toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
             toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
             toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }),
+            toggle("Vie&w Cube", "", "view/cube", true, [&cube = v.viewCube](bool on) { cube.setWanted(on); }),
             colourMenu(window, v.look),
             kLine,
             command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
@@ -203,6 +230,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     LinkedViews& views = v.views;
     Command menu = submenu("&View", {
                                         directions(v.cloud),
+                                        savedViews(v.savedViews),
                                         command("R&eset View", "R; Home", [&views] { views.resetView(); }),
                                         command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
                                         command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
@@ -213,7 +241,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     add(edgeLook(v));
     add({kLine, cloudLook(v, window),
          toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }), kLine,
-         panelMenu(window), command("Reset &Layout", "", commands.resetLayout), kLine, mouseMenu(v, window),
+         panelMenu(window), commands.imagesFirst, command("Reset &Layout", "", commands.resetLayout), kLine, mouseMenu(v, window),
          themeMenu(window, v.preferences), languageMenu(v, window), commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
     return menu;

@@ -9,6 +9,7 @@
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"
+#include "ui/window/pane_places.h"
 
 #include <QGuiApplication>
 #include <QScreen>
@@ -23,12 +24,13 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNarrow = 1100;         // px of the window: in a narrower one the images get their share of it
-constexpr double kCloudShare = 0.55;  // of the width, minimum
-constexpr int kRangeWindowFrom = 600; // px of the window's height
-constexpr int kLeastImages = 140;     // px of width
-constexpr int kLeastImage = 96;       // px of height; in a lower column the range image is alone
-constexpr int kSameWidth = 2;         // px: widths that differ by less count as equal
+constexpr int kNarrow = 1100;                   // px of the window: in a narrower one the images get their share of it
+constexpr double kCloudShare = 0.55;            // of the width, minimum
+constexpr double kImagesFirstShare = 2.0 / 3.0; // of the views' width, for both images side by side
+constexpr int kRangeWindowFrom = 600;           // px of the window's height
+constexpr int kLeastImages = 140;               // px of width
+constexpr int kLeastImage = 96;                 // px of height; in a lower column the range image is alone
+constexpr int kSameWidth = 2;                   // px: widths that differ by less count as equal
 
 // Widths at which the cloud has most of the window and images and panel stay readable.
 int usualImages(int window) {
@@ -54,10 +56,14 @@ void MainWindow::arrange() {
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
     docks_->fit(besideCloud);
     const int most = besideCloud - docks_->setWidths(besideCloud);
-    roomForImages_ = most >= leastImages;
+    roomForImages_ = places_->imagesFirst() || most >= leastImages;
     showImages();
     if (maximised_ != nullptr || !roomForImages_) return;
     const bool follow = arrangedImages_ == 0 || std::abs(pictures_->width() - arrangedImages_) <= kSameWidth;
+    if (places_->imagesFirst()) {
+        if (follow) setImagesWidth(static_cast<int>(kImagesFirstShare * splitter_->width()));
+        return;
+    }
     if (follow || pictures_->width() > most) setImagesWidth(std::clamp(usualImages(wide), leastImages, most));
 }
 
@@ -78,12 +84,14 @@ void MainWindow::maximise(Pane* pane) {
 void MainWindow::showImages() {
     const bool all = maximised_ == nullptr;
     const int room = splitter_->height() - (height() >= kRangeWindowFrom ? viewer_.rangeWindow.sizeHint().height() : 0);
-    const bool both = room >= 2 * (kLeastImage + panes_.front()->minimumSizeHint().height());
+    const bool both = places_->imagesFirst() || room >= 2 * (kLeastImage + panes_.front()->minimumSizeHint().height());
+    const Pane* large = places_->inCloudsPlace();
+    const Pane* first = large == panes_.back() ? panes_.front() : panes_.back(); // the cloud is never the one that has no room
     for (Pane* each : panes_) {
-        const bool fits = each == panes_.back() || (roomForImages_ && (both || each == panes_.front()));
+        const bool fits = each == large || (roomForImages_ && (both || each == first));
         each->setVisible(all ? fits : maximised_ == each);
     }
-    pictures_->setVisible(all ? roomForImages_ : maximised_ != panes_.back());
+    pictures_->setVisible(all ? roomForImages_ : maximised_ != large);
     viewer_.rangeWindow.setVisible((all || maximised_ == panes_.front()) && height() >= kRangeWindowFrom);
 }
 
@@ -104,7 +112,8 @@ void MainWindow::restoreLayout() {
     restoreGeometry(viewer_.preferences.bytes("window/geometry"));
     restoreState(viewer_.preferences.bytes("window/state"));
     images_->restoreState(viewer_.preferences.bytes("window/images"));
-    images_->setOrientation(Qt::Vertical); // a former version may have stored them side by side
+    places_->orient();
+    places_->use(viewer_.preferences.text("window/large-view"));
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
     arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
     docks_->setArrangedWidth(viewer_.preferences.text("window/panel-width").toInt());
@@ -130,6 +139,8 @@ void MainWindow::followFrame() {
 void MainWindow::resetLayout() {
     if (cab_->on()) return;
     if (maximised_ != nullptr) maximise(maximised_);
+    places_->use(QString());
+    places_->setImagesFirst(false);
     arrangedImages_ = 0;
     images_->setSizes({1000, 1000});
     docks_->reset();

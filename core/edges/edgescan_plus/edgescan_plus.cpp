@@ -194,6 +194,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
     limits.noisy = q > kNoisy;
     limits.passes = limits.noisy ? 2 : 1;
+    limits.turns = settings.turns;
     if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
     return limits;
 }

@@ -56,7 +56,7 @@ int reachOf(float stepRad) {
     return std::clamp(static_cast<int>(std::lround(kReachRad / std::max(stepRad, 1e-4F))), kLeastReach, kMostReach);
 }
 
-// Per line and group of beams: the number of marks. With `square`, a mark stands for the whole square of two by two cells that it is in.
+// Per line and group of beams: the number of marks. With `square`, a mark counts for the whole square of two by two cells that it is in.
 Grid<std::uint8_t> groupCounts(const Grid<std::uint64_t>& marks, bool square) {
     Grid<std::uint8_t> counts(marks.lines, marks.beams * kGroupsOfWord);
     for (int i = 0; i < marks.lines; ++i) {

@@ -1,4 +1,4 @@
-// How rough the surfaces of a scan are: where nearly half of the cells fold, a fold is no edge unless it exceeds its surroundings
+// How rough the surfaces of a scan are: where nearly half of the cells fold, a fold must exceed its surroundings
 // (docs/method/edges.md, "Rough scans").
 #pragma once
 

@@ -82,6 +82,8 @@ const std::vector<Parameter>& table() {
          0, 2, 0.05, 2, EDGESCAN_NUMBER(Settings, grazing), 2, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"slips", "Allow for slips", "", "Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.",
          0, 1, 1, 0, EDGESCAN_NUMBER(Settings, straighten), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, surface, Stage::Surface},
+        {"turns", "Allow for turns", "", "At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, turns), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, surface, Stage::Responses},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
          1, 30, 0.25, 2, EDGESCAN_NUMBER(Settings, noiseMm), 30, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",

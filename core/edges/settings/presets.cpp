@@ -27,6 +27,12 @@ Settings withoutMask(Scaling scaling) {
     return settings;
 }
 
+Settings smoothWalls() {
+    Settings settings;
+    settings.growthPercent = 0.3;
+    return settings;
+}
+
 } // namespace
 
 Settings defaultSettings(int version) {
@@ -35,6 +41,7 @@ Settings defaultSettings(int version) {
     settings.classes = kClassRock;
     settings.minimumLength = 5;
     settings.roughScans = false;
+    settings.turns = false;
     return settings;
 }
 
@@ -69,8 +76,10 @@ std::span<const Preset> builtInPresets() {
          {}},
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
+        {"smooth-walls", "As default, for flat and quiet surfaces: low steps are edges far away too.", smoothWalls(), {}},
         {"default-3",
-         "The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans as any other.",
+         "The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as "
+         "any other.",
          defaultSettings(3),
          {}},
     };

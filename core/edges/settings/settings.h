@@ -81,6 +81,7 @@ struct Settings {
     bool straighten = true;                   ///< correct interlaced beams and slipped lines
     double noiseMm = kAutomatic;              ///< range noise sigma at 5 m, mm; automatic = measured
     NoiseKind noiseKind = NoiseKind::Measured;
+    bool turns = true;      ///< allow for a stepper that turns at the ends of the sweep
     bool roughScans = true; ///< on a scan of rough surfaces folds must exceed their surroundings
 
     // Gaps (docs/method/edges.md, "Gaps")

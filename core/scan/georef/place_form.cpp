@@ -113,11 +113,13 @@ Json& groupIn(Json& file, const char* group) {
 void put(Json& file, const PlaceField& field, std::string_view text) {
     text = trimmed(text);
     Json& group = groupIn(file, field.group);
-    group.erase(field.key);
     const Json value = text.empty() ? Json() : valueOf(field, text);
     // A pose file needs the numbers that a calibration may leave out.
     const bool usual = value.is_null() && field.usual != nullptr && (field.kind == Kind::Number || field.kind == Kind::Word);
-    if (!value.is_null() || usual) group[field.key] = usual ? valueOf(field, field.usual) : value;
+    if (usual || !value.is_null())
+        group[field.key] = usual ? valueOf(field, field.usual) : value;
+    else
+        group.erase(field.key);
 }
 
 Json begun(const std::string& base, const char* format) {
@@ -150,9 +152,10 @@ std::optional<Error> mountingError(const std::string& json) {
     return read ? std::nullopt : std::optional(read.error());
 }
 
+/// The label without its unit and its list of axes.
 std::string nameOf(const PlaceField& field) {
     const std::string label = field.label;
-    return label.substr(0, std::min(label.find(" ["), label.find(": roll")));
+    return label.substr(0, label.find(field.kind == Kind::ThreeNumbers || field.kind == Kind::NineNumbers ? ": " : " ["));
 }
 
 /// "\"talin.easting_m\" is 1e+09 and must ..." with the label in place of the key.
@@ -166,45 +169,46 @@ bool isAbout(const PlaceField& field, const Error& error) {
     return error.what.starts_with("\"" + group + (group.empty() ? "" : ".") + field.key + "\" ");
 }
 
-/// The sentence about one text in a file whose other values are right; empty: the text is right.
-std::string faultOf(const PlaceField& field, const std::string& typed, Json sound, const Check& check) {
-    const std::string_view text = trimmed(typed);
-    if (text.empty()) return field.usual == nullptr ? nameOf(field) + " is missing." : "";
-    const Json value = valueOf(field, text);
-    if (value.is_null()) {
-        const std::size_t count = numbersOf(field.kind);
-        return nameOf(field) + ": \"" + std::string(text) + "\" is not " +
-               (count == 1   ? "a number."
-                : count == 3 ? "three numbers."
-                             : "nine numbers.");
-    }
-    groupIn(sound, field.group)[field.key] = value;
-    const auto error = check(jsonText(sound));
-    return error && isAbout(field, *error) ? sentenceFor(field, *error) : "";
+/// A value that every file allows, in place of a wrong one: the other texts are checked as well.
+Json soundValue(const PlaceField& field) {
+    if (field.kind == Kind::NineNumbers) return valueOf(field, "1 0 0 0 1 0 0 0 1");
+    const std::string usual = field.usual == nullptr ? "" : field.usual;
+    return valueOf(field, !usual.empty() || !isNumeric(field.kind) ? usual : field.kind == Kind::Number ? "0" : "0 0 0");
 }
 
-/// The sentences about single texts, then those about texts that do not fit together.
-PlaceTexts faultsOf(const std::vector<PlaceField>& fields, const TypedFile& typed, const Json& sound, const Json& whole, const Check& check,
-                    std::string& other) {
+/// The sentence about a text that is not a value at all; empty: it is one.
+std::string unreadable(const PlaceField& field, const std::string& typed) {
+    const std::string_view text = trimmed(typed);
+    if (text.empty()) return field.usual == nullptr ? nameOf(field) + " is missing." : "";
+    if (!valueOf(field, text).is_null()) return "";
+    const std::size_t count = numbersOf(field.kind);
+    const char* wanted = count == 1 ? "a number." : count == 3 ? "three numbers." : "nine numbers.";
+    return nameOf(field) + ": \"" + std::string(text) + "\" is not " + wanted;
+}
+
+/// One sentence per wrong text. `other`: a fault of the file that no single text has.
+PlaceTexts faultsOf(const std::vector<PlaceField>& fields, const TypedFile& typed, Json file, const Check& check, std::string& other) {
     PlaceTexts faults;
-    for (std::size_t n = 0; n < fields.size(); ++n) faults.push_back(faultOf(fields[n], typed.texts[n], sound, check));
-    if (std::ranges::any_of(faults, [](const std::string& fault) { return !fault.empty(); })) return faults;
-    const auto error = check(jsonText(whole));
-    if (!error) return faults;
-    const auto about = std::ranges::find_if(fields, [&](const PlaceField& field) { return isAbout(field, *error); });
-    if (about == fields.end())
-        other = error->what + ".";
-    else
-        faults[static_cast<std::size_t>(about - fields.begin())] = sentenceFor(*about, *error);
+    const auto replace = [&](const PlaceField& field) { groupIn(file, field.group)[field.key] = soundValue(field); };
+    for (std::size_t n = 0; n < fields.size(); ++n) {
+        faults.push_back(unreadable(fields[n], typed.texts[n]));
+        if (!faults.back().empty()) replace(fields[n]);
+    }
+    for (auto error = check(jsonText(file)); error; error = check(jsonText(file))) {
+        const auto about = std::ranges::find_if(fields, [&](const PlaceField& field) { return isAbout(field, *error); });
+        std::string* const fault = about == fields.end() ? nullptr : &faults[static_cast<std::size_t>(about - fields.begin())];
+        if (fault == nullptr || !fault->empty()) {
+            other = error->what + ".";
+            return faults;
+        }
+        *fault = sentenceFor(*about, *error);
+        replace(*about);
+    }
     return faults;
 }
 
 bool areEmpty(const PlaceTexts& faults) {
     return std::ranges::all_of(faults, [](const std::string& fault) { return fault.empty(); });
-}
-
-PlaceTexts mountingFaults(const TypedFile& mounting, const Json& whole, std::string& other) {
-    return faultsOf(mountingTable(), mounting, Json{{"format", "edgescan-calibration/1"}}, whole, mountingError, other);
 }
 
 } // namespace
@@ -241,14 +245,10 @@ PlaceTexts nominalMounting(Axis axis) {
 
 TypedPlace typedPlace(const TypedFile& pose, const TypedFile& mounting) {
     TypedPlace typed;
-    TypedFile zeros{PlaceTexts(poseTable().size(), "0")};
-    for (std::size_t n = 0; n < poseTable().size(); ++n) {
-        if (!isNumeric(poseTable()[n].kind)) zeros.texts[n].clear();
-    }
     Json file = poseJson(pose);
-    typed.poseFaults = faultsOf(poseTable(), pose, poseJson(zeros), file, poseError, typed.fault);
+    typed.poseFaults = faultsOf(poseTable(), pose, file, poseError, typed.fault);
     const Json calibration = mountingJson(mounting);
-    typed.mountFaults = mountingFaults(mounting, calibration, typed.fault);
+    typed.mountFaults = faultsOf(mountingTable(), mounting, calibration, mountingError, typed.fault);
     if (!typed.fault.empty() || !areEmpty(typed.poseFaults) || !areEmpty(typed.mountFaults)) return typed;
     file["calibration"] = calibration;
     const std::string text = jsonText(file, 2) + "\n";
@@ -262,7 +262,7 @@ TypedPlace typedPlace(const TypedFile& pose, const TypedFile& mounting) {
 Result<std::string> typedMounting(const TypedFile& mounting) {
     const Json file = mountingJson(mounting);
     std::string other;
-    for (const std::string& fault : mountingFaults(mounting, file, other)) {
+    for (const std::string& fault : faultsOf(mountingTable(), mounting, file, mountingError, other)) {
         if (!fault.empty()) return Error{fault, "", ""};
     }
     if (!other.empty()) return Error{other, "", ""};

@@ -15,6 +15,8 @@ namespace {
 // Dark violet cannot be mistaken for 0 m or 40 m; the hatch separates it without colour.
 constexpr QRgb kMissing = qRgb(40, 20, 60);
 constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
+constexpr QRgb kMissingOnBlack = qRgb(112, 72, 160); // in the edge map: contrast 3.1
+constexpr QRgb kMissingOnBlackHatch = qRgb(136, 96, 184);
 constexpr QRgb kStatus = qRgb(70, 20, 50);
 constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
 constexpr QRgb kLost = qRgb(24, 26, 30); // the views draw dashes over it, which no zoom blurs
@@ -23,10 +25,11 @@ constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
 constexpr QRgb kToCome = qRgb(30, 30, 30);
 constexpr int kRoomAtFirst = 64; // lines, if the expected number of lines is unknown
 
-QRgb missingColour(CellState state, int line, int beam) {
+QRgb missingColour(CellState state, int line, int beam, bool onBlack) {
     if (state == CellState::Lost) return kLost;
     const bool stripe = (line + beam) % 4 == 0;
     if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
+    if (onBlack) return stripe ? kMissingOnBlackHatch : kMissingOnBlack;
     return stripe ? kMissingHatch : kMissing;
 }
 
@@ -41,7 +44,7 @@ void paintFilled(QImage& image, const edges::Detection& detection) {
 }
 
 template <class ValidColour>
-QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
+QImage paintCells(const Scan& scan, int rows, ValidColour validColour, bool onBlack = false) {
     QImage image(scan.beams(), rows, QImage::Format_RGB32);
     for (int row = scan.lines(); row < rows; ++row) {
         auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
@@ -52,7 +55,7 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
         auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(line));
         for (int beam = 0; beam < scan.beams(); ++beam, ++k) {
             const CellState state = scan.state[k];
-            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam);
+            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam, onBlack);
         }
     }
     return image;
@@ -112,7 +115,8 @@ QImage grayPicture(const edges::Detection& detection, const std::optional<RangeS
 }
 
 QImage edgePicture(const edges::Detection& detection, int rows) {
-    QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
+    QImage image = paintCells(
+        *detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); }, true);
     paintFilled(image, detection);
     // Edges last: without masking they can also be on cells without a range.
     paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });

@@ -27,10 +27,8 @@ HealthStrip::HealthStrip(QWidget* parent)
     QFont bold = lines_->font();
     bold.setBold(true);
     for (QLabel* label : {lines_, end_}) label->setFont(bold);
-    row->addWidget(badge_);
-    row->addWidget(lines_);
-    row->addWidget(bar_);
-    for (QWidget* each : std::initializer_list<QWidget*>{end_, lost_, noReturn_, remark_, window_, device_, pose_, recording_})
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{badge_, lines_, bar_, end_, lost_, noReturn_, remark_, window_, device_, pose_, recording_})
         row->addWidget(each);
     row->addWidget(sentence_);
     // A long sentence must not widen the window; the tool tip shows all of it.

@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/sweep_form.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -32,7 +33,7 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 } // namespace
 
 LivePanel::LivePanel(QWidget* parent)
-    : QWidget(parent), name_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
+    : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
       connect_(button("live-connect", tr("Connect"), tr("Reads and a subscription are all that is sent to the scanner"))),
       sweepButton_(new QToolButton), sweep_(new SweepForm),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, untouched, as it arrives"))),
@@ -51,21 +52,22 @@ LivePanel::LivePanel(QWidget* parent)
     follow_->setIcon(toolIcon("hold"));
     scanner_->setObjectName("live-scanner");
 
-    auto* fields = new QWidget;
-    auto* row = new FlowLayout(fields);
+    auto* head = new QWidget;
+    auto* row = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 2);
-    for (QWidget* each : std::initializer_list<QWidget*>{name_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
+    row->setSpacing(kBetween);
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
         row->addWidget(each);
     auto* first = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
     first->setSpacing(kBetween);
-    first->addWidget(follow_);
+    first->addWidget(follow_, 0, Qt::AlignTop);
     first->addWidget(strip_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
     column->addLayout(first);
-    column->addWidget(fields);
+    column->addWidget(head);
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::returnPressed, this, [this] {
@@ -118,6 +120,7 @@ void LivePanel::setConnected(bool connected) {
     connect_->clearFocus();
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
     if (!connected) setRecording(false);
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
@@ -139,7 +142,7 @@ void LivePanel::setBrief(bool on) {
 
 /// What the state needs; with gloves on, only what a connected scanner needs.
 void LivePanel::showFields() {
-    for (QWidget* each : std::initializer_list<QWidget*>{name_, host_, port_}) each->setHidden(connected_);
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, follow_}) each->setHidden(!connected_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu

@@ -56,7 +56,7 @@ private:
     void addSweepMenu();
     void showFields();
 
-    QLabel* name_;
+    QLabel* title_;
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;

@@ -13,12 +13,12 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kRing = 7.0;        // radius, px
-constexpr int kRoomForTags = 420;    // px of the view: in a smaller view targets show only their numbers
+constexpr double kRing = 7.0;     // radius, px
+constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
+const QColor kLostDash(242, 181, 74);
 constexpr double kFaded = 0.45;      // opacity of faces of an older picture
 const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
 constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
-const QColor kLostDash(242, 181, 74);
 
 QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
 QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
@@ -205,7 +205,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
 
 void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     if (pyramid.empty()) return;
-    const QSizeF cell = viewPort_->cellSize() * devicePixelRatioF();
+    const QSizeF cell = viewPort_->cellSize(size()) * devicePixelRatioF();
     const double scale = std::min(cell.width(), cell.height());
     const QImage& image = pyramid.level(pyramidLevel(scale));
     const QSizeF full = pyramid.image()->size();
@@ -252,7 +252,7 @@ void ImageView::drawLost(QPainter& painter) const {
 void ImageView::drawTrail(QPainter& painter) const {
     const QRectF seen = QRectF(rect()).adjusted(-20, -20, 20, 20);
     QVector<QRect> frames;
-    const bool framed = std::min(viewPort_->cellSize().width(), viewPort_->cellSize().height()) >= kLeastFramed;
+    const bool framed = std::min(viewPort_->cellSize(size()).width(), viewPort_->cellSize(size()).height()) >= kLeastFramed;
     for (const QPoint& cell : framed ? trail_.cells : std::vector<QPoint>()) {
         const QRectF frame = toPixels(QRectF(cell, QSizeF(1, 1))).adjusted(-1, -1, 1, 1);
         if (seen.intersects(frame)) frames.append(frame.toAlignedRect());
@@ -290,7 +290,7 @@ void ImageView::drawMarks(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     if (crosshair_) {
         const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());
-        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize().width(), viewPort_->cellSize().height()));
+        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize(size()).width(), viewPort_->cellSize(size()).height()));
         strokeTwice(painter, dark(3.0), light(), [&] {
             painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
             painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));

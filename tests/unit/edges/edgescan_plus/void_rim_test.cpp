@@ -16,13 +16,14 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr int kLines = 90, kBeams = 120;
+constexpr int kWallLines = 90, kWallBeams = 120;
 
 using IsOpen = std::function<bool(int, int)>;
 
 Scan wallWith(const IsOpen& isOpen) {
-    const PolarGeometry polar = test::regularAngles(kLines, kBeams);
-    return test::makeScan(kLines, kBeams, [&](int i, int j) { return isOpen(i, j) ? 0.0 : test::wallRangeMm(polar, i, j, 5000.0); });
+    const PolarGeometry polar = test::regularAngles(kWallLines, kWallBeams);
+    return test::makeScan(kWallLines, kWallBeams,
+                          [&](int i, int j) { return isOpen(i, j) ? 0.0 : test::wallRangeMm(polar, i, j, 5000.0); });
 }
 
 std::vector<std::uint32_t> rimOf(const Scan& scan) { return detectEdges(std::make_shared<const Scan>(scan), Settings{})->responses->rim; }
@@ -94,9 +95,10 @@ TEST(VoidRim, LostLinesAndFiltersHaveNone) {
 TEST(VoidRim, ASurfaceThatFadesOutHasNone) {
     const auto floor = [](double slantDeg) {
         const double slant = std::tan(slantDeg * std::numbers::pi / 180), step = 0.25 * std::numbers::pi / 180;
-        return test::makeScan(kLines, kBeams, [=](int, int j) { return j >= 60 ? 0.0 : 3000.0 * std::exp(slant * step * (j - 30)); });
+        return test::makeScan(kWallLines, kWallBeams,
+                              [=](int, int j) { return j >= 60 ? 0.0 : 3000.0 * std::exp(slant * step * (j - 30)); });
     };
-    EXPECT_EQ(rimOf(floor(60)).size(), static_cast<std::size_t>(kLines));
+    EXPECT_EQ(rimOf(floor(60)).size(), static_cast<std::size_t>(kWallLines));
     EXPECT_TRUE(rimOf(floor(75)).empty());
 }
 

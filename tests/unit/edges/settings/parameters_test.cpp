@@ -133,10 +133,11 @@ TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
         settingsToJson(Settings{}).dump(),
         R"({"aperture":3,"classes":"jump,convex,concave,silhouette,rim","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
         R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":4,"near":"auto",)"
-        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"rough-scans":"on","scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3})");
+        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"rough-scans":"on","scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3,"turns":"on"})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);
     EXPECT_TRUE(changedFromDefault(Settings{}).empty());
-    EXPECT_EQ(changedFromDefault(findPreset("default-3")->settings), (std::vector<std::string>{"min-length", "classes", "rough-scans"}));
+    EXPECT_EQ(changedFromDefault(findPreset("default-3")->settings),
+              (std::vector<std::string>{"min-length", "classes", "turns", "rough-scans"}));
     // Parameters that the method does not read are not listed.
     Settings turned;
     turned.jumpMm = 50;

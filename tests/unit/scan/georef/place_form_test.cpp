@@ -91,7 +91,7 @@ TEST(PlaceForm, EachWrongTextHasItsSentence) {
     EXPECT_EQ(poseFault("tilt_x_deg", "91"), "Tilt: pitch, nose up is 91 and must be from -90 to 90.");
     const TypedPlace place = typed(kPose, {{"in_robot_m", "400, 0, 0"}, {"scale", "2"}, {"mount_m", "1 2"}});
     EXPECT_EQ(faultAt(mountingFields(), place.mountFaults, "in_robot_m"),
-              "Lever arm of TALIN in the robot: forward, left, up is 400 and must be from -100 to 100.");
+              "Lever arm of TALIN in the robot is 400 and must be from -100 to 100.");
     EXPECT_EQ(faultAt(mountingFields(), place.mountFaults, "scale"), "Scale of the grid is 2 and must be from 0.99 to 1.01.");
     EXPECT_EQ(faultAt(mountingFields(), place.mountFaults, "mount_m"), "Scanner on the stepper: \"1 2\" is not three numbers.");
     const TypedPlace together = typed(kPose, {{"viewing", "rpy"}});
