@@ -129,8 +129,11 @@ private slots:
             enter();
             for (const QSize size : {QSize(640, 480), QSize(853, 480), QSize(900, 600), QSize(1024, 700), QSize(1280, 800),
                                      QSize(1366, 768), QSize(1920, 1040), QSize(1280, 800)}) {
-                window.resize(size);
-                QVERIFY(eventually([&] { return window.size() == size.expandedTo(window.minimumSizeHint()); }));
+                QVERIFY(eventually([&] { // what folds on the way makes room for a smaller window
+                    window.resize(size);
+                    QApplication::processEvents();
+                    return window.size() == size.expandedTo(window.minimumSizeHint());
+                }));
                 for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
                 const CloudView& cloud = on.viewer.views.cloud();
                 const QString where = QString("%1 at %2 x %3: ").arg(name).arg(window.width()).arg(window.height());
