@@ -3,6 +3,7 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -32,6 +33,7 @@ bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
 
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
     const auto look = [&cloud, &views] {
+        for (EdgeLegend* legend : cloud.findChildren<EdgeLegend*>(QString(), Qt::FindDirectChildrenOnly)) legend->fitInto(cloud.height());
         const auto cell = views.pinned();
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
         const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
