@@ -305,7 +305,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
-<message><source>This is &amp;no edge</source><translation>Esto &amp;no es un borde</translation></message>
+<message><source>This is &amp;not an edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
 <message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
@@ -1009,7 +1009,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordes</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Esto &amp;es un borde</translation></message>
-<message><source>This Is &amp;No Edge</source><translation>Esto &amp;no es un borde</translation></message>
+<message><source>This Is &amp;Not an Edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>Hoja de con&amp;tactos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Borrar las mar&amp;cas</translation></message>

@@ -305,7 +305,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
-<message><source>This is &amp;no edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
+<message><source>This is &amp;not an edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
 <message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
@@ -1009,7 +1009,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Edges</source><translation>A&amp;rêtes</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Verrouiller haut = 3 × bas</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Ceci &amp;est une arête</translation></message>
-<message><source>This Is &amp;No Edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
+<message><source>This Is &amp;Not an Edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Réglages pour ces &amp;marques…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>&amp;Planche-contact…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Effacer les mar&amp;ques</translation></message>

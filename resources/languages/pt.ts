@@ -305,7 +305,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
-<message><source>This is &amp;no edge</source><translation>Isto &amp;não é uma borda</translation></message>
+<message><source>This is &amp;not an edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
 <message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
@@ -1009,7 +1009,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Edges</source><translation>&amp;Bordas</translation></message>
 <message><source>&amp;Lock upper = 3 × lower</source><translation>&amp;Bloquear superior = 3 × inferior</translation></message>
 <message><source>This &amp;Is an Edge</source><translation>Isto &amp;é uma borda</translation></message>
-<message><source>This Is &amp;No Edge</source><translation>Isto &amp;não é uma borda</translation></message>
+<message><source>This Is &amp;Not an Edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>Folha de con&amp;tatos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Limpar as mar&amp;cas</translation></message>

@@ -136,6 +136,22 @@ TEST(Manual, EveryPageIsInPlainEnglish) {
     }
 }
 
+// A reader must not take a simulated rock for a real one: the line after a picture says what it shows.
+TEST(Manual, PicturesSayWhetherTheyAreSimulated) {
+    std::size_t pictures = 0;
+    for (const fs::path& page : pagesOfTheManual()) {
+        const std::string text = test::fileText(page);
+        for (std::size_t at = text.find("\n!["); at != std::string::npos; at = text.find("\n![", at + 1)) {
+            const std::size_t caption = text.find_first_not_of('\n', text.find('\n', at + 1));
+            const std::string line = text.substr(caption, text.find('\n', caption) - caption);
+            ++pictures;
+            EXPECT_TRUE(line.find("imul") != std::string::npos || line.find("Real scan") != std::string::npos)
+                << page << ": a picture without its origin: " << line;
+        }
+    }
+    EXPECT_GT(pictures, 15U);
+}
+
 TEST(Manual, LinksWithinAPageLeadToAHeading) {
     for (const fs::path& page : pagesOfTheManual()) {
         const std::string text = test::fileText(page);

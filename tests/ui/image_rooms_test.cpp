@@ -85,7 +85,7 @@ private slots:
 
     void theRimOfASelectionIsWhereItMeetsWhatIsNotSelected() {
         using Cells = std::vector<std::uint32_t>;
-        // 5 beams; a block of 3 x 3 from beam 1 to 3, and the last beam of a line, which is no neighbour of the next line's first.
+        // 5 beams; a block of 3 x 3 from beam 1 to 3, and the last beam of a line, which is not a neighbour of the next line's first.
         const Cells block{6, 7, 8, 11, 12, 13, 16, 17, 18};
         QCOMPARE(rimOf(block, 5), (Cells{6, 7, 8, 11, 13, 16, 17, 18}));
         QCOMPARE(rimOf({4, 5}, 5), (Cells{4, 5}));

@@ -177,7 +177,7 @@ private slots:
         QVERIFY2(pdf.starts_with("%PDF-"), pdf.substr(0, 20).c_str());
         QVERIFY2(pdf.size() > 20'000, "with its pictures");
         QVERIFY(pdf.find("%%EOF") != std::string::npos);
-        // What is no PNG picture is refused, and nothing is written.
+        // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;
         wrong.logo = QString::fromStdString(bell_);
         on.viewer.report.writeTo(QString::fromStdString((folder_ / "wrong.html").string()), wrong);

@@ -141,7 +141,7 @@ private slots:
     }
 
     // The locale of the environment (./test uses two of them) must not matter.
-    // A letter that was typed for a dialog which did not open is no command.
+    // A letter that was typed for a dialog which did not open is not a command.
     void keysForADialogThatWasRefusedDoNothing() {
         WindowFixture on;
         QVERIFY(on.show() && on.activate());

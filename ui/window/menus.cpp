@@ -324,7 +324,7 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             compareMenu(v.comparing),
             linked(toggle("&Lock upper = 3 × lower", "", nullptr, true, [&panel](bool on) { panel.setRatioLocked(on); }), followLock),
             command("This &Is an Edge", "Shift+E", [&v] { v.markedEdges.mark(v.views.marked(), true); }),
-            command("This Is &No Edge", "Shift+X", [&v] { v.markedEdges.mark(v.views.marked(), false); }),
+            command("This Is &Not an Edge", "Shift+X", [&v] { v.markedEdges.mark(v.views.marked(), false); }),
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),

@@ -23,7 +23,7 @@ constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 deg
 constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to this fraction, so that every libm gives the same mask
 constexpr std::size_t kTableMm = 1U << 17U; // ranges up to this are looked up in a table instead of searched
 
-// The number of valid cells of each whole millimetre; empty if a range is no whole millimetre or kTableMm and more.
+// The number of valid cells of each whole millimetre; empty if a range has a fraction of a millimetre or is kTableMm and more.
 using Counts = std::vector<std::uint32_t>;
 Counts countsOf(const Scan& scan) {
     std::array<Counts, 2> counts; // neighbours often have the same range: their additions do not wait for each other

@@ -29,7 +29,7 @@ MarkedEdges::MarkedEdges(Engine& engine, LinkedViews& views, Targets& targets, Q
           }) {
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
         menu.addAction(tr("This &is an edge"), this, [this, cell] { mark(cell, true); });
-        menu.addAction(tr("This is &no edge"), this, [this, cell] { mark(cell, false); });
+        menu.addAction(tr("This is &not an edge"), this, [this, cell] { mark(cell, false); });
     });
 }
 

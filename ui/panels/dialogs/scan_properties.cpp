@@ -1,6 +1,7 @@
 // Writes the facts of the report as rows of a table.
 #include "ui/panels/dialogs/scan_properties.h"
 
+#include "core/base/json_text.h"
 #include "core/exports/report.h"
 #include "core/scan/grid/scan.h"
 #include "ui/base/shown_text.h"
@@ -61,7 +62,7 @@ QString valueOf(const Json& value) {
     if (value.is_null()) return QStringLiteral("–");
     if (value.is_boolean()) return value.get<bool>() ? QObject::tr("yes") : QObject::tr("no");
     if (value.is_string()) return value.get<std::string>().empty() ? QStringLiteral("–") : shownText(value.get<std::string>());
-    return shownText(value.dump());
+    return shownText(jsonText(value));
 }
 
 /// A list: short values in one line, sentences below each other.

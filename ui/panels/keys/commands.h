@@ -52,7 +52,7 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
 
 /// Keys of the focused widget: Space presses the focused button. Home and End move the focused slider. Page Up and Page Down move the
 /// focused slider, number or list. In other widgets these keys are shortcuts.
-/// After the key of a command that asks for something (its text ends in "…") and opened no dialog, keys without a modifier are no commands
+/// After the key of a command that asks for something (its text ends in "…") and opened no dialog, keys without a modifier are not commands
 /// for a moment: they were typed for the dialog. A click or Esc ends that.
 class KeysOfFocus : public QObject {
     Q_OBJECT
@@ -63,7 +63,7 @@ public:
 private:
     [[nodiscard]] bool isTypedForADialog(const QKeyEvent& key);
 
-    QTimer typing_; // active = keys without a modifier are no commands
+    QTimer typing_; // active = keys without a modifier are not commands
 };
 
 } // namespace edgescan::ui

@@ -229,7 +229,7 @@ TEST(PtxPlace, TheMatrixOfTheFileIsThePlace) {
     const auto other = readBytes(text(stretched), ".ptx");
     ASSERT_TRUE(other) << other.error().sentence();
     EXPECT_FALSE(other->placement);
-    EXPECT_TRUE(told(other->warnings, "no rotation and shift"));
+    EXPECT_TRUE(told(other->warnings, "not a rotation and shift"));
     EXPECT_FALSE(readBytes(text(-turn), ".ptx")->placement) << "a mirror is no place";
 }
 
