@@ -333,8 +333,9 @@ private slots:
                         if (part == 5) now.sweep.assumed = "How a motor turned the scanner was not said. ASSUMED: the axis (spin).";
                         if (part == 4) now.recording = files::RecordingState{};
                         const files::LiveHealth health = files::healthOf(now);
-                        for (const std::string& each : {health.badge, health.lines, health.lost, health.noReturn, health.remark,
-                                                        health.contamination, health.deviceState, health.pose, health.end, health.recording}) {
+                        for (const std::string& each :
+                             {health.badge, health.lines, health.lost, health.noReturn, health.remark, health.contamination,
+                              health.deviceState, health.pose, health.end, health.recording}) {
                             if (each.empty()) continue;
                             ++seen;
                             if (coreWords(each) == QString::fromStdString(each)) same << QString(language) + ": " + each.c_str();
