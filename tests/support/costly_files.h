@@ -353,11 +353,11 @@ inline std::vector<CostlyKind> costlyKinds() {
          [](std::size_t b) { return rosBag(b, [](RosMessages& all, int n) { lineOfThree(all, n, 1); }); }},
         {"ros_message", "", "values without bytes",
          [](std::size_t b) {
-             std::string text = "T1[1000] a\n";
-             for (int n = 1; n < 30; ++n) text += "===\nMSG: fuzz/T" + std::to_string(n) + "\nT" + std::to_string(n + 1) + "[1000] a\n";
-             text += "===\nMSG: fuzz/T30\n";
-             const std::string length{static_cast<char>(text.size() % 256), static_cast<char>(text.size() / 256)};
-             return '\0' + length + text + std::string(b, '\0');
+             std::string nested = "T1[1000] a\n";
+             for (int n = 1; n < 30; ++n) nested += "===\nMSG: fuzz/T" + std::to_string(n) + "\nT" + std::to_string(n + 1) + "[1000] a\n";
+             nested += "===\nMSG: fuzz/T30\n";
+             const std::string length{static_cast<char>(nested.size() % 256), static_cast<char>(nested.size() / 256)};
+             return '\0' + length + nested + std::string(b, '\0');
          }},
         {"packed", ".xyz.gz", "zeros", [](std::size_t b) { return gzipBytes(std::string(b * 1000, '\0')); }},
         {"packed", ".xyz.gz", "one point over and over", [](std::size_t b) { return gzipBytes(repeated("1 2 3\n", 60 * b)); }},

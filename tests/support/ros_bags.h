@@ -183,6 +183,7 @@ inline Bytes databaseOf(const RosMessages& all, bool definitions = true) {
     sqlite3* base = nullptr;
     sqlite3_open(":memory:", &base);
     const auto run = [&](const std::string& sql) { sqlite3_exec(base, sql.c_str(), nullptr, nullptr, nullptr); };
+    run("PRAGMA page_size=512");
     run("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format TEXT NOT NULL, "
         "offered_qos_profiles TEXT NOT NULL)");
     run("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL, data BLOB NOT NULL)");

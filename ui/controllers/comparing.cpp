@@ -93,7 +93,9 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
-        read({{.kind = inspect::SessionScan::Kind::Demo}, engine_.settings()}, true);
+        inspect::EarlierScan before{{}, engine_.settings()};
+        before.scan.kind = inspect::SessionScan::Kind::Demo;
+        read(before, true);
     });
     QApplication::instance()->installEventFilter(this);
 }

@@ -51,7 +51,8 @@ public:
 
     Result<RosBag> read() {
         ByteView rest = bytes_.subspan(kMagic.size());
-        if (const std::size_t used = records(rest, true); used < rest.size())
+        const std::size_t used = records(rest, true);
+        if (std::ranges::any_of(rest.subspan(used), [](std::uint8_t byte) { return byte != 0; }))
             bag_.warnings.push_back("The bag is cut off or damaged at byte " + std::to_string(kMagic.size() + used) + ": the last " +
                                     std::to_string(rest.size() - used) + " bytes were not read.");
         nameTopics();
@@ -102,9 +103,14 @@ private:
     void connection(ByteView header, ByteView data) {
         const auto id = static_cast<std::uint32_t>(littleEndian(fieldOf(header, "conn")));
         if (topics_.contains(id) || bag_.topics.size() >= kMostTopics) return;
-        topics_[id] = static_cast<std::uint32_t>(bag_.topics.size());
-        bag_.topics.push_back({std::string(textOf(fieldOf(header, "topic"))), rosTypeName(textOf(fieldOf(data, "type"))),
-                               std::string(textOf(fieldOf(data, "message_definition"))), RosEncoding::Ros1, false});
+        RosTopic topic{std::string(textOf(fieldOf(header, "topic"))), rosTypeName(textOf(fieldOf(data, "type"))),
+                       std::string(textOf(fieldOf(data, "message_definition"))), RosEncoding::Ros1, false};
+        // Each program that sends on a topic has a connection of its own.
+        const auto same = std::ranges::find_if(bag_.topics, [&](const RosTopic& known) {
+            return known.name == topic.name && known.type == topic.type && known.definition == topic.definition;
+        });
+        topics_[id] = static_cast<std::uint32_t>(same - bag_.topics.begin());
+        if (same == bag_.topics.end()) bag_.topics.push_back(std::move(topic));
     }
 
     void message(ByteView header, ByteView data) {

@@ -58,6 +58,8 @@ RosBag rosBagOf(const McapContent& content, const std::string& where) {
             ++bad;
     }
     bag.warnings = content.warnings;
+    if (!content.clean && content.badChunks == 0 && content.warnings.empty())
+        bag.warnings.emplace_back("The bag was cut off: everything up to the cut is here.");
     if (bad > 0) bag.warnings.push_back(std::to_string(bad) + " messages are compressed and damaged and were left out.");
     return bag;
 }

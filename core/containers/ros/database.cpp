@@ -127,6 +127,22 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Bytes behind the pages that the header counts, without padding; 0 where it does not count them.
+std::size_t bytesBehind(ByteView bytes) {
+    constexpr std::size_t kHeader = 100, kPageSize = 16, kPages = 28;
+    if (bytes.size() < kHeader) return 0;
+    const auto at = [&](std::size_t n) { return std::size_t{bytes[n]}; };
+    const std::size_t page = at(kPageSize) == 0 && at(kPageSize + 1) == 1 ? 65536 : at(kPageSize) << 8U | at(kPageSize + 1);
+    const std::size_t size = page * (at(kPages) << 24U | at(kPages + 1) << 16U | at(kPages + 2) << 8U | at(kPages + 3));
+    if (size == 0 || size >= bytes.size()) return 0;
+    const ByteView behind = bytes.subspan(size);
+    return std::ranges::any_of(behind, [](std::uint8_t byte) { return byte != 0; }) ? behind.size() : 0;
+}
+
+} // namespace
+
 Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
     // A file in WAL mode cannot be read from memory; without its journal it reads as any other file.
     constexpr std::size_t kVersions = 18; // of the file format for writing and reading: 2 is WAL
@@ -144,7 +160,10 @@ Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
     const auto size = static_cast<sqlite3_int64>(bytes.size());
     if (!open || sqlite3_deserialize(opened, "main", own, size, size, SQLITE_DESERIALIZE_READONLY) != SQLITE_OK)
         return Error{"this SQLite database cannot be opened", where, "copy it again"};
-    return DatabaseReader(opened, bytes.size(), where).read();
+    auto bag = DatabaseReader(opened, bytes.size(), where).read();
+    if (const std::size_t behind = bytesBehind(bytes); bag && behind > 0)
+        bag->warnings.push_back(std::to_string(behind) + " bytes behind the end of the database were not read.");
+    return bag;
 }
 
 #else

@@ -10,17 +10,26 @@ namespace {
 
 ByteView bytesOf(const Source& source) { return {reinterpret_cast<const std::uint8_t*>(source.bytes.data()), source.bytes.size()}; }
 
-Result<Reading> scanIn(const containers::RosBag& bag, const Source& source) {
-    const auto topic = chosenTopic(bag, source.options->topic, source.path.string());
-    if (!topic) return topic.error();
-    if (topic->gives == TopicGives::Clouds) {
-        auto table = cloudOfBag(bag, *topic, source);
+Result<Reading> scanOfTopic(const containers::RosBag& bag, const BagTopic& topic, const Source& source) {
+    if (topic.gives == TopicGives::Clouds) {
+        auto table = cloudOfBag(bag, topic, source);
         if (!table) return table.error();
         return Reading(std::move(*table));
     }
-    auto scan = sweepOfBag(bag, *topic, source);
+    auto scan = sweepOfBag(bag, topic, source);
     if (!scan) return scan.error();
     return Reading(std::move(*scan));
+}
+
+/// A laser that does not turn is not a scan: the first topic that gives one is taken.
+Result<Reading> scanIn(const containers::RosBag& bag, const Source& source) {
+    const auto topics = topicsToTry(bag, source.options->topic, source.path.string());
+    if (!topics) return topics.error();
+    auto first = scanOfTopic(bag, topics->front(), source);
+    for (std::size_t n = 1; n < topics->size() && !first && first.error().what != source.cancelled().what; ++n) {
+        if (auto other = scanOfTopic(bag, (*topics)[n], source)) return other;
+    }
+    return first;
 }
 
 bool looksLikeBag(const Source& source) {

@@ -61,7 +61,6 @@ void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion,
     placement->ageSeconds = std::numeric_limits<double>::quiet_NaN();
     placement->warnings = {"GUESS: the frame " + map +
                            " of the bag is taken as the mine grid, with x to the east, y to the north and z up."};
-    warnings.push_back(placement->warnings.front());
     scan.placement = std::move(placement);
 }
 

@@ -135,6 +135,9 @@ private:
         }
         std::erase_if(all, [](const LaserLine& line) { return !line.line.facts.stepperSettled; });
         if (outside > 0) warn(std::to_string(outside) + " lines were measured before the first or after the last angle and were left out.");
+        const auto angleOf = [](const LaserLine& line) { return *line.line.facts.stepperDeg; };
+        const auto [low, high] = std::ranges::minmax_element(all, {}, angleOf);
+        if (all.empty() || angleOf(*high) - angleOf(*low) < kLeastTurnDeg) return all.clear();
         const auto moved = [&](std::size_t n) { return std::abs(*all[n].line.facts.stepperDeg - *all[n - 1].line.facts.stepperDeg); };
         for (std::size_t n = 1; n < all.size(); ++n) {
             if (moved(n) > 0) steps.push_back(moved(n));

@@ -4,7 +4,9 @@
 #include "core/base/number_text.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace edgescan::files {
 namespace {
@@ -57,27 +59,23 @@ std::string topicText(const containers::RosBag& bag, const BagTopic& topic) {
            (topic.hertz > 0 ? " at " + significantText(topic.hertz, 3) + " Hz" : "") + ")";
 }
 
-Result<BagTopic> chosenTopic(const containers::RosBag& bag, const std::string& name, const std::string& where) {
+Result<std::vector<BagTopic>> topicsToTry(const containers::RosBag& bag, const std::string& name, const std::string& where) {
     const std::vector<BagTopic> topics = bagTopics(bag);
     const std::string scans = listed(bag, topics);
     if (scans.empty())
         return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)), where,
                      "choose another bag"};
-    const BagTopic* best = nullptr;
+    std::vector<BagTopic> found;
     for (const BagTopic& topic : topics) {
-        if (name.empty()) {
-            const auto rank = [](const BagTopic& t) { return t.gives == TopicGives::Lines ? t.messages : t.largest; };
-            if (topic.gives == TopicGives::Nothing) continue;
-            const bool kindWins = best != nullptr && topic.gives == TopicGives::Lines && best->gives == TopicGives::Clouds;
-            if (best == nullptr || kindWins || (topic.gives == best->gives && rank(topic) > rank(*best))) best = &topic;
-        } else if (bag.topics[topic.topic].name == name && (best == nullptr || topic.messages > best->messages)) {
-            best = &topic;
-        }
+        const bool wanted = name.empty() ? topic.gives != TopicGives::Nothing : bag.topics[topic.topic].name == name;
+        if (wanted) found.push_back(topic);
     }
-    if (best == nullptr) return Error{"the bag has no topic \"" + name + "\"", where, "choose one of " + scans};
-    if (best->gives == TopicGives::Nothing)
-        return Error{"the topic " + topicText(bag, *best) + " holds no scan", where, "choose one of " + scans};
-    return *best;
+    if (found.empty()) return Error{"the bag has no topic \"" + name + "\"", where, "choose one of " + scans};
+    const auto rank = [](const BagTopic& topic) { return std::pair(topic.gives == TopicGives::Lines, topic.messages * topic.largest); };
+    std::ranges::stable_sort(found, std::greater<>(), rank);
+    std::erase_if(found, [](const BagTopic& topic) { return topic.gives == TopicGives::Nothing; });
+    if (found.empty()) return Error{"the topic " + name + " holds no scan", where, "choose one of " + scans};
+    return found;
 }
 
 } // namespace edgescan::files

@@ -26,8 +26,8 @@ struct BagTopic {
 /// "/scan (sensor_msgs/LaserScan, 1000 messages at 50 Hz)".
 [[nodiscard]] std::string topicText(const containers::RosBag& bag, const BagTopic& topic);
 
-/// The topic called `name`; without a name the topic of lines with most messages, else that of clouds with most bytes. Error: the bag has
+/// The topic called `name`. Without a name all that give scans: those of lines first, and of these that with most bytes. Error: the bag has
 /// not this topic, or it has none that gives a scan; the hint lists those that do.
-Result<BagTopic> chosenTopic(const containers::RosBag& bag, const std::string& name, const std::string& where);
+Result<std::vector<BagTopic>> topicsToTry(const containers::RosBag& bag, const std::string& name, const std::string& where);
 
 } // namespace edgescan::files

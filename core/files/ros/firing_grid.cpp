@@ -37,12 +37,25 @@ std::optional<Clock> clockOf(std::vector<double> times) {
     return firings < kMostFirings && clock.period > 0 ? std::optional(clock) : std::nullopt;
 }
 
+/// A firing begins behind the pause of all rings.
+double behindWidestGap(std::vector<double> phases) {
+    std::ranges::sort(phases);
+    double begin = phases.front(), widest = phases.front() + 1 - phases.back();
+    for (std::size_t n = 1; n < phases.size(); ++n) {
+        if (phases[n] - phases[n - 1] <= widest) continue;
+        widest = phases[n] - phases[n - 1];
+        begin = phases[n];
+    }
+    return begin;
+}
+
 } // namespace
 
 std::optional<std::vector<std::uint32_t>> firingsOf(std::span<const std::uint32_t> rings, std::span<const double> times) {
     struct Ring {
         std::vector<double> times;
         double cosine = 0, sine = 0; // sums of the phases
+        double phase = 0;            // 0..1 of a period
     };
     std::map<std::uint32_t, Ring> all;
     for (std::size_t n = 0; n < rings.size(); ++n) {
@@ -63,10 +76,16 @@ std::optional<std::vector<std::uint32_t>> firingsOf(std::span<const std::uint32_
             ring.sine += std::sin(phase);
         }
     }
+    std::vector<double> phases;
+    for (auto& [number, ring] : all) {
+        const double phase = std::atan2(ring.sine, ring.cosine) / kTurn;
+        phases.push_back(ring.phase = phase - std::floor(phase));
+    }
+    const double begin = behindWidestGap(phases);
     std::vector<double> firings(rings.size());
     for (std::size_t n = 0; n < rings.size(); ++n) {
-        const Ring& ring = all[rings[n]];
-        firings[n] = std::round((times[n] - clock->first) / clock->period - std::atan2(ring.sine, ring.cosine) / kTurn);
+        const double phase = all[rings[n]].phase - begin;
+        firings[n] = std::round((times[n] - clock->first) / clock->period - begin - (phase - std::floor(phase)));
         least = std::min(least, firings[n]);
     }
     std::vector<std::uint32_t> numbers(rings.size());

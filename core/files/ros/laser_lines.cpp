@@ -86,17 +86,42 @@ std::optional<LaserLine> lineOf(const RosValue& message, scanner::Echo echo) {
 
 double secondsBetween(const LaserLine& a, const LaserLine& b) { return static_cast<double>(b.stampNs - a.stampNs) / kNsPerS; }
 
-/// From line to line: the mean of all that are within a half of the median.
-double usualPeriodS(const std::vector<LaserLine>& lines) {
+double medianOf(std::vector<double> numbers) {
+    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+    std::ranges::nth_element(numbers, middle);
+    return *middle;
+}
+
+/// The times from each line to the one that follows it after so many, by one of them.
+std::vector<double> periodsOver(const std::vector<LaserLine>& lines, std::size_t after) {
     std::vector<double> periods;
-    for (std::size_t n = 1; n < lines.size(); ++n) {
-        if (const double s = secondsBetween(lines[n - 1], lines[n]); s > 0) periods.push_back(s);
+    for (std::size_t n = after; n < lines.size(); ++n) {
+        if (const double s = secondsBetween(lines[n - after], lines[n]); s > 0) periods.push_back(s / static_cast<double>(after));
     }
+    return periods;
+}
+
+/// The period that fits the time of all lines, in pieces of so many lines that jitter does not count.
+double refined(const std::vector<LaserLine>& lines, double periodS) {
+    double periods = 0, s = 0;
+    for (std::size_t n = 2 * kAhead; n < lines.size(); n += 2 * kAhead) {
+        const double piece = secondsBetween(lines[n - 2 * kAhead], lines[n]);
+        s += piece;
+        periods += std::round(piece / periodS);
+    }
+    return periods > 0 ? s / periods : periodS;
+}
+
+/// From line to line: the mean of those near the median. Where most are not near it the stamps jitter, and the median over many lines is
+/// better.
+double usualPeriodS(const std::vector<LaserLine>& lines) {
+    constexpr double kNear = 0.1;
+    std::vector<double> periods = periodsOver(lines, 1);
     if (periods.empty()) return scanner::LineCount{}.periodS;
-    const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
-    std::ranges::nth_element(periods, middle);
-    const double median = *middle;
-    std::erase_if(periods, [&](double s) { return std::abs(s - median) > median / 2; });
+    const double median = medianOf(periods);
+    const std::size_t all = periods.size();
+    std::erase_if(periods, [&](double s) { return std::abs(s - median) > kNear * median; });
+    if (2 * periods.size() < all && lines.size() > 2 * kAhead) return refined(lines, medianOf(periodsOver(lines, 2 * kAhead)));
     double sum = 0;
     for (const double s : periods) sum += s;
     return sum / static_cast<double>(periods.size());

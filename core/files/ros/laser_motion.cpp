@@ -6,13 +6,13 @@
 #include "core/scan/georef/rotations.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace edgescan::files {
 namespace {
 
-constexpr double kLeastTurnDeg = 1.0;
 constexpr double kMostWobbleDeg = 1.0;      // of a rotation about one axis
 constexpr double kMostOutOfPlaneDeg = 30.0; // a fan that turns in its own plane, or nearly so, does not sweep
 
@@ -59,6 +59,17 @@ std::vector<TimedPose> within(const FrameLink& link, std::int64_t fromNs, std::i
         if (!before && !after) poses.push_back(link.poses[n]);
     }
     return poses;
+}
+
+/// Angles that begin again at half a turn go on instead.
+void goOn(std::vector<TimedAngle>& angles) {
+    for (std::size_t n = 1; n < angles.size(); ++n) angles[n].deg += 360 * std::round((angles[n - 1].deg - angles[n].deg) / 360);
+}
+
+/// A wheel turns further than a scanner's joint: the name decides where it can.
+bool turnsScanner(const std::string& joint) {
+    constexpr std::array<std::string_view, 7> kWords{"laser", "lidar", "scan", "tilt", "nod", "hokuyo", "lms"};
+    return std::ranges::any_of(kWords, [&](std::string_view word) { return joint.find(word) != std::string::npos; });
 }
 
 std::string namesOf(const std::map<std::string, std::vector<TimedAngle>>& joints) {
@@ -159,15 +170,18 @@ Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::stri
         }
     }
     std::string best = joint;
-    double most = kLeastTurnDeg;
+    double most = 0;
+    bool named = false;
     for (auto& [name, angles] : joints) {
         std::ranges::stable_sort(angles, {}, &TimedAngle::ns);
         angles.erase(std::unique(angles.begin(), angles.end(), [](const auto& a, const auto& b) { return a.ns == b.ns; }), angles.end());
+        goOn(angles);
         const auto [low, high] = std::ranges::minmax_element(angles, {}, &TimedAngle::deg);
-        if (joint.empty() && high->deg - low->deg > most) {
-            most = high->deg - low->deg;
-            best = name;
-        }
+        const double turned = high->deg - low->deg;
+        if (!joint.empty() || turned < kLeastTurnDeg || std::pair(turnsScanner(name), turned) <= std::pair(named, most)) continue;
+        most = turned;
+        named = turnsScanner(name);
+        best = name;
     }
     if (!joints.contains(best))
         return Error{joint.empty() ? "no joint of the bag turned while the laser measured" : "the bag has no joint called " + joint, where,

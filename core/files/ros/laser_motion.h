@@ -12,6 +12,8 @@
 
 namespace edgescan::files {
 
+inline constexpr double kLeastTurnDeg = 1.0; ///< of a sweep; what turns less is at rest
+
 /// An angle of the axis that turns the laser.
 struct TimedAngle {
     std::int64_t ns = 0;
@@ -46,7 +48,8 @@ struct AngleAt {
 Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, double fanMiddleDeg, std::int64_t fromNs,
                                    std::int64_t toNs, const std::string& where);
 
-/// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest.
+/// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest,
+/// and of one whose name is a scanner's rather than of others.
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
                                   const std::string& where);
 

@@ -67,7 +67,7 @@ TEST(BoundedJson, WhatIsOutOfBoundsIsASentence) {
     expectRefusal(keys + "}", "too many keys"); // in one object
     expectRefusal(R"([{"a":1},{"a":1},{"a":1}])", "too many keys", {100, 7, 2});
     EXPECT_EQ(refusal(R"([{"a":1},{"a":1}])", {100, 7, 2}), "");
-    expectRefusal(R"({"lines":1,"lines":2})", "\"lines\" stands twice");
+    expectRefusal(R"({"lines":1,"lines":2})", "\"lines\" appears twice");
     expectRefusal("[1e999]", "a number that no computer can store");
     expectRefusal("[1,", "x.json: byte 4: the JSON is damaged or cut off here");
     expectRefusal("", "damaged or cut off");

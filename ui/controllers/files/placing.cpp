@@ -237,8 +237,9 @@ void Placing::takeLine(const QString& line, bool northingFirst) {
 }
 
 QStringList Placing::scannerNames() const {
+    const Json scanners = scannersIn(preferences_); // items() does not own it
     QStringList names;
-    for (const auto& [name, value] : scannersIn(preferences_).items()) names << exactText(name);
+    for (const auto& [name, value] : scanners.items()) names << exactText(name);
     return names;
 }
 

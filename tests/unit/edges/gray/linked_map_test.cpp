@@ -78,7 +78,8 @@ TEST(LinkedMap, IsWhatChainsOneByOneGive) {
         const float share = turn % 9 == 0 ? 0.0F : static_cast<float>(1 + random() % 1000) / 1000.0F;
         const int minimumLength = 1 + static_cast<int>(random() % 6);
         const ThresholdMap map = linkedThresholdMap(strength, static_cast<double>(share), minimumLength);
-        const double least = std::clamp(static_cast<double>(strength[random() % strength.size()]), 0.0, 1e6); // as sliders have
+        const float one = strength[random() % strength.size()];
+        const double least = one > 0 && one < 1e6F ? static_cast<double>(one) : 0.0; // as sliders have
         const ThresholdMap from = linkedThresholdMap(strength, static_cast<double>(share), minimumLength, least);
         for (std::size_t k = 0; k < strength.size(); ++k) {
             const double whole = map.highest[k], part = from.highest[k];

@@ -157,7 +157,7 @@ TEST(Pcd, SentencesSayWhatIsWrong) {
     refused(header(65536, 65535, kFloats, "binary") + "short", "the file holds 5 bytes");
     refused(header(10, 10, kFloats, "ascii") + "1 2 3\n", "promises 100 points");
     refused(header(2, 1, kFloats, "ascii") + "1 2 3\n4 5\n", "line 13: holds 2 numbers");
-    refused(header(10, 10, kFloats, "zip"), "none of ascii");
+    refused(header(10, 10, kFloats, "zip"), "is not ascii");
     refused(header(10, 10, "FIELDS a b c\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n", "binary"), "no fields x, y and z");
     refused(header(10, 10, "FIELDS x y z\nSIZE 4 4\nTYPE F F F\nCOUNT 1 1 1\n", "binary"), "gives 2 sizes");
     refused(header(10, 10, "FIELDS x y z\nSIZE 4 4 3\nTYPE F F F\nCOUNT 1 1 1\n", "binary"), "type or size");

@@ -275,13 +275,13 @@ TEST(Regrid, RealCloudsOpenProjectedOrSayWhyNot) {
     EXPECT_EQ(countCells(*livox)[0] + livox->attached.size(), 227143U);
     const auto airborne = openScan(shared("traps/airborne_utm_float32.pcd"));
     ASSERT_FALSE(airborne);
-    for (const char* part : {"38010 points", "in one direction", "told apart by about 0.5", "--sensor"})
+    for (const char* part : {"38010 points", "in one direction", "resolution of about 0.5", "--sensor"})
         EXPECT_NE(airborne.error().sentence().find(part), std::string::npos) << airborne.error().sentence();
     ReadingOptions above;
     above.sensorM = Eigen::Vector3d(512766, 5403705, 1000);
     const auto fromAbove = openScan(shared("traps/airborne_utm_float32.pcd"), above);
     ASSERT_TRUE(fromAbove) << fromAbove.error().sentence();
-    EXPECT_TRUE(anyHolds(fromAbove->warnings, "can only be told apart by about 0.5"));
+    EXPECT_TRUE(anyHolds(fromAbove->warnings, "have a resolution of about 0.5"));
     above.sensorM = Eigen::Vector3d(512766, 5403705, 2600); // farther than a scanner's reach: nevertheless metres
     const auto fromHigh = openScan(shared("traps/airborne_utm_float32.pcd"), above);
     ASSERT_TRUE(fromHigh) << fromHigh.error().sentence();

@@ -33,7 +33,7 @@ const std::map<std::string, std::string> kSaid{
     {"mt_offset_huge.mcap", "which no scanner uses"},
     {"n_bomb_small.png", "promises more pixels than a file"},
     {"p_18.pcd", "which is more"},
-    {"p_36.pcd", "is none of ascii, binary, binary_compressed"},
+    {"p_36.pcd", "is not ascii, binary or binary_compressed"},
     {"p_42.pcd", "the header promises 600 points, and more text follows them here"},
     {"plcut.las", "records behind the points cannot be read"},
     {"two_sweeps.mcap", "The recording holds 2 sweeps"},

@@ -186,7 +186,8 @@ TEST(RosBagSweep, TransformsToAMapPlaceIt) {
             ASSERT_TRUE(back) << back.error().sentence();
             ASSERT_TRUE(back->placement);
             expectSame(*back, scan);
-            EXPECT_TRUE(warns(*back, "GUESS: the frame map"));
+            ASSERT_EQ(back->placement->warnings.size(), 1U);
+            EXPECT_TRUE(back->placement->warnings[0].starts_with("GUESS: the frame map"));
             EXPECT_EQ(back->placement->poses.size(), 1U);
             const auto& polar = std::get<PolarGeometry>(scan.geometry);
             for (const auto& [line, beam] : {std::pair{0, 5}, {19, 39}, {7, 20}}) {
@@ -210,10 +211,14 @@ TEST(RosBagSweep, TopicAndJointAreChosenByName) {
     RosMessages messages = rosMessagesOf(scan, {.from = AngleFrom::Joint});
     const auto other = messages.topic("/front scan", "sensor_msgs/LaserScan", Wire::Ros1);
     messages.message(other, kRosStartNs, rosLaserScan(scan, std::get<PolarGeometry>(scan.geometry).beamDeg, 3, {}));
+    const auto fixed = messages.topic("/fixed", "sensor_msgs/LaserScan", Wire::Ros1);
+    for (int n = 0; n < 300; ++n)
+        messages.message(fixed, kRosStartNs + n, rosLaserScan(scan, std::get<PolarGeometry>(scan.geometry).beamDeg, 3, {}));
     ReadingOptions options;
     const auto guessed = opened(bag1Of(messages), options);
     ASSERT_TRUE(guessed) << guessed.error().sentence();
     EXPECT_TRUE(warns(*guessed, "GUESS: the topic /robot/scan"));
+    EXPECT_EQ(guessed->rangeMm, scan.rangeMm);
     EXPECT_TRUE(warns(*guessed, "/front scan (sensor_msgs/LaserScan, 1 message)"));
     EXPECT_TRUE(warns(*guessed, "GUESS: the angle of each line comes from the joint arm/tilt"));
     options.topic = "/robot/scan";
