@@ -299,7 +299,12 @@ private slots:
                 const QWidget& locked = *on.window.cab().frame().head().locked();
                 if (!locked.isVisible() || !on.window.rect().contains(QRect(locked.mapTo(&on.window, QPoint()), locked.size())))
                     faults << where + "Locked is off the screen";
-                for (const QString& fault : faultsIn(on.window)) faults << where + fault;
+                QStringList cut = faultsIn(on.window);
+                for (int n = 0; n < 20 && !cut.isEmpty(); ++n) { // a number of the scanner may just have changed
+                    QApplication::processEvents();
+                    cut = faultsIn(on.window);
+                }
+                for (const QString& fault : cut) faults << where + fault;
                 const QString pictures = qEnvironmentVariable("EDGESCAN_LOOK");
                 if (!pictures.isEmpty())
                     pictureOf(on).save(
