@@ -139,8 +139,9 @@ private slots:
                 const QString where = QString("%1 at %2 x %3: ").arg(name).arg(window.width()).arg(window.height());
                 if (cloud.width() < 0.55 * window.width() - 1) faults << where + QString("cloud %1").arg(cloud.width());
                 for (const auto* each : window.findChildren<QDockWidget*>()) {
-                    if (!each->isVisible() || !each->visibleRegion().boundingRect().isValid()) continue;
-                    if (each->widget()->visibleRegion().isEmpty()) faults << where + each->objectName() + " is blank";
+                    if (!each->isVisible() || each->visibleRegion().isEmpty()) continue; // behind another tab
+                    if (!each->widget()->isVisible() || each->widget()->height() < 40 || each->widget()->width() < 100)
+                        faults << where + each->objectName() + " is blank";
                     if (!window.rect().contains(QRect(each->mapTo(&window, QPoint()), each->size())))
                         faults << where + each->objectName() + " is off the window";
                 }
