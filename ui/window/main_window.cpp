@@ -65,6 +65,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRememberAfterMs = 300;
+constexpr QSize kLeastCloud(240, 120);
 
 /// The bar of the badge, right of the tools, which give way: it is visible at every width.
 QToolBar* badgeBar(QWidget& badge) {
@@ -201,6 +202,7 @@ void MainWindow::followPlaces() {
 
 // Over a free part of the cloud; more legends go above it.
 void MainWindow::layOutLegend() {
+    viewer_.cloud.setMinimumSize(kLeastCloud); // not that of the legends: they shrink with it
     auto* over = new QVBoxLayout(&viewer_.cloud);
     over->setContentsMargins(8, 8, 8, 8);
     over->addStretch(1);
@@ -213,6 +215,7 @@ void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
+    viewer_.origin.setShrinks();
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
@@ -231,8 +234,9 @@ void MainWindow::layOutTools() {
 void MainWindow::showOrigin() {
     const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
     viewer_.origin.showState(origin.sign, origin.badge);
-    viewer_.origin.setToolTip(origin.more);
+    viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
     viewer_.tools.reserve(viewer_.origin.parentWidget()->sizeHint().width());
+    arrange(); // the badge has another width
     viewer_.targets.setSource(origin.badge);
     emit originShown();
 }
