@@ -36,3 +36,24 @@ if(EDGESCAN_VIEWER)
   endforeach()
   install(FILES ${resources}/icons/edgescan.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT viewer)
 endif()
+
+# The manual as HTML pages, where the generator (python3-markdown) is installed: the target edgescan_manual.
+find_program(EDGESCAN_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+if(EDGESCAN_SYSTEM_PYTHON)
+  execute_process(COMMAND ${EDGESCAN_SYSTEM_PYTHON} -c "import markdown" RESULT_VARIABLE without_markdown OUTPUT_QUIET ERROR_QUIET)
+endif()
+if(EDGESCAN_SYSTEM_PYTHON AND without_markdown EQUAL 0)
+  file(GLOB_RECURSE EDGESCAN_PAGES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/*.md ${CMAKE_SOURCE_DIR}/docs/*.png)
+  set(programs edgescan-cli edgescan-lab)
+  if(TARGET edgescan)
+    list(APPEND programs edgescan)
+  endif()
+  add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/manual/index.html
+    COMMAND ${EDGESCAN_SYSTEM_PYTHON} -B ${CMAKE_SOURCE_DIR}/docs/make-manual ${CMAKE_BINARY_DIR}/manual $<TARGET_FILE_DIR:edgescan-cli>
+    DEPENDS ${EDGESCAN_PAGES} ${CMAKE_SOURCE_DIR}/docs/make-manual ${CMAKE_SOURCE_DIR}/docs/command_pages.py ${programs}
+    COMMENT "Making the manual" VERBATIM)
+  add_custom_target(edgescan_manual ALL DEPENDS ${CMAKE_BINARY_DIR}/manual/index.html)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/manual/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/edgescan/html COMPONENT viewer OPTIONAL)
+else()
+  message(STATUS "No manual as HTML: install python3-markdown for it")
+endif()

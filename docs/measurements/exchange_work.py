@@ -254,7 +254,7 @@ def main():
     with tempfile.TemporaryDirectory(dir=WORK) as folder:
         scan = Scan(CLI, folder)
         print(f"A scan of 200 lines x 300 beams, {len(scan.grid.cells)} points, {len(scan.edges[0])} of them edges, with the pose and the robot of "
-              "../reference/coordinates.md: E 498,765 N 5,150,123.")
+              "docs/reference/coordinates.md: E 498,765 N 5,150,123.")
         right, sound = clouds(scan, programs)
         sound = rocks(scan, programs) and sound
     head("What to choose", "The exports that arrive as they are, and what the program asks when one of mine coordinates is opened by hand.",

@@ -1,5 +1,6 @@
-// Comments are in plain English: no comment of core, ui, app, tests or packaging contains a word of the list below.
+// Comments are in plain English: no comment of core, ui, app, tests or packaging contains a word of the list in plain_words.h.
 #include "tests/support/folders.h"
+#include "tests/support/plain_words.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -81,35 +82,14 @@ std::vector<CommentBlock> commentsOf(const std::string& source, bool isCpp) {
     return blocks;
 }
 
-/// A banned word of a comment and its line, counted from the comment's first one; an empty word if there is none. Text in quotes or
-/// backquotes is a message or an identifier, and does not count.
-std::pair<std::string, std::size_t> bannedWord(const std::string& comment) {
-    static const std::regex quoted("\"[^\"]*\"|`[^`]*`");
-    static const std::regex banned(
-        R"(\b(told|tells?|stands?|lies|sits?|sittings?|beside|anew|nobody|somebody|whoever|none\s+of|(there\s+)?(is|are)\s+no(?!\s+longer)|or\s+none)\b(?!-))",
-        std::regex::icase);
-    std::string text = comment;
-    for (std::smatch match; std::regex_search(text, match, quoted);) {
-        const std::size_t at = static_cast<std::size_t>(match.position());
-        for (std::size_t i = at; i < at + static_cast<std::size_t>(match.length()); ++i)
-            if (text[i] != '\n') text[i] = '_';
-    }
-    for (std::sregex_iterator it(text.begin(), text.end(), banned), end; it != end; ++it) {
-        if ((*it)[2].matched) continue; // "there is no" is plain English
-        const auto until = text.begin() + it->position();
-        return {it->str(), static_cast<std::size_t>(std::count(text.begin(), until, '\n'))};
-    }
-    return {};
-}
-
 TEST(CommentWords, TheTestFindsABannedWord) {
     for (const char* comment : {"The cell tells the line.", "It is no edge.", "A rock, or none.", "Nobody knows.", "They lie beside it.",
                                 "none\nof them", "what the file\nTold"})
-        EXPECT_NE(bannedWord(comment).first, "") << comment;
+        EXPECT_NE(test::bannedWord(comment).first, "") << comment;
     for (const char* comment : {"There is no range.", "0 if there\nare no cells", "`told` is a member", "\"the beams lie beside it\"",
                                 "an understanding", "satellites", "a standard deviation", "belies", "\"two\nlines told\" apart"})
-        EXPECT_EQ(bannedWord(comment).first, "") << comment;
-    EXPECT_EQ(bannedWord("one\ntwo\nthree sits").second, 2U);
+        EXPECT_EQ(test::bannedWord(comment).first, "") << comment;
+    EXPECT_EQ(test::bannedWord("one\ntwo\nthree sits").second, 2U);
 }
 
 TEST(CommentWords, TheTestFindsComments) {
@@ -133,7 +113,7 @@ TEST(CommentWords, EveryCommentIsInPlainEnglish) {
         if (!isCpp && extension != ".py" && extension != ".cmake" && path.filename() != "CMakeLists.txt") return;
         for (const CommentBlock& block : commentsOf(test::fileText(path), isCpp)) {
             ++comments;
-            const auto [word, line] = bannedWord(block.text);
+            const auto [word, line] = test::bannedWord(block.text);
             EXPECT_EQ(word, "") << fs::relative(path, kTree).string() << ':' << block.line + line << ": the comment contains \"" << word
                                 << "\" (CONTRIBUTING.md, \"Rules\")";
         }

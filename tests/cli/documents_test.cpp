@@ -98,7 +98,7 @@ std::vector<std::string> headingsCited(const std::string& text, std::size_t at) 
 fs::path documentNamed(const std::string& name, const fs::path& citing) {
     if (fs::is_regular_file(kRoot / name)) return kRoot / name;
     const fs::path sibling = citing.parent_path() / name;
-    const bool isOfDocument = citing.extension() == kMark || citing.parent_path().parent_path() == kRoot / "docs";
+    const bool isOfDocument = citing.extension() == kMark || fs::relative(citing, kRoot).string().starts_with("docs/");
     return isOfDocument && fs::is_regular_file(sibling) ? sibling : fs::path();
 }
 

@@ -1,5 +1,5 @@
 // The pictures of the pages that show an operator's tasks, from the real window driven by real events: edgescan_task_pictures FOLDER
-// [TASK]. docs/pictures/make-pictures runs it, on a screen of 1280 x 800 and on one of 1920 x 1080.
+// [TASK]. docs/pictures/make-pictures runs it, on a screen of 1280 x 800.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scanner/emulator/emulator.h"
