@@ -77,6 +77,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>
+<message><source>Clicked</source><translation type="unfinished"></translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
@@ -91,6 +92,18 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
+<message><source>The section could not be worked out (%1).</source><translation type="unfinished"></translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation type="unfinished"></translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation type="unfinished"></translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation type="unfinished"></translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation type="unfinished"></translation></message>
+<message><source>, rocks in colours</source><translation type="unfinished"></translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation type="unfinished"></translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation type="unfinished"></translation></message>
+<message><source>Export Section</source><translation type="unfinished"></translation></message>
+<message><source>Drawing (*.dxf)</source><translation type="unfinished"></translation></message>
+<message><source>Table (*.csv)</source><translation type="unfinished"></translation></message>
+<message><source>Picture (*.png)</source><translation type="unfinished"></translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
@@ -236,8 +249,9 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
 <message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
 <message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
-<message><source>Nothing was measured at this cell, so it is the end of no length: click one that has a range.</source><translation>Rien n'a été mesuré à cette cellule, elle n'est donc l'extrémité d'aucune longueur : cliquez sur une cellule qui a une distance.</translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
@@ -276,10 +290,14 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
+<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
+<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
@@ -522,6 +540,9 @@ tenez \ pour la voir</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Export Section…</source><translation type="unfinished"></translation></message>
+<message><source>Section</source><translation type="unfinished"></translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation type="unfinished"></translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -578,7 +599,12 @@ tenez \ pour la voir</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
+<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
@@ -833,6 +859,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation type="unfinished"></translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation type="unfinished"></translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>

@@ -12,6 +12,7 @@
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/scan_look.h"
 #include "ui/controllers/scan_report.h"
+#include "ui/controllers/sections.h"
 #include "ui/controllers/targets/marked_edges.h"
 #include "ui/controllers/targets/measures.h"
 #include "ui/controllers/targets/selection.h"
@@ -82,6 +83,7 @@ struct Viewer {
     Targets targets;
     Measures measures;
     Selection selection;
+    Sections sections;
     Comparing comparing;
     Confidence confidence;
     MarkedEdges markedEdges;
