@@ -77,7 +77,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más fuerte.</translation></message>
-<message><source>Clicked</source><translation type="unfinished"></translation></message>
+<message><source>Clicked</source><translation>Clic</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
@@ -92,18 +92,19 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
-<message><source>The section could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation type="unfinished"></translation></message>
-<message><source>Select a rock first: press K and click on its face.</source><translation type="unfinished"></translation></message>
-<message><source>The plane of the section meets no surface: choose two other cells.</source><translation type="unfinished"></translation></message>
-<message><source>Vertical plane, true scale. Edges green%1.</source><translation type="unfinished"></translation></message>
-<message><source>, rocks in colours</source><translation type="unfinished"></translation></message>
-<message><source>▲ no pose: up is the scanner's z</source><translation type="unfinished"></translation></message>
-<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation type="unfinished"></translation></message>
-<message><source>Export Section</source><translation type="unfinished"></translation></message>
-<message><source>Drawing (*.dxf)</source><translation type="unfinished"></translation></message>
-<message><source>Table (*.csv)</source><translation type="unfinished"></translation></message>
-<message><source>Picture (*.png)</source><translation type="unfinished"></translation></message>
+<message><source>The section could not be worked out (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
+<message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Bordes en verde%1.</translation></message>
+<message><source>, rocks in colours</source><translation>, rocas en colores</translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Una sección se exporta con sus rocas: muestre primero las rocas (K) y exporte de nuevo.</translation></message>
+<message><source>Export Section</source><translation>Exportar la sección</translation></message>
+<message><source>Drawing (*.dxf)</source><translation>Dibujo (*.dxf)</translation></message>
+<message><source>Table (*.csv)</source><translation>Tabla (*.csv)</translation></message>
+<message><source>Picture (*.png)</source><translation>Imagen (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
@@ -203,6 +204,11 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
+<message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
+<message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
+<message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
@@ -249,9 +255,9 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
 <message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
 <message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
-<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
-<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
@@ -268,6 +274,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Show All</source><translation>Mostrar todo</translation></message>
 <message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
+<message><source>&amp;Isolate</source><translation>A&amp;islar</translation></message>
 <message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
 <message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
 <message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
@@ -277,6 +284,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
 <message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
 <message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
+<message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
 <message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
@@ -290,14 +299,14 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
-<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
-<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
-<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
+<message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
+<message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
@@ -540,9 +549,9 @@ mantenga \ para verla</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
-<message><source>Export Section…</source><translation type="unfinished"></translation></message>
-<message><source>Section</source><translation type="unfinished"></translation></message>
-<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation type="unfinished"></translation></message>
+<message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
+<message><source>Section</source><translation>Sección</translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -599,12 +608,12 @@ mantenga \ para verla</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
-<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
-<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m detrás de un borde; medido en su lado cercano</translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation>un haz entre dos superficies; medido en la más cercana</translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>
+<message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
-<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic cerca de un borde se refiere a su lado cercano; con Mayús, a la celda misma</translation></message>
 <message><source>from</source><translation>desde</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
@@ -847,7 +856,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
@@ -859,8 +867,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Por la &amp;superficie</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Ancho de &amp;garganta</translation></message>
-<message><source>Se&amp;ction through the Last Measurement</source><translation type="unfinished"></translation></message>
-<message><source>Section th&amp;rough the Rock</source><translation type="unfinished"></translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation>Se&amp;cción por la última medición</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>

@@ -77,7 +77,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>
-<message><source>Clicked</source><translation type="unfinished"></translation></message>
+<message><source>Clicked</source><translation>Cliqué</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
@@ -92,18 +92,19 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
-<message><source>The section could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation type="unfinished"></translation></message>
-<message><source>Select a rock first: press K and click on its face.</source><translation type="unfinished"></translation></message>
-<message><source>The plane of the section meets no surface: choose two other cells.</source><translation type="unfinished"></translation></message>
-<message><source>Vertical plane, true scale. Edges green%1.</source><translation type="unfinished"></translation></message>
-<message><source>, rocks in colours</source><translation type="unfinished"></translation></message>
-<message><source>▲ no pose: up is the scanner's z</source><translation type="unfinished"></translation></message>
-<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation type="unfinished"></translation></message>
-<message><source>Export Section</source><translation type="unfinished"></translation></message>
-<message><source>Drawing (*.dxf)</source><translation type="unfinished"></translation></message>
-<message><source>Table (*.csv)</source><translation type="unfinished"></translation></message>
-<message><source>Picture (*.png)</source><translation type="unfinished"></translation></message>
+<message><source>The section could not be worked out (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
+<message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plan vertical, échelle vraie. Arêtes en vert%1.</translation></message>
+<message><source>, rocks in colours</source><translation>, blocs en couleurs</translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Une coupe s'exporte avec ses blocs : affichez d'abord les blocs (K), puis exportez de nouveau.</translation></message>
+<message><source>Export Section</source><translation>Exporter la coupe</translation></message>
+<message><source>Drawing (*.dxf)</source><translation>Dessin (*.dxf)</translation></message>
+<message><source>Table (*.csv)</source><translation>Tableau (*.csv)</translation></message>
+<message><source>Picture (*.png)</source><translation>Image (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
@@ -203,6 +204,11 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
+<message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
+<message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
+<message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
@@ -249,9 +255,9 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
 <message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
 <message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
-<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
-<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
@@ -268,6 +274,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Show All</source><translation>Tout afficher</translation></message>
 <message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
+<message><source>&amp;Isolate</source><translation>&amp;Isoler</translation></message>
 <message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
 <message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
 <message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
@@ -277,6 +284,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
 <message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
 <message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
+<message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
 <message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
@@ -290,14 +299,14 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
-<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
-<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
-<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
+<message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
+<message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
@@ -540,9 +549,9 @@ tenez \ pour la voir</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
-<message><source>Export Section…</source><translation type="unfinished"></translation></message>
-<message><source>Section</source><translation type="unfinished"></translation></message>
-<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation type="unfinished"></translation></message>
+<message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
+<message><source>Section</source><translation>Coupe</translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -599,12 +608,12 @@ tenez \ pour la voir</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
-<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
-<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m derrière une arête ; mesuré de son côté proche</translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation>un faisceau entre deux surfaces ; mesuré sur la plus proche</translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>
+<message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
-<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic près d'une arête vise son côté proche ; avec Maj il vise la cellule même</translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
@@ -847,7 +856,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
@@ -859,8 +867,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
-<message><source>Se&amp;ction through the Last Measurement</source><translation type="unfinished"></translation></message>
-<message><source>Section th&amp;rough the Rock</source><translation type="unfinished"></translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation>&amp;Coupe par la dernière mesure</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>

@@ -77,7 +77,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>
 Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
 A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais forte.</translation></message>
-<message><source>Clicked</source><translation type="unfinished"></translation></message>
+<message><source>Clicked</source><translation>Clique</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
@@ -92,18 +92,19 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
-<message><source>The section could not be worked out (%1).</source><translation type="unfinished"></translation></message>
-<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation type="unfinished"></translation></message>
-<message><source>Select a rock first: press K and click on its face.</source><translation type="unfinished"></translation></message>
-<message><source>The plane of the section meets no surface: choose two other cells.</source><translation type="unfinished"></translation></message>
-<message><source>Vertical plane, true scale. Edges green%1.</source><translation type="unfinished"></translation></message>
-<message><source>, rocks in colours</source><translation type="unfinished"></translation></message>
-<message><source>▲ no pose: up is the scanner's z</source><translation type="unfinished"></translation></message>
-<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation type="unfinished"></translation></message>
-<message><source>Export Section</source><translation type="unfinished"></translation></message>
-<message><source>Drawing (*.dxf)</source><translation type="unfinished"></translation></message>
-<message><source>Table (*.csv)</source><translation type="unfinished"></translation></message>
-<message><source>Picture (*.png)</source><translation type="unfinished"></translation></message>
+<message><source>The section could not be worked out (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
+<message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Arestas a verde%1.</translation></message>
+<message><source>, rocks in colours</source><translation>, rochas a cores</translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Uma secção é exportada com as suas rochas: mostre primeiro as rochas (K) e exporte de novo.</translation></message>
+<message><source>Export Section</source><translation>Exportar a secção</translation></message>
+<message><source>Drawing (*.dxf)</source><translation>Desenho (*.dxf)</translation></message>
+<message><source>Table (*.csv)</source><translation>Tabela (*.csv)</translation></message>
+<message><source>Picture (*.png)</source><translation>Imagem (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>Open preset</source><translation>Abrir uma predefinição</translation></message>
@@ -203,6 +204,11 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>being worked out …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
+<message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
+<message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
+<message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
@@ -249,9 +255,9 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
 <message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
 <message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
-<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation type="unfinished"></translation></message>
+<message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
-<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation type="unfinished"></translation></message>
+<message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
 <message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
@@ -268,6 +274,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Show All</source><translation>Mostrar tudo</translation></message>
 <message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
+<message><source>&amp;Isolate</source><translation>&amp;Isolar</translation></message>
 <message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
 <message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
 <message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
@@ -277,6 +284,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
 <message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
 <message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
+<message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
 <message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
@@ -290,14 +299,14 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
-<message><source>narrowest way near the two clicks</source><translation type="unfinished"></translation></message>
-<message><source>1 end was moved to the near side</source><translation type="unfinished"></translation></message>
-<message><source>%1 ends were moved to the near side</source><translation type="unfinished"></translation></message>
+<message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
+<message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
+<message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation type="unfinished"></translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
@@ -540,9 +549,9 @@ segure \ para vê-la</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
-<message><source>Export Section…</source><translation type="unfinished"></translation></message>
-<message><source>Section</source><translation type="unfinished"></translation></message>
-<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation type="unfinished"></translation></message>
+<message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
+<message><source>Section</source><translation>Secção</translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -599,12 +608,12 @@ segure \ para vê-la</translation></message>
 <message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
-<message><source>%1 m behind an edge; measured on its near side</source><translation type="unfinished"></translation></message>
-<message><source>a beam between two surfaces; measured on the nearer one</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured there; measured at the nearest cell</source><translation type="unfinished"></translation></message>
-<message><source>nothing was measured within %1 cells</source><translation type="unfinished"></translation></message>
+<message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m atrás de uma aresta; medido no seu lado próximo</translation></message>
+<message><source>a beam between two surfaces; measured on the nearer one</source><translation>um feixe entre duas superfícies; medido na mais próxima</translation></message>
+<message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>
+<message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
-<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation type="unfinished"></translation></message>
+<message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Um clique perto de uma aresta refere-se ao seu lado próximo; com Shift, à própria célula</translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
@@ -847,7 +856,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
@@ -859,8 +867,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Ao longo da &amp;superfície</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largura da &amp;garganta</translation></message>
-<message><source>Se&amp;ction through the Last Measurement</source><translation type="unfinished"></translation></message>
-<message><source>Section th&amp;rough the Rock</source><translation type="unfinished"></translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation>Se&amp;cção pela última medição</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>

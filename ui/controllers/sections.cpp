@@ -16,6 +16,7 @@
 #include "ui/panels/section/section_plot.h"
 
 #include <QDir>
+#include <QMenu>
 #include <QPushButton>
 
 #include <optional>
@@ -37,6 +38,14 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
           }) {
     connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
         if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);
+    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+        auto* rock = menu.findChild<QMenu*>(kRockMenu);
+        if (rock == nullptr) return;
+        rock->addAction(tr("Se&ction"), this, [this, cell] {
+            rocks_.select({rocks_.rockCellAt(cell).value_or(cell)});
+            throughRock();
+        });
     });
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
         if (card_ == nullptr) return;
